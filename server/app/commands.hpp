@@ -1,0 +1,16 @@
+// The subcommands of `ciel`: one file each. add_NAME puts its options on the parser and sets `run` when it was chosen.
+#pragma once
+
+#include <functional>
+
+namespace CLI {
+class App;
+}
+
+namespace ciel::app {
+
+// What main calls after parsing; returns the process's exit code: 0 done, 1 failed, 2 wrong usage, 3 done with cells
+// left out.
+using Run = std::function<int()>;
+
+} // namespace ciel::app

@@ -1,0 +1,25 @@
+#include "app/commands.hpp"
+#include "ciel/types.hpp"
+
+#include <CLI/CLI.hpp>
+#include <exception>
+#include <iostream>
+
+int main(int argc, char** argv) {
+    CLI::App app{"CIEL: explore huge simulation results on unstructured meshes in a browser.", "ciel"};
+    app.set_version_flag("--version", "ciel " CIEL_VERSION);
+    app.require_subcommand(1);
+    ciel::app::Run run;
+
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        return app.exit(error) == 0 ? 0 : 2;
+    }
+    try {
+        return run();
+    } catch (const std::exception& error) {
+        std::cerr << "ciel: " << error.what() << '\n';
+        return 1;
+    }
+}

@@ -1,0 +1,76 @@
+// Iso-surfaces and slices from the topology and a field (paper, algorithms 1-4), kept incremental from one nu to the
+// next.
+#pragma once
+
+#include "ciel/field.hpp"
+
+#include <functional>
+#include <stop_token>
+
+namespace ciel {
+
+// One vertex of the surface lies on one active edge: position = lerp(a, b, t), and so does every other array.
+struct EdgePoint {
+    Index a, b; // mesh vertices, a < b
+    float t;    // 0 at a, 1 at b
+};
+
+// An indexed polygon surface. Vertices are shared across blocks and unique per active edge; polygons are in storage
+// order of their cells, wound so that the right-hand normal points to higher values. The same bits for any block size,
+// thread count, engine and history of calls.
+struct Surface {
+    std::vector<Vec3f> positions; // offsets from the mesh's origin
+    std::vector<Vec3f> normals;   // unit, along the field's gradient (towards higher values); empty if not asked for
+    std::vector<EdgePoint> points;
+    std::vector<Index> polygon_offset{0}; // polygons + 1
+    std::vector<Index> polygon_vertex;
+    std::vector<Index> polygon_cell; // the cut cell of each polygon
+
+    // Consecutive polygons of one block: the unit of streaming and culling.
+    struct Chunk {
+        Index block, polygon_begin, polygon_end;
+    };
+    std::vector<Chunk> chunks;
+
+    void clear();
+};
+
+enum class Engine { signatures, propagation }; // design: block signatures; the paper's Algorithm 2
+
+// One viewer's query state on one field: signatures, active edges. Not thread-safe: one at a time; any number of
+// Queries may share a Topology and Fields. The mesh view must outlive the Query.
+class Query {
+public:
+    Query(const Topology& topology, const FaceMeshView& mesh, Engine engine = Engine::signatures);
+    ~Query();
+    Query(Query&&) noexcept;
+    Query& operator=(Query&&) noexcept;
+
+    // Changes the field (another array, a new time step); the topology is untouched. The field must outlive the next
+    // call of set_field.
+    void set_field(const Field& field);
+
+    // High means value >= nu. Replaces `out`. `normals` asks for gradients at the ends of the active edges. Returns
+    // false, leaving `out` unspecified, when `stop` was requested. Uses all threads of the parallel loop.
+    bool extract(double nu, bool normals, Surface& out, std::stop_token stop = {});
+
+    [[nodiscard]] std::size_t memory_bytes() const;
+
+private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+// Algorithm 1 / 3: a series is one call. `sink` gets each value's surface in the given order; it may be kept by moving.
+bool extract_series(Query& query, std::span<const double> values, bool normals,
+                    const std::function<void(double nu, Surface&&)>& sink, std::stop_token stop = {});
+
+// values: `components` per mesh vertex, interpolated at each point of the surface.
+void interpolate(std::span<const EdgePoint> points, std::span<const float> values, int components,
+                 std::span<float> out);
+
+// Fan triangulation from each polygon's best corner, with zero-area and repeated-vertex triangles left out: three
+// indices per triangle.
+[[nodiscard]] std::vector<Index> triangulate(const Surface& surface);
+
+} // namespace ciel

@@ -1,0 +1,27 @@
+// Vocabulary of the kernel: indices, cell types, the error type.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <stdexcept>
+#include <string>
+
+namespace ciel {
+
+using Index = std::uint32_t;
+inline constexpr Index none = std::numeric_limits<Index>::max();
+
+using Vec3f = std::array<float, 3>;
+using Vec3d = std::array<double, 3>;
+
+// The values are VTK's cell type numbers, which most formats share.
+enum class CellType : std::uint8_t { tetrahedron = 10, hexahedron = 12, wedge = 13, pyramid = 14, polyhedron = 42 };
+
+// Every error that a user can meet: one sentence that names the thing and says what to do.
+class Error : public std::runtime_error {
+public:
+    using std::runtime_error::runtime_error;
+};
+
+} // namespace ciel

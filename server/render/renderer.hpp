@@ -1,0 +1,82 @@
+// Off-screen OpenGL: geometry + camera -> image. The only folder that knows GL.
+#pragma once
+
+#include "ciel/types.hpp"
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace ciel::render {
+
+enum class Backend { automatic, egl_device, egl_surfaceless, osmesa };
+
+struct Camera {
+    Vec3d position{}, target{}, up{0, 0, 1};
+    double fov_degrees = 30;
+    bool parallel = false;
+    double parallel_height = 1;
+};
+
+// Triangles or lines with per-vertex attributes; borrowed for the duration of a draw.
+struct Mesh {
+    std::span<const Vec3f> positions; // offsets from the frame's origin
+    std::span<const Vec3f> normals;   // empty: flat shading from the triangle
+    std::span<const float> scalars;   // empty: solid colour
+    std::span<const Index> indices;   // 3 per triangle, 2 per line
+    bool lines = false;
+    std::string map = "viridis";
+    std::array<float, 2> range{0, 1};
+    std::array<float, 4> color{0.8F, 0.8F, 0.8F, 1}; // alpha is the opacity, also of mapped colours
+    std::uint64_t revision = 0;                      // same non-zero revision: same buffers, may be kept on the GPU
+    std::uint64_t identity = 0;                      // which layer the buffers belong to
+    bool lit = true;
+};
+
+struct Frame {
+    int width = 0, height = 0;
+    Vec3d origin{}; // of the positions
+    Camera camera;
+    Vec3d bounds_min{}, bounds_max{}; // for the depth range, in world coordinates
+    std::array<float, 3> background_top{}, background_bottom{};
+    std::vector<Mesh> meshes; // drawn in this order, opaque ones first
+    int samples = 1;          // 4: multisampled, for stills
+};
+
+// Rows from the top, RGB, 8 bits, no padding.
+struct Image {
+    int width = 0, height = 0;
+    std::vector<std::uint8_t> rgb;
+};
+
+// Owns one GL context; make and use it on one thread only. Throws Error naming the back ends that were tried and why
+// each failed. A lost context is rebuilt by the next draw.
+class Renderer {
+public:
+    explicit Renderer(Backend backend);
+    ~Renderer();
+    Renderer(Renderer&&) noexcept;
+
+    void draw(const Frame& frame, Image& image);
+    // World position under a pixel of the last drawn frame; false where there is only background.
+    bool pick(int x, int y, Vec3d& position);
+    [[nodiscard]] const std::string& gl_renderer() const; // GL_RENDERER
+    [[nodiscard]] const std::string& gl_version() const;
+    [[nodiscard]] Backend backend() const;
+
+private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+[[nodiscard]] std::vector<Backend> available_backends();
+[[nodiscard]] const char* name_of(Backend backend);
+[[nodiscard]] Backend
+backend_named(const std::string& name); // "auto", "egl-device", "egl-surfaceless", "osmesa"; throws Error
+
+// The camera that shows the whole box from a direction, with a small margin.
+[[nodiscard]] Camera default_camera(Vec3d bounds_min, Vec3d bounds_max, double aspect);
+
+} // namespace ciel::render

@@ -1,0 +1,24 @@
+// One client's way back: what the gateway gives the lower layers so that frames and notifications can leave.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace ciel::session {
+
+// A WebSocket has both ways; an HTTP POST has neither (both empty), and methods that need one answer with an error.
+// The callbacks may be called from any thread until the Connection is destroyed, never block, and may drop frames of a
+// view newest-wins when the socket is slow (the frame loop waits for acknowledgements anyway).
+struct Connection {
+    std::uint64_t id = 0;
+    std::string remote; // for logs
+    std::function<void(std::string text)> send_text;
+    std::function<void(std::shared_ptr<const std::vector<std::uint8_t>> bytes)> send_binary;
+
+    [[nodiscard]] bool is_streaming() const { return static_cast<bool>(send_binary); }
+};
+
+} // namespace ciel::session

@@ -1,0 +1,30 @@
+// Every limit in one table. server.info tells clients; tests/limits has one test a row.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+namespace ciel::session {
+
+struct Limits {
+    std::size_t message_bytes = 1 << 20; // one JSON-RPC text
+    std::size_t json_depth = 32;
+    std::size_t batch_requests = 64;
+    std::size_t connections = 128;
+    std::size_t sessions = 64;
+    std::size_t views_per_session = 8;
+    std::size_t layers = 64;
+    std::size_t values_per_layer = 64;
+    std::size_t undo_steps = 200;
+    std::uint32_t image_side = 8192;         // pixels
+    std::uint64_t image_pixels = 33'554'432; // per picture
+    std::size_t histogram_bins = 4096;
+    std::size_t export_bytes = 256 << 20;
+    std::size_t field_cache_bytes = std::size_t{4} << 30;
+    std::size_t session_memory_bytes = std::size_t{2} << 30; // query state and surfaces of one session
+    unsigned unacknowledged_frames = 2;
+    unsigned session_idle_seconds = 3600; // without a connection
+    unsigned request_seconds = 30;        // to send a whole HTTP request
+};
+
+} // namespace ciel::session

@@ -1,0 +1,56 @@
+// Everything that lives as long as the process: datasets, sessions, the render workers, limits, counters.
+#pragma once
+
+#include "ciel/extract.hpp"
+#include "render/renderer.hpp"
+#include "session/connection.hpp"
+#include "session/limits.hpp"
+#include "store/catalog.hpp"
+
+#include <memory>
+#include <string>
+
+namespace ciel::session {
+
+struct ServerOptions {
+    std::vector<std::filesystem::path> data;
+    render::Backend backend = render::Backend::automatic;
+    Engine engine = Engine::signatures;
+    unsigned render_workers = 1;
+    Limits limits;
+};
+
+struct Readiness {
+    bool ready = false;
+    std::string gl_renderer, gl_version, backend, problem;
+};
+
+class Sessions;     // sessions.hpp
+class FrameWorkers; // frame_workers.hpp
+
+// Thread-safe. The gateway calls connection_closed and drain; methods reach the rest.
+class Server {
+public:
+    explicit Server(ServerOptions options);
+    ~Server();
+
+    [[nodiscard]] const Limits& limits() const;
+    [[nodiscard]] store::Catalog& catalog();
+    [[nodiscard]] Sessions& sessions();
+    [[nodiscard]] FrameWorkers& frame_workers();
+
+    // Connections hear of appended steps (`dataset.changed`) while they are registered here.
+    void connection_opened(std::shared_ptr<Connection> connection);
+    void connection_closed(std::uint64_t connection_id);
+
+    // Draws a test picture and checks its pixels.
+    [[nodiscard]] Readiness readiness();
+    [[nodiscard]] std::string metrics() const; // Prometheus text exposition format 0.0.4
+    void drain(); // SIGTERM: no new sessions or frames, those under way are finished, clients are told
+
+private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+} // namespace ciel::session

@@ -1,0 +1,38 @@
+// The datasets a server offers, by name. Names never become paths: a request is looked up in a table made from what the
+// administrator named on the command line.
+#pragma once
+
+#include "store/loaded.hpp"
+
+#include <functional>
+#include <mutex>
+
+namespace ciel::store {
+
+struct CatalogEntry {
+    std::string name;
+    std::filesystem::path directory;
+    std::string problem; // a sentence, when it cannot be opened
+};
+
+// Thread-safe. Opens lazily, keeps one LoadedDataset per name, whatever the number of sessions.
+class Catalog {
+public:
+    // Each path is a NAME.ciel directory or a folder that holds some (those are found again on every list()).
+    explicit Catalog(std::vector<std::filesystem::path> paths);
+    ~Catalog();
+
+    [[nodiscard]] std::vector<CatalogEntry> list() const;
+    // Throws Error naming the datasets that exist when there is none of this name.
+    [[nodiscard]] std::shared_ptr<LoadedDataset> open(const std::string& name);
+
+    // Looks for steps appended by other processes, about once a second, and calls on_change(dataset name) from a thread
+    // of its own. Ends when the returned handle is destroyed.
+    [[nodiscard]] std::shared_ptr<void> watch(std::function<void(const std::string&)> on_change);
+
+private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+} // namespace ciel::store

@@ -1,0 +1,102 @@
+// A dataset on disk, opened for reading: NAME.ciel, a Zarr v2 group with raw chunks (store/README.md is the format).
+#pragma once
+
+#include "ciel/face_mesh.hpp"
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace ciel::store {
+
+enum class Association { point, cell };
+
+struct ArrayInfo {
+    std::string name; // "p", "U", "cell:p"
+    Association association = Association::point;
+    int components = 1;
+    std::string units; // empty: not known
+    std::string description;
+};
+
+struct ArrayStep {                 // one array at one step
+    std::array<double, 2> range{}; // of the magnitude when components > 1; finite values only
+    std::vector<std::array<double, 2>> component_ranges;
+    std::uint64_t invalid = 0; // NaN or infinite values
+};
+
+struct Step {
+    double time = 0;
+    std::size_t mesh = 0;                    // index into the dataset's meshes
+    std::size_t coordinates = 0;             // index into that mesh's position sets
+    std::map<std::string, ArrayStep> arrays; // an array that is not here was not written at this time
+};
+
+struct Group { // a named set of boundary faces (a patch) or of cells (a zone)
+    enum class Of { faces, cells };
+    Of of = Of::faces;
+    std::string name;
+    std::span<const Index> ids; // sorted stored ids, borrowed from the dataset
+};
+
+struct MeshInfo {
+    std::uint64_t vertices = 0, edges = 0, faces = 0, half_edges = 0, boundary_faces = 0, components = 0, cells = 0;
+    std::map<std::string, std::uint64_t> cells_by_type; // "hexahedron": n
+    std::array<double, 6> bounds{};                     // xmin xmax ymin ymax zmin zmax, origin added
+};
+
+struct DatasetInfo {
+    int format_version = 1;
+    std::string name;    // the directory's name without .ciel
+    std::string source;  // what was imported
+    std::string created; // ISO 8601
+    std::string length_units;
+    std::uint64_t input_vertices = 0, input_edges = 0, input_cells = 0; // as the file has them, before welding
+    std::vector<std::string> notes; // sentences: welded points, cells left out (ids), quadratic cells reduced...
+    std::vector<ArrayInfo> arrays;
+    std::vector<MeshInfo> meshes;
+};
+
+// Immutable view of what was committed when it was opened or last refreshed. Everything borrowed from it stays valid as
+// long as the shared pointer lives: files are mapped, and are replaced, never truncated, by writers. Thread-safe.
+class Dataset : public std::enable_shared_from_this<Dataset> {
+public:
+    // Throws Error naming the file when it is missing, damaged, truncated, of a newer version or not a dataset.
+    // Topology checksums are verified here, chunks at first touch.
+    [[nodiscard]] static std::shared_ptr<Dataset> open(const std::filesystem::path& directory);
+    virtual ~Dataset() = default;
+
+    [[nodiscard]] virtual const DatasetInfo& info() const = 0;
+    [[nodiscard]] virtual const std::vector<Step>& steps() const = 0;
+    // The dataset with the steps committed since, or nullptr when there are none. Chunks stay mapped once.
+    [[nodiscard]] virtual std::shared_ptr<Dataset> refreshed() const = 0;
+
+    [[nodiscard]] virtual FaceMeshView mesh(std::size_t mesh, std::size_t coordinates) const = 0;
+    [[nodiscard]] virtual std::vector<Group> groups(std::size_t mesh) const = 0;
+    [[nodiscard]] virtual std::span<const Index> original_vertex(std::size_t mesh) const = 0;
+    [[nodiscard]] virtual std::span<const Index> original_cell(std::size_t mesh) const = 0;
+    // components values per vertex or cell, interleaved; empty when the array was not written at this step.
+    // Throws Error for an unknown array or a damaged chunk.
+    [[nodiscard]] virtual std::span<const float> values(const std::string& array, std::size_t step) const = 0;
+
+    [[nodiscard]] const ArrayInfo* find(const std::string& array) const;
+    [[nodiscard]] std::size_t step_at(double time) const; // the nearest step
+};
+
+// "U:x", "U:y", "U:z", "U:0".., "U:magnitude" name one scalar of a vector; "p" names itself.
+struct ScalarName {
+    std::string array;
+    std::optional<int> component; // none with magnitude = false: the array is a scalar itself
+    bool magnitude = false;
+};
+// Throws Error with the names that exist when there is no such scalar.
+[[nodiscard]] ScalarName parse_scalar(const Dataset& dataset, const std::string& name);
+[[nodiscard]] std::vector<std::string> scalar_names(const ArrayInfo& array);
+
+} // namespace ciel::store

@@ -1,0 +1,41 @@
+// A dataset in memory for all sessions: one Topology per mesh, one Field per scalar and step while somebody uses it.
+#pragma once
+
+#include "ciel/field.hpp"
+#include "store/dataset.hpp"
+
+namespace ciel::store {
+
+// What a query needs of one scalar at one step; keeps everything it points to alive.
+struct ScalarField {
+    std::shared_ptr<const Topology> topology;
+    std::shared_ptr<const Field> field;
+    FaceMeshView mesh;
+    std::shared_ptr<const void> keep_alive;
+};
+
+// Thread-safe. Fields are kept in a least-recently-used cache of `field_budget_bytes`.
+class LoadedDataset {
+public:
+    LoadedDataset(std::shared_ptr<Dataset> dataset, std::size_t field_budget_bytes);
+    ~LoadedDataset();
+
+    [[nodiscard]] std::shared_ptr<Dataset> dataset() const; // the newest refresh
+    bool refresh();                                         // true when steps were added
+
+    [[nodiscard]] std::shared_ptr<const Topology> topology(std::size_t mesh);
+    // Throws Error when the scalar does not exist, is a cell array, or was not written at this step.
+    [[nodiscard]] ScalarField scalar(const std::string& name, std::size_t step);
+    // Point scalar by name as a plain array (magnitudes and components are made once), for colouring and probing.
+    [[nodiscard]] std::shared_ptr<const std::vector<float>> scalar_values(const std::string& name, std::size_t step);
+    // nu = dot(normal, position - origin).
+    [[nodiscard]] ScalarField plane(std::size_t step, Vec3d origin, Vec3d normal);
+
+    [[nodiscard]] std::size_t memory_bytes() const;
+
+private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+} // namespace ciel::store

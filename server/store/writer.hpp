@@ -1,0 +1,54 @@
+// Writes NAME.ciel: everything goes to a temporary sibling directory that is renamed by finish(); nothing half-written
+// is ever seen. Used by import and by the demo; `append` adds committed steps to an existing dataset.
+#pragma once
+
+#include "ciel/assemble.hpp"
+#include "store/dataset.hpp"
+
+namespace ciel::store {
+
+struct NamedGroup {
+    Group::Of of = Group::Of::faces;
+    std::string name;
+    std::vector<Index> ids; // stored ids
+};
+
+struct DatasetHeader {
+    std::string source, length_units;
+    std::uint64_t input_vertices = 0, input_edges = 0, input_cells = 0;
+    std::vector<std::string> notes;
+};
+
+struct ArrayValues {
+    ArrayInfo info;
+    std::span<const float> values; // in stored order
+};
+
+class Writer {
+public:
+    // Throws Error when `directory` exists and `overwrite` is false, or cannot be written.
+    Writer(std::filesystem::path directory, DatasetHeader header, bool overwrite = false);
+    // Opens an existing dataset to append steps to it.
+    [[nodiscard]] static Writer append(const std::filesystem::path& directory);
+    ~Writer(); // without finish(): removes what was written aside
+    Writer(Writer&&) noexcept;
+
+    // Counts edges, components and bounds for `info`, checksums everything. Returns the mesh's index.
+    std::size_t add_mesh(const FaceMesh& mesh, std::span<const Index> original_vertex,
+                         std::span<const Index> original_cell, std::span<const NamedGroup> groups);
+    // New positions of an existing mesh (offsets from its origin). Returns the coordinates' index.
+    std::size_t add_coordinates(std::size_t mesh, std::span<const float> positions);
+    // In append mode each step is committed (visible to readers) when this returns. Throws Error on a wrong size, or
+    // when `time` is not later than the last step's.
+    void add_step(double time, std::size_t mesh, std::size_t coordinates, std::span<const ArrayValues> arrays);
+    void add_note(std::string sentence);
+
+    void finish(); // verifies, renames
+
+private:
+    struct State;
+    explicit Writer(std::unique_ptr<State> state);
+    std::unique_ptr<State> state_;
+};
+
+} // namespace ciel::store
