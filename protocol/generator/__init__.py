@@ -1,0 +1,1 @@
+"""openrpc.json -> C++, TypeScript and Python: one emitter per language, one model for all."""

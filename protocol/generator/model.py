@@ -1,0 +1,87 @@
+"""The contract as the emitters see it: schemas by name, methods with named parameter and result types, errors."""
+
+import json
+import pathlib
+import re
+from dataclasses import dataclass, field
+from typing import Any
+
+Schema = dict[str, Any]
+
+
+@dataclass
+class Field:
+    name: str
+    schema: Schema
+    required: bool
+    description: str = ""
+
+
+@dataclass
+class Method:
+    name: str  # "scene.patch"
+    summary: str
+    params: list[Field]
+    result: Schema | None  # None for notifications
+    result_name: str = ""
+
+    @property
+    def type_prefix(self) -> str:
+        return pascal(self.name)
+
+    @property
+    def identifier(self) -> str:
+        return self.name.replace(".", "_")
+
+
+@dataclass
+class Contract:
+    text: str  # the document itself, without white space
+    version: str
+    schemas: dict[str, Schema]
+    methods: list[Method]
+    notifications: list[Method]
+    errors: dict[str, tuple[int, str]] = field(default_factory=dict)
+
+
+def pascal(name: str) -> str:
+    return "".join(part[:1].upper() + part[1:] for part in re.split(r"[._]", name))
+
+
+def ref_name(schema: Schema) -> str | None:
+    reference = schema.get("$ref")
+    return reference.rsplit("/", 1)[1] if reference else None
+
+
+def fields_of(schema: Schema) -> list[Field]:
+    required = set(schema.get("required", []))
+    return [
+        Field(name, part, name in required, part.get("description", "")) for name, part in schema["properties"].items()
+    ]
+
+
+def nullable(schema: Schema) -> Schema | None:
+    """X of anyOf [X, null], else None."""
+    options = schema.get("anyOf", [])
+    rest = [option for option in options if option.get("type") != "null"]
+    return rest[0] if len(options) == 2 and len(rest) == 1 else None
+
+
+def load(path: pathlib.Path) -> Contract:
+    document = json.loads(path.read_text(encoding="utf-8"))
+
+    def method(entry: dict[str, Any]) -> Method:
+        params = [
+            Field(p["name"], p["schema"], p.get("required", False), p.get("description", "")) for p in entry["params"]
+        ]
+        result = entry.get("result", {}).get("schema")
+        return Method(entry["name"], entry.get("summary", ""), params, result)
+
+    return Contract(
+        text=json.dumps(document, separators=(",", ":"), ensure_ascii=True),
+        version=document["info"]["version"],
+        schemas=document["components"]["schemas"],
+        methods=[method(entry) for entry in document["methods"]],
+        notifications=[method(entry) for entry in document["x-notifications"]],
+        errors={name: (e["code"], e["message"]) for name, e in document["components"]["errors"].items()},
+    )

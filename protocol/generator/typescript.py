@@ -1,0 +1,85 @@
+"""The contract as one TypeScript module: types, method and notification maps, error codes."""
+
+import json
+
+from .model import Contract, Field, Method, Schema, fields_of, ref_name
+
+STANDARD_ERRORS = {
+    "ParseError": -32700,
+    "InvalidRequest": -32600,
+    "MethodNotFound": -32601,
+    "InvalidParams": -32602,
+    "InternalError": -32603,
+}
+
+
+def type_of(schema: Schema, indent: str = "") -> str:
+    if name := ref_name(schema):
+        return name
+    if "const" in schema:
+        return json.dumps(schema["const"])
+    if "enum" in schema:
+        return " | ".join(json.dumps(value) for value in schema["enum"])
+    for key in ("anyOf", "oneOf"):
+        if key in schema:
+            return " | ".join(dict.fromkeys(type_of(option, indent) for option in schema[key]))
+    kind = schema.get("type")
+    if kind == "array":
+        return array(schema, indent)
+    if kind == "object":
+        return object_(schema, indent)
+    return {"string": "string", "number": "number", "integer": "number", "boolean": "boolean", "null": "null"}[kind]
+
+
+def array(schema: Schema, indent: str) -> str:
+    item = type_of(schema["items"], indent)
+    length = schema.get("minItems")
+    if length is not None and length == schema.get("maxItems"):
+        return "[" + ", ".join([item] * length) + "]"
+    return f"Array<{item}>"
+
+
+def object_(schema: Schema, indent: str) -> str:
+    if "properties" in schema:
+        return "{\n" + members(fields_of(schema), indent + "  ") + indent + "}"
+    values = schema.get("additionalProperties")
+    return f"Record<string, {type_of(values, indent) if isinstance(values, dict) else 'unknown'}>"
+
+
+def members(fields: list[Field], indent: str) -> str:
+    lines = []
+    for one in fields:
+        if one.description:
+            lines.append(f"{indent}/** {one.description} */\n")
+        mark = "" if one.required else "?"
+        lines.append(f"{indent}{one.name}{mark}: {type_of(one.schema, indent)};\n")
+    return "".join(lines)
+
+
+def parameters(method: Method, indent: str) -> str:
+    return "{\n" + members(method.params, indent + "  ") + indent + "}" if method.params else "Record<string, never>"
+
+
+def emit(contract: Contract) -> str:
+    out = ["// Generated from protocol/openrpc.json; do not edit.\n\n"]
+    for name, schema in contract.schemas.items():
+        if description := schema.get("description"):
+            out.append(f"/** {description} */\n")
+        if "properties" in schema:
+            out.append(f"export interface {name} {type_of(schema)}\n\n")
+        else:
+            out.append(f"export type {name} = {type_of(schema)};\n\n")
+    out.append("export interface Methods {\n")
+    for method in contract.methods:
+        out.append(f"  /** {method.summary} */\n  {json.dumps(method.name)}: {{\n")
+        out.append(f"    params: {parameters(method, '    ')};\n")
+        out.append(f"    result: {type_of(method.result or {}, '    ')};\n  }};\n")
+    out.append("}\n\nexport interface Notifications {\n")
+    for note in contract.notifications:
+        out.append(f"  /** {note.summary} */\n  {json.dumps(note.name)}: {parameters(note, '  ')};\n")
+    out.append("}\n\nexport const ErrorCode = {\n")
+    for name, code in {**STANDARD_ERRORS, **{n: c for n, (c, _) in contract.errors.items()}}.items():
+        out.append(f"  {name}: {code},\n")
+    out.append("} as const;\n\n")
+    out.append(f"export const PROTOCOL_VERSION = {json.dumps(contract.version)};\n")
+    return "".join(out)
