@@ -1,0 +1,45 @@
+"""Adds up the JUnit files that the suites left and prints the closing line. A suite without a result is a failure."""
+
+import pathlib
+import sys
+import xml.etree.ElementTree as ElementTree
+
+
+def outcome(case: ElementTree.Element) -> str:
+    if case.find("failure") is not None or case.find("error") is not None:
+        return "failed"
+    if case.find("skipped") is not None or case.get("status") in ("disabled", "notrun"):
+        return "skipped"
+    return "passed"
+
+
+def main(results: pathlib.Path, suites: list[str]) -> int:
+    counts = {"passed": 0, "failed": 0, "skipped": 0}
+    for suite in suites:
+        files = sorted(results.glob(f"{suite}*.xml"))
+        cases = []
+        for file in files:
+            try:
+                cases += list(ElementTree.parse(file).iter("testcase"))
+            except ElementTree.ParseError as error:
+                print(f"{file.name}: {error}")
+        if not cases:
+            print(f"FAILED {suite}: no test reported a result")
+            counts["failed"] += 1
+        for case in cases:
+            kind = outcome(case)
+            counts[kind] += 1
+            name = f"{suite}: {case.get('classname', '')} {case.get('name', '')}"
+            if kind == "failed":
+                print(f"FAILED {name}")
+            if kind == "skipped":
+                why = case.find("skipped")
+                message = "" if why is None else (why.get("message") or (why.text or "").strip())
+                print(f"skipped {name} {message}".rstrip())
+    skipped = f", {counts['skipped']} skipped" if counts["skipped"] else ""
+    print(f"{counts['passed']} passed, {counts['failed']} failed{skipped}")
+    return 1 if counts["failed"] or not counts["passed"] else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(pathlib.Path(sys.argv[1]), sys.argv[2:]))
