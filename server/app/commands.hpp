@@ -1,4 +1,5 @@
-// The subcommands of `ciel`: one file each. add_NAME puts its options on the parser and sets `run` when it was chosen.
+// The subcommands of `ciel`: command_NAME.cpp each, listed in main.cpp. add_NAME puts its options on the parser and
+// sets `run` when it was chosen.
 #pragma once
 
 #include <functional>

@@ -4,12 +4,23 @@
 #include <CLI/CLI.hpp>
 #include <exception>
 #include <iostream>
+#include <vector>
+
+namespace {
+
+using AddCommand = void (*)(CLI::App& app, ciel::app::Run& run);
+
+// In the order that --help shows.
+const std::vector<AddCommand> commands{};
+
+} // namespace
 
 int main(int argc, char** argv) {
     CLI::App app{"CIEL: explore huge simulation results on unstructured meshes in a browser.", "ciel"};
     app.set_version_flag("--version", "ciel " CIEL_VERSION);
     app.require_subcommand(1);
     ciel::app::Run run;
+    for (const auto add : commands) add(app, run);
 
     try {
         app.parse(argc, argv);
