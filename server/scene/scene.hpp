@@ -1,5 +1,5 @@
-// The scene document: everything a viewer wants to see, as one JSON document (protocol/scene.schema.json states its
-// form, defaults and limits). A change is an RFC 7396 merge patch.
+// The scene document: everything a viewer wants to see, as one JSON document (components/schemas/Scene in
+// protocol/openrpc.json states its form, defaults and limits). A change is an RFC 7396 merge patch.
 #pragma once
 
 #include <array>
@@ -41,7 +41,9 @@ struct SurfaceLayer { // boundary faces; all of them when `groups` is empty
     std::vector<std::string> groups;
     Coloring color;
 };
-struct OutlineLayer {}; // the bounding box
+struct OutlineLayer { // the bounding box
+    Coloring color;   // its solid colour
+};
 
 struct Layer {
     std::string id;
@@ -69,9 +71,10 @@ public:
 
 // Throws Invalid. Says nothing about whether arrays exist: that needs the dataset (session/).
 [[nodiscard]] Scene parse(const nlohmann::json& document);
-// RFC 7396. Returns the patched document; the caller parses it before it replaces the old one.
+// RFC 7396. Returns the patched document; the caller parses it before it replaces the old one. What it returns holds no
+// nulls where the patch reached: null and absent mean the same in a scene.
 [[nodiscard]] nlohmann::json merge_patch(nlohmann::json document, const nlohmann::json& patch);
-// The patch that leads from one document to another: what undo sends back.
+// The patch that leads from one document to another: what undo sends back. `to` must hold no nulls.
 [[nodiscard]] nlohmann::json diff(const nlohmann::json& from, const nlohmann::json& to);
 
 } // namespace ciel::scene

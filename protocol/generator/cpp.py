@@ -1,0 +1,182 @@
+"""The contract as C++ headers: types.hpp (structures), json.hpp (their conversions), methods.hpp (one function to define
+per method), method_table.hpp (the table that names them all, so that a missing one does not link), document.hpp."""
+
+import json
+
+from .model import Contract, Field, Method, Schema, fields_of, nullable, pascal, ref_name
+
+HEAD = "// Generated from protocol/openrpc.json; do not edit.\n#pragma once\n\n"
+PLAIN = {"string": "std::string", "integer": "std::int64_t", "number": "double", "boolean": "bool", "null": "std::nullptr_t"}
+
+
+class Types:
+    """Collects structures in the order in which C++ needs them."""
+
+    def __init__(self, contract: Contract) -> None:
+        self.contract = contract
+        self.declarations: list[str] = []
+        self.structures: list[tuple[str, list[Field]]] = []
+        self.done: set[str] = set()
+
+    def named(self, name: str) -> str:
+        schema = self.contract.schemas[name]
+        if schema.get("x-document"):  # kept as JSON: a layer of its own reads it
+            return "nlohmann::json"
+        if name not in self.done:
+            self.done.add(name)
+            if "properties" in schema:
+                self.structure(name, fields_of(schema), schema.get("description", ""))
+            else:
+                self.alias(name, self.type_of(schema, name))
+        return name
+
+    def alias(self, name: str, type_name: str) -> None:
+        self.declarations.append(f"using {name} = {type_name};\n")
+
+    def type_of(self, schema: Schema, hint: str) -> str:
+        if name := ref_name(schema):
+            return self.named(name)
+        if inner := nullable(schema):
+            return f"std::optional<{self.type_of(inner, hint)}>"
+        if "enum" in schema:
+            return "std::string"
+        kind = schema.get("type")
+        if kind == "array":
+            item = self.type_of(schema["items"], hint + "Item")
+            length = schema.get("minItems")
+            fixed = length is not None and length == schema.get("maxItems")
+            return f"std::array<{item}, {length}>" if fixed else f"std::vector<{item}>"
+        if kind == "object" and "properties" in schema:
+            self.structure(hint, fields_of(schema), schema.get("description", ""))
+            return hint
+        if kind == "object" and isinstance(schema.get("additionalProperties"), dict):
+            return f"std::map<std::string, {self.type_of(schema['additionalProperties'], hint + 'Value')}>"
+        return PLAIN.get(kind or "", "nlohmann::json")
+
+    def member(self, one: Field, hint: str) -> str:
+        type_name = self.type_of(one.schema, hint)
+        comment = f" // {one.description}" if one.description else ""
+        if not one.required and "default" in one.schema:
+            value = json.dumps(one.schema["default"])
+            return f"    {type_name} {one.name} = {value};{comment}\n"
+        if not one.required and not type_name.startswith("std::optional"):
+            type_name = f"std::optional<{type_name}>"
+        return f"    {type_name} {one.name}{{}};{comment}\n"
+
+    def structure(self, name: str, fields: list[Field], description: str, extra: str = "") -> None:
+        body = "".join(self.member(one, name + pascal(one.name)) for one in fields)
+        comment = f"// {description}\n" if description else ""
+        self.declarations.append(f"{comment}struct {name} {{\n{extra}{body}}};\n")
+        self.structures.append((name, fields))
+
+    def result(self, method: Method) -> None:
+        name = method.type_prefix + "Result"
+        schema = method.result or {}
+        if "properties" in schema:
+            self.structure(name, fields_of(schema), "")
+        else:
+            self.alias(name, self.type_of(schema, name))
+
+
+def collect(contract: Contract) -> Types:
+    types = Types(contract)
+    for method in contract.methods:
+        types.structure(method.type_prefix + "Params", method.params, f"{method.name}: {method.summary}")
+        types.result(method)
+    for note in contract.notifications:
+        name = f'    static constexpr const char* method = "{note.name}";\n'
+        types.structure(note.type_prefix, note.params, note.summary, name)
+    return types
+
+
+def emit_types(contract: Contract) -> str:
+    errors = "".join(f"    {name} = {code}, // {message}\n" for name, (code, message) in contract.errors.items())
+    return (
+        HEAD + "#include <array>\n#include <cstddef>\n#include <cstdint>\n#include <map>\n#include <nlohmann/json.hpp>\n"
+        "#include <optional>\n#include <string>\n#include <vector>\n\nnamespace ciel::protocol {\n\n"
+        f"enum ErrorCode : int {{\n{errors}}};\n\n"
+        + "\n".join(collect(contract).declarations)
+        + "\n} // namespace ciel::protocol\n"
+    )
+
+
+def reads(one: Field) -> str:
+    if one.required:
+        return f'    j.at("{one.name}").get_to(v.{one.name});\n'
+    return f'    if (const auto i = j.find("{one.name}"); i != j.end()) i->get_to(v.{one.name});\n'
+
+
+def writes(one: Field) -> str:
+    if one.required or "default" in one.schema:
+        return f'    j["{one.name}"] = v.{one.name};\n'
+    return f'    if (v.{one.name}) j["{one.name}"] = *v.{one.name};\n'
+
+
+def emit_json(contract: Contract) -> str:
+    out = [
+        HEAD,
+        '#include "protocol/types.hpp"\n\n',
+        "namespace nlohmann {\ntemplate <class T>\nstruct adl_serializer<std::optional<T>> {\n"
+        "    static void to_json(json& j, const std::optional<T>& v) { v ? j = *v : j = nullptr; }\n"
+        "    static void from_json(const json& j, std::optional<T>& v) {\n"
+        "        if (j.is_null()) v.reset();\n        else v = j.get<T>();\n    }\n};\n} // namespace nlohmann\n\n",
+        "namespace ciel::protocol {\n\n",
+    ]
+    for name, fields in collect(contract).structures:
+        unnamed = "" if fields else "/*v*/"
+        source = "j" if fields else "/*j*/"
+        out.append(f"inline void from_json(const nlohmann::json& {source}, {name}& {unnamed or 'v'}) {{\n")
+        out.extend(reads(one) for one in fields)
+        out.append(f"}}\ninline void to_json(nlohmann::json& j, const {name}& {unnamed or 'v'}) {{\n")
+        out.append("    j = nlohmann::json::object();\n")
+        out.extend(writes(one) for one in fields)
+        out.append("}\n")
+    out.append("\n} // namespace ciel::protocol\n")
+    return "".join(out)
+
+
+def emit_methods(contract: Contract) -> str:
+    functions = "".join(
+        f"// {m.summary}\n[[nodiscard]] protocol::{m.type_prefix}Result {m.identifier}(Context& context, "
+        f"const protocol::{m.type_prefix}Params& params);\n"
+        for m in contract.methods
+    )
+    return HEAD + (
+        '#include "protocol/types.hpp"\n\nnamespace ciel::methods {\n\n'
+        "struct Context; // methods/context.hpp\n\n" + functions + "\n} // namespace ciel::methods\n"
+    )
+
+
+def emit_table(contract: Contract) -> str:
+    rows = "".join(
+        f'    {{"{m.name}", call<protocol::{m.type_prefix}Params, {m.identifier}>}},\n' for m in contract.methods
+    )
+    return HEAD + (
+        '#include "protocol/json.hpp"\n#include "protocol/methods.hpp"\n\n#include <string_view>\n\n'
+        "namespace ciel::methods {\n\n"
+        "struct Method {\n    std::string_view name;\n"
+        "    nlohmann::json (*call)(Context& context, const nlohmann::json& params);\n};\n\n"
+        "template <class Params, auto function>\n"
+        "nlohmann::json call(Context& context, const nlohmann::json& params) {\n"
+        "    return nlohmann::json(function(context, params.get<Params>()));\n}\n\n"
+        f"inline constexpr std::array<Method, {len(contract.methods)}> method_table{{{{\n{rows}}}}};\n\n"
+        "} // namespace ciel::methods\n"
+    )
+
+
+def emit_document(contract: Contract) -> str:
+    return HEAD + (
+        "#include <string_view>\n\nnamespace ciel::protocol {\n\n"
+        f'inline constexpr std::string_view version = "{contract.version}";\n'
+        f'inline constexpr std::string_view document = R"openrpc({contract.text})openrpc";\n\n'
+        "} // namespace ciel::protocol\n"
+    )
+
+
+FILES = {
+    "types.hpp": emit_types,
+    "json.hpp": emit_json,
+    "methods.hpp": emit_methods,
+    "method_table.hpp": emit_table,
+    "document.hpp": emit_document,
+}

@@ -1,0 +1,70 @@
+"""The contract as Python TypedDicts."""
+
+from .model import Contract, Field, Method, Schema, fields_of, nullable, pascal, ref_name
+
+PLAIN = {"string": "str", "integer": "int", "number": "float", "boolean": "bool", "null": "None"}
+
+
+class Types:
+    """Collects definitions, inner ones first."""
+
+    def __init__(self) -> None:
+        self.definitions: list[str] = []
+
+    def type_of(self, schema: Schema, hint: str) -> str:
+        if name := ref_name(schema):
+            return name
+        if "const" in schema or "enum" in schema:
+            values = schema.get("enum", [schema.get("const")])
+            return "Literal[" + ", ".join(f'"{value}"' for value in values) + "]"
+        if inner := nullable(schema):
+            return f"{self.type_of(inner, hint)} | None"
+        for key in ("anyOf", "oneOf"):
+            if key in schema:
+                return " | ".join(self.type_of(option, hint) for option in schema[key])
+        kind = schema.get("type")
+        if kind == "array":
+            return f"list[{self.type_of(schema['items'], hint + 'Item')}]"
+        if kind == "object" and "properties" in schema:
+            return self.typed_dict(hint, fields_of(schema), schema.get("description", ""))
+        if kind == "object":
+            values = schema.get("additionalProperties")
+            return f"dict[str, {self.type_of(values, hint + 'Value') if isinstance(values, dict) else 'Any'}]"
+        return PLAIN[kind or ""]
+
+    def typed_dict(self, name: str, fields: list[Field], description: str) -> str:
+        lines = []
+        for one in fields:
+            type_name = self.type_of(one.schema, name + pascal(one.name))
+            mark = type_name if one.required else f"NotRequired[{type_name}]"
+            lines.append(f"    {one.name}: {mark}" + (f"  # {one.description}" if one.description else "") + "\n")
+        doc = f'    """{description}"""\n\n' if description else ""
+        self.definitions.append(f"class {name}(TypedDict):\n" + doc + ("".join(lines) or "    pass\n"))
+        return name
+
+
+def method_types(types: Types, method: Method) -> None:
+    types.typed_dict(method.type_prefix + "Params", method.params, f"{method.name}: {method.summary}")
+    if method.result is not None:
+        name = method.type_prefix + "Result"
+        result = types.type_of(method.result, name)
+        if result != name:
+            types.definitions.append(f"{name} = {result}\n")
+
+
+def emit(contract: Contract) -> str:
+    types = Types()
+    for name, schema in contract.schemas.items():
+        if "properties" in schema:
+            types.typed_dict(name, fields_of(schema), schema.get("description", ""))
+        else:
+            types.definitions.append(f"{name} = {types.type_of(schema, name)}\n")
+    for method in contract.methods + contract.notifications:
+        method_types(types, method)
+    codes = "".join(f'    "{name}": {code},\n' for name, (code, _) in contract.errors.items())
+    return (
+        '"""Generated from protocol/openrpc.json; do not edit."""\n\n'
+        "from typing import Any, Literal, NotRequired, TypedDict\n\n"
+        + "\n\n".join(types.definitions)
+        + f"\n\nERROR_CODES: dict[str, int] = {{\n{codes}}}\n"
+    )

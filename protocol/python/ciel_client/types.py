@@ -1,0 +1,427 @@
+"""Generated from protocol/openrpc.json; do not edit."""
+
+from typing import Any, Literal, NotRequired, TypedDict
+
+Vec3 = list[float]
+
+
+Range = list[float]
+
+
+class Camera(TypedDict):
+    position: Vec3
+    target: Vec3
+    up: NotRequired[Vec3]
+    fov: NotRequired[float]  # vertical, degrees
+    parallel: NotRequired[bool]
+    parallel_height: NotRequired[float]  # of the view, in length units, when parallel
+
+
+class Coloring(TypedDict):
+    array: NotRequired[str]  # a scalar name; absent: the solid colour
+    map: NotRequired[str]
+    range: NotRequired[Range | None]
+    solid: NotRequired[str]
+
+
+class IsoLayer(TypedDict):
+    type: Literal["iso"]
+    order: NotRequired[float]
+    visible: NotRequired[bool]
+    opacity: NotRequired[float]
+    array: str
+    values: list[float]
+    color: NotRequired[Coloring]
+    smooth: NotRequired[bool]
+
+
+class SliceLayer(TypedDict):
+    """either axis and value, or origin and normal"""
+
+    type: Literal["slice"]
+    order: NotRequired[float]
+    visible: NotRequired[bool]
+    opacity: NotRequired[float]
+    axis: NotRequired[Literal["x", "y", "z"]]
+    value: NotRequired[float]  # position along the axis; with axis
+    origin: NotRequired[Vec3]
+    normal: NotRequired[Vec3]
+    color: NotRequired[Coloring]
+
+
+class SurfaceLayer(TypedDict):
+    type: Literal["surface"]
+    order: NotRequired[float]
+    visible: NotRequired[bool]
+    opacity: NotRequired[float]
+    groups: NotRequired[list[str]]  # patch names; absent or empty: the whole boundary
+    color: NotRequired[Coloring]
+
+
+class OutlineLayer(TypedDict):
+    type: Literal["outline"]
+    order: NotRequired[float]
+    visible: NotRequired[bool]
+    opacity: NotRequired[float]
+    color: NotRequired[Coloring]
+
+
+Layer = IsoLayer | SliceLayer | SurfaceLayer | OutlineLayer
+
+
+class Scene(TypedDict):
+    """What a viewer wants to see. Undo, links, replay and scripts all use this document."""
+
+    dataset: str
+    time: NotRequired[float]  # the nearest time step is shown
+    camera: NotRequired[Camera | None]
+    background: NotRequired[Literal["dark", "light"] | str]
+    legend: NotRequired[bool]
+    layers: NotRequired[dict[str, Layer]]  # by id; drawn by (order, id)
+
+
+class ArrayInfo(TypedDict):
+    name: str
+    association: Literal["point", "cell"]
+    components: int
+    units: str
+    description: str
+    range: Range | None
+    scalars: list[str]  # names usable in layers: U:x, U:magnitude; empty for cell arrays
+    times: list[float]  # steps at which the array was written
+
+
+class MeshInfo(TypedDict):
+    vertices: int
+    edges: int
+    faces: int
+    half_edges: int
+    boundary_faces: int
+    components: int
+    cells: dict[str, int]
+
+
+class DatasetDescriptionInput(TypedDict):
+    vertices: int
+    edges: int
+    cells: int
+
+
+class DatasetDescriptionGroupsItem(TypedDict):
+    name: str
+    of: Literal["faces", "cells"]
+    count: int
+
+
+class DatasetDescription(TypedDict):
+    name: str
+    source: str
+    created: str
+    length_units: str
+    times: list[float]
+    bounds: list[float]  # xmin, xmax, ymin, ymax, zmin, zmax
+    input: DatasetDescriptionInput
+    mesh: MeshInfo
+    arrays: list[ArrayInfo]
+    groups: list[DatasetDescriptionGroupsItem]
+    notes: list[str]
+    default_scene: Scene
+
+
+class SessionState(TypedDict):
+    session: str
+    revision: int
+    scene: Scene
+    can_undo: bool
+    can_redo: bool
+
+
+class Revision(TypedDict):
+    revision: int
+    can_undo: bool
+    can_redo: bool
+
+
+class Picture(TypedDict):
+    mime: str
+    width: int
+    height: int
+    revision: int
+    time: float
+    data: str  # base64 (RFC 4648)
+
+
+class ProbeResult(TypedDict):
+    hit: bool
+    position: Vec3 | None
+    vertex: int | None
+    cell: int | None
+    values: dict[str, float | None]  # scalar name to value at the position; null where it was not written
+
+
+class RpcDiscoverParams(TypedDict):
+    """rpc.discover: This document."""
+
+    pass
+
+
+RpcDiscoverResult = dict[str, Any]
+
+
+class ServerInfoParams(TypedDict):
+    """server.info: Version, GL renderer, limits, colour maps."""
+
+    pass
+
+
+class ServerInfoResult(TypedDict):
+    version: str
+    gl_renderer: str
+    backend: str
+    engine: str
+    limits: dict[str, float]
+    color_maps: list[str]
+
+
+class DatasetListParams(TypedDict):
+    """dataset.list: The datasets on offer."""
+
+    pass
+
+
+class DatasetListResultItem(TypedDict):
+    name: str
+    problem: str  # empty when it can be opened
+
+
+DatasetListResult = list[DatasetListResultItem]
+
+
+class DatasetDescribeParams(TypedDict):
+    """dataset.describe: Arrays, times, bounds, patches and a scene to start from."""
+
+    dataset: str
+
+
+DatasetDescribeResult = DatasetDescription
+
+
+class DatasetOpenParams(TypedDict):
+    """dataset.open: Shows a dataset's default scene in a session, as an undoable change."""
+
+    session: str
+    dataset: str
+
+
+DatasetOpenResult = SessionState
+
+
+class DatasetHistogramParams(TypedDict):
+    """dataset.histogram: Counts of a scalar's values at one time."""
+
+    dataset: str
+    array: str
+    time: NotRequired[float]  # the first time when absent
+    bins: NotRequired[int]
+    range: NotRequired[Range]  # the array's own when absent
+
+
+class DatasetHistogramResult(TypedDict):
+    range: Range
+    counts: list[int]
+    invalid: int  # values that are not finite
+    below: int
+    above: int
+
+
+class SessionOpenParams(TypedDict):
+    """session.open: A new session, or one that exists; over WebSocket the connection then hears of its changes."""
+
+    session: NotRequired[str]  # an id to join or recreate
+    dataset: NotRequired[str]
+    scene: NotRequired[Scene]  # the scene of a new session
+
+
+SessionOpenResult = SessionState
+
+
+class SessionCloseParams(TypedDict):
+    """session.close: Forgets the session."""
+
+    session: str
+
+
+SessionCloseResult = None
+
+
+class SceneGetParams(TypedDict):
+    """scene.get: The session's scene."""
+
+    session: str
+
+
+SceneGetResult = SessionState
+
+
+class ScenePatchParams(TypedDict):
+    """scene.patch: Applies an RFC 7396 merge patch. Patches with the same gesture are one undo step."""
+
+    session: str
+    patch: dict[str, Any]
+    gesture: NotRequired[str]
+
+
+ScenePatchResult = Revision
+
+
+class SceneUndoParams(TypedDict):
+    """scene.undo: Takes the last step back."""
+
+    session: str
+
+
+SceneUndoResult = SessionState
+
+
+class SceneRedoParams(TypedDict):
+    """scene.redo: Does it again."""
+
+    session: str
+
+
+SceneRedoResult = SessionState
+
+
+class ViewOpenParams(TypedDict):
+    """view.open: A stream of frames of the session on this WebSocket."""
+
+    session: str
+    width: int
+    height: int
+    stream: NotRequired[Literal["image", "geometry"]]
+
+
+class ViewOpenResult(TypedDict):
+    view: int
+
+
+class ViewResizeParams(TypedDict):
+    """view.resize: Changes the size of a view's pictures."""
+
+    view: int
+    width: int
+    height: int
+
+
+ViewResizeResult = None
+
+
+class ViewStreamParams(TypedDict):
+    """view.stream: Chooses pictures or polygon batches."""
+
+    view: int
+    stream: Literal["image", "geometry"]
+
+
+ViewStreamResult = None
+
+
+class ViewAckParams(TypedDict):
+    """view.ack: The frame has been presented (usually a notification)."""
+
+    view: int
+    frame: int
+
+
+ViewAckResult = None
+
+
+class ViewCloseParams(TypedDict):
+    """view.close: Ends the stream."""
+
+    view: int
+
+
+ViewCloseResult = None
+
+
+class PictureRenderParams(TypedDict):
+    """picture.render: A lossless still picture."""
+
+    session: NotRequired[str]  # without it, `scene` is used and nothing is kept
+    scene: NotRequired[Scene]
+    width: NotRequired[int]
+    height: NotRequired[int]
+
+
+PictureRenderResult = Picture
+
+
+class ProbePointParams(TypedDict):
+    """probe.point: Values at a world position, or under a pixel of a picture of the given size."""
+
+    session: NotRequired[str]  # without it, `scene` is used and nothing is kept
+    scene: NotRequired[Scene]
+    position: NotRequired[Vec3]
+    pixel: NotRequired[list[float]]  # x, y from the top left
+    width: NotRequired[int]
+    height: NotRequired[int]
+
+
+ProbePointResult = ProbeResult
+
+
+class SurfaceExportParams(TypedDict):
+    """surface.export: A layer's surface as a file."""
+
+    session: NotRequired[str]  # without it, `scene` is used and nothing is kept
+    scene: NotRequired[Scene]
+    layer: str
+    format: Literal["ply", "stl", "vtp"]
+    triangles: NotRequired[bool]
+
+
+class SurfaceExportResult(TypedDict):
+    mime: str
+    name: str
+    data: str  # base64 (RFC 4648)
+    polygons: int
+    vertices: int
+
+
+class DatasetChangedParams(TypedDict):
+    """dataset.changed: Steps were appended."""
+
+    dataset: str
+    times: list[float]
+
+
+class SceneChangedParams(TypedDict):
+    """scene.changed: Another client of this session changed its scene."""
+
+    session: str
+    revision: int
+    scene: Scene
+
+
+class ViewFailedParams(TypedDict):
+    """view.failed: A frame could not be made; the last one stays."""
+
+    view: int
+    revision: int
+    message: str
+
+
+class ServerDrainingParams(TypedDict):
+    """server.draining: The server is about to stop."""
+
+    pass
+
+
+ERROR_CODES: dict[str, int] = {
+    "NotFound": -32001,
+    "InvalidScene": -32002,
+    "Limit": -32003,
+    "NeedsWebSocket": -32004,
+    "Failed": -32005,
+}

@@ -1,0 +1,248 @@
+#include "scene/schema.hpp"
+
+#include "protocol/document.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <mutex>
+#include <nlohmann/json.hpp>
+#include <regex>
+
+namespace ciel::scene {
+namespace {
+
+using nlohmann::json;
+using Result = std::optional<Violation>;
+
+// Integers travel through double in browsers, and a conversion from a larger one would be undefined.
+constexpr double largest_integer = 9007199254740992.0; // 2^53
+
+bool is_integer(const json& value) {
+    if (!value.is_number()) return false;
+    const double number = value.get<double>();
+    return std::trunc(number) == number && std::abs(number) <= largest_integer;
+}
+
+Result check_type(const json& rule, const json& value, const json&, const std::string& path) {
+    static const std::map<std::string, std::pair<bool (*)(const json&), const char*>> types{
+        {"object", {[](const json& v) { return v.is_object(); }, "must be an object"}},
+        {"array", {[](const json& v) { return v.is_array(); }, "must be an array"}},
+        {"string", {[](const json& v) { return v.is_string(); }, "must be a string"}},
+        {"number", {[](const json& v) { return v.is_number(); }, "must be a number"}},
+        {"integer", {is_integer, "must be a whole number of at most 2^53"}},
+        {"boolean", {[](const json& v) { return v.is_boolean(); }, "must be true or false"}},
+        {"null", {[](const json& v) { return v.is_null(); }, "must be null"}},
+    };
+    const auto& [matches, reason] = types.at(rule.get<std::string>());
+    if (matches(value)) return {};
+    return Violation{path, reason};
+}
+
+Result check_enum(const json& rule, const json& value, const json&, const std::string& path) {
+    if (std::find(rule.begin(), rule.end(), value) != rule.end()) return {};
+    std::string known;
+    for (const json& option : rule) known += (known.empty() ? "" : ", ") + option.dump();
+    return Violation{path, "must be one of " + known};
+}
+
+Result check_const(const json& rule, const json& value, const json&, const std::string& path) {
+    if (value == rule) return {};
+    return Violation{path, "must be " + rule.dump()};
+}
+
+// One limit on a number, or on the size of a string, array or object.
+template <class Applies, class Measure, class Compare>
+Result check_limit(const json& rule, const json& value, const std::string& path, Applies applies, Measure measure,
+                   Compare compare, const char* reason) {
+    if (!applies(value) || compare(measure(value), rule.get<double>())) return {};
+    return Violation{path, reason + rule.dump()};
+}
+
+constexpr auto is_number = [](const json& v) { return v.is_number(); };
+constexpr auto is_string = [](const json& v) { return v.is_string(); };
+constexpr auto is_array = [](const json& v) { return v.is_array(); };
+constexpr auto is_object = [](const json& v) { return v.is_object(); };
+constexpr auto number_of = [](const json& v) { return v.get<double>(); };
+constexpr auto size_of = [](const json& v) { return static_cast<double>(v.size()); };
+// Code points, as JSON Schema counts them: bytes that do not continue one.
+constexpr auto length_of = [](const json& v) {
+    const auto& text = v.get_ref<const std::string&>();
+    return static_cast<double>(
+        std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
+};
+
+Result check_pattern(const json& rule, const json& value, const json&, const std::string& path) {
+    if (!value.is_string()) return {};
+    static std::mutex mutex;
+    static std::map<std::string, std::regex> compiled;
+    const std::scoped_lock lock(mutex);
+    const auto& pattern = rule.get_ref<const std::string&>();
+    auto found = compiled.find(pattern);
+    if (found == compiled.end()) found = compiled.emplace(pattern, std::regex(pattern, std::regex::ECMAScript)).first;
+    if (std::regex_search(value.get_ref<const std::string&>(), found->second)) return {};
+    return Violation{path, "must match " + pattern};
+}
+
+Result check_items(const json& rule, const json& value, const json&, const std::string& path) {
+    if (!value.is_array()) return {};
+    for (std::size_t i = 0; i < value.size(); ++i)
+        if (auto violation = check_schema(rule, value[i], path + "/" + std::to_string(i))) return violation;
+    return {};
+}
+
+Result check_required(const json& rule, const json& value, const json&, const std::string& path) {
+    if (!value.is_object()) return {};
+    for (const json& name : rule)
+        if (!value.contains(name.get_ref<const std::string&>()))
+            return Violation{pointer_step(path, name.get<std::string>()), "is missing"};
+    return {};
+}
+
+Result check_properties(const json& rule, const json& value, const json&, const std::string& path) {
+    if (!value.is_object()) return {};
+    for (const auto& [name, schema] : rule.items()) {
+        const auto member = value.find(name);
+        if (member == value.end()) continue;
+        if (auto violation = check_schema(schema, *member, pointer_step(path, name))) return violation;
+    }
+    return {};
+}
+
+Result check_additional(const json& rule, const json& value, const json& schema, const std::string& path) {
+    if (!value.is_object()) return {};
+    for (const auto& [name, member] : value.items()) {
+        if (const auto known = schema.find("properties"); known != schema.end() && known->contains(name)) continue;
+        const std::string place = pointer_step(path, name);
+        if (rule == false) return Violation{place, "is not known here"};
+        if (!rule.is_object()) continue;
+        if (auto violation = check_schema(rule, member, place)) return violation;
+    }
+    return {};
+}
+
+const json& resolve(const json& schema) {
+    const auto reference = schema.find("$ref");
+    if (reference == schema.end()) return schema;
+    return contract().at(json::json_pointer(reference->get_ref<const std::string&>().substr(1)));
+}
+
+// What is wrong when no option fits: an option whose constant "type" agrees was meant, and its violation is the one
+// that helps; so is one that got further into the value than the others.
+Violation best_of(const json& options, const json& value, const std::vector<Violation>& violations,
+                  const std::string& path) {
+    static const json::json_pointer discriminator("/properties/type/const");
+    std::string types, reasons;
+    for (std::size_t i = 0; i < violations.size(); ++i) {
+        const json& option = resolve(options[i]);
+        if (!option.contains(discriminator)) {
+            if (violations[i].path != path) return violations[i];
+            reasons += (reasons.empty() ? "" : ", or ") + violations[i].reason;
+        } else if (!value.is_object()) {
+            return violations[i];
+        } else if (value.value("type", json()) == option[discriminator]) {
+            return violations[i];
+        } else {
+            types += (types.empty() ? "" : ", ") + option[discriminator].dump();
+        }
+    }
+    return types.empty() ? Violation{path, reasons} : Violation{path + "/type", "must be one of " + types};
+}
+
+Result check_options(const json& rule, const json& value, const std::string& path, std::size_t at_most) {
+    std::vector<Violation> violations;
+    for (const json& option : rule)
+        if (auto violation = check_schema(option, value, path)) violations.push_back(*violation);
+    const std::size_t fitting = rule.size() - violations.size();
+    if (fitting == 0) return best_of(rule, value, violations, path);
+    if (fitting > at_most) return Violation{path, "fits more than one of the forms that exclude each other"};
+    return {};
+}
+
+using Check = Result (*)(const json& rule, const json& value, const json& schema, const std::string& path);
+
+// In the order in which violations are reported.
+const std::vector<std::pair<std::string, Check>>& checks() {
+    static const std::vector<std::pair<std::string, Check>> table{
+        {"type", check_type},
+        {"const", check_const},
+        {"enum", check_enum},
+        {"minimum",
+         [](const json& r, const json& v, const json&, const std::string& p) {
+             return check_limit(r, v, p, is_number, number_of, std::greater_equal<>(), "must be at least ");
+         }},
+        {"maximum",
+         [](const json& r, const json& v, const json&, const std::string& p) {
+             return check_limit(r, v, p, is_number, number_of, std::less_equal<>(), "must be at most ");
+         }},
+        {"exclusiveMinimum",
+         [](const json& r, const json& v, const json&, const std::string& p) {
+             return check_limit(r, v, p, is_number, number_of, std::greater<>(), "must be more than ");
+         }},
+        {"exclusiveMaximum",
+         [](const json& r, const json& v, const json&, const std::string& p) {
+             return check_limit(r, v, p, is_number, number_of, std::less<>(), "must be less than ");
+         }},
+        {"minLength",
+         [](const json& r, const json& v, const json&, const std::string& p) {
+             return check_limit(r, v, p, is_string, length_of, std::greater_equal<>(), "has fewer characters than ");
+         }},
+        {"maxLength",
+         [](const json& r, const json& v, const json&, const std::string& p) {
+             return check_limit(r, v, p, is_string, length_of, std::less_equal<>(), "has more characters than ");
+         }},
+        {"minItems",
+         [](const json& r, const json& v, const json&, const std::string& p) {
+             return check_limit(r, v, p, is_array, size_of, std::greater_equal<>(), "has fewer items than ");
+         }},
+        {"maxItems",
+         [](const json& r, const json& v, const json&, const std::string& p) {
+             return check_limit(r, v, p, is_array, size_of, std::less_equal<>(), "has more items than ");
+         }},
+        {"maxProperties",
+         [](const json& r, const json& v, const json&, const std::string& p) {
+             return check_limit(r, v, p, is_object, size_of, std::less_equal<>(), "has more members than ");
+         }},
+        {"pattern", check_pattern},
+        {"required", check_required},
+        {"properties", check_properties},
+        {"additionalProperties", check_additional},
+        {"items", check_items},
+        {"anyOf", [](const json& r, const json& v, const json&,
+                     const std::string& p) { return check_options(r, v, p, r.size()); }},
+        {"oneOf",
+         [](const json& r, const json& v, const json&, const std::string& p) { return check_options(r, v, p, 1); }},
+    };
+    return table;
+}
+
+} // namespace
+
+const json& contract() {
+    static const json document = json::parse(protocol::document);
+    return document;
+}
+
+std::optional<Violation> check_schema(const json& schema, const json& value, const std::string& path) {
+    const json& resolved = resolve(schema);
+    for (const auto& [keyword, check] : checks()) {
+        const auto rule = resolved.find(keyword);
+        if (rule == resolved.end()) continue;
+        if (auto violation = check(*rule, value, resolved, path)) return violation;
+    }
+    return {};
+}
+
+std::vector<std::string> schema_keywords() {
+    std::vector<std::string> names{"$ref"};
+    for (const auto& [keyword, check] : checks()) names.push_back(keyword);
+    return names;
+}
+
+std::string pointer_step(const std::string& path, const std::string& token) {
+    std::string step = path + "/";
+    for (const char c : token) c == '~' ? step += "~0" : c == '/' ? step += "~1" : step += c;
+    return step;
+}
+
+} // namespace ciel::scene
