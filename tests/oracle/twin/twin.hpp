@@ -1,0 +1,49 @@
+// The brute-force twin of the kernel: every cell is cut on its own, with no topology, no blocks and no memory of the
+// value before. It shares no code with server/ciel and includes none of its headers.
+#pragma once
+
+#include "support/polyhedra.hpp"
+
+#include <map>
+#include <set>
+#include <string>
+
+namespace ciel::test {
+
+// A surface vertex, named by the mesh edge it lies on: first < second.
+using CutEdge = std::pair<Id, Id>;
+
+// Without consecutive repetitions, rotated to begin with its least edge; wound so that the right-hand normal points to
+// higher values.
+struct CutPolygon {
+    Id cell;
+    std::vector<CutEdge> edges;
+    friend auto operator<=>(const CutPolygon&, const CutPolygon&) = default;
+};
+
+// nullopt-like rule: polygons with fewer than three distinct edges are not part of a cut.
+[[nodiscard]] bool make_canonical(CutPolygon& polygon);
+
+struct Cut {
+    std::set<CutEdge> active_edges;   // all edges with one end >= nu and the other not; a NaN end is not active
+    std::vector<CutPolygon> polygons; // sorted
+    friend bool operator==(const Cut&, const Cut&) = default;
+};
+
+// Faces must be wound outwards. High means value >= nu. On every face the high side is isolated. No polygon runs
+// through an edge with a NaN end.
+[[nodiscard]] Cut cut_every_cell(const Polyhedra& mesh, std::span<const float> values, double nu);
+
+// Empty when equal; otherwise one line that names the first difference.
+[[nodiscard]] std::string difference(const Cut& expected, const Cut& actual);
+
+// How often each directed segment between two surface vertices occurs.
+using Segments = std::map<std::pair<CutEdge, CutEdge>, int>;
+[[nodiscard]] Segments polygon_segments(const std::vector<CutPolygon>& polygons);
+// The segments that the surface leaves on faces which not exactly two cells claim.
+[[nodiscard]] Segments boundary_segments(const Polyhedra& mesh, std::span<const float> values, double nu);
+
+// Empty when every polygon edge that does not lie on the boundary is matched by one in the opposite direction.
+[[nodiscard]] std::string open_segment(const Segments& polygons, const Segments& boundary);
+
+} // namespace ciel::test

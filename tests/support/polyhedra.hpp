@@ -1,0 +1,63 @@
+// A mesh as raw polyhedra: vertices, and cells as lists of faces as lists of vertex ids. Independent of the kernel.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
+
+namespace ciel::test {
+
+using Id = std::uint32_t;
+using Loop = std::vector<Id>;
+using Point = std::array<double, 3>;
+
+// VTK's cell type numbers.
+inline constexpr std::uint8_t tetrahedron = 10, hexahedron = 12, wedge = 13, pyramid = 14, polyhedron = 42;
+
+// A face between two cells appears twice, once per cell. The generators wind every face outwards.
+struct Polyhedra {
+    Point origin{};                            // added to every position
+    std::vector<float> positions;              // 3 per vertex
+    std::vector<std::uint8_t> cell_types;      // per cell
+    std::vector<std::uint64_t> cell_offset{0}; // cells + 1, into faces
+    std::vector<std::uint64_t> face_offset{0}; // faces + 1, into face_vertex
+    std::vector<Id> face_vertex;
+
+    [[nodiscard]] Id vertex_count() const { return static_cast<Id>(positions.size() / 3); }
+    [[nodiscard]] Id cell_count() const { return static_cast<Id>(cell_types.size()); }
+    [[nodiscard]] std::uint64_t face_count() const { return face_offset.size() - 1; }
+    [[nodiscard]] std::span<const Id> face(std::uint64_t f) const {
+        return std::span(face_vertex).subspan(face_offset[f], face_offset[f + 1] - face_offset[f]);
+    }
+    [[nodiscard]] Point position(Id v) const {
+        return {origin[0] + positions[3 * v], origin[1] + positions[3 * v + 1], origin[2] + positions[3 * v + 2]};
+    }
+
+    Id add_vertex(const Point& offset);
+    void add_cell(std::uint8_t type, const std::vector<Loop>& loops);
+    [[nodiscard]] std::vector<Loop> loops(Id cell) const;
+};
+
+[[nodiscard]] Polyhedra keep_cells(const Polyhedra& mesh, const std::function<bool(Id cell)>& keep);
+
+// `second` beside `first`, moved by `shift`, sharing no vertex.
+[[nodiscard]] Polyhedra joined(const Polyhedra& first, const Polyhedra& second, const Point& shift);
+
+// Merges random neighbouring cells into non-convex polyhedra of up to `size` cells, each a closed manifold.
+[[nodiscard]] Polyhedra agglomerated(const Polyhedra& mesh, int size, std::uint64_t seed);
+
+// The same mesh with its cells, the faces of each cell and the starts of the loops in random order. `cell_of[i]` is the
+// cell of `mesh` that became cell i.
+struct Shuffled {
+    Polyhedra mesh;
+    std::vector<Id> cell_of;
+};
+[[nodiscard]] Shuffled shuffled(const Polyhedra& mesh, std::uint64_t seed);
+
+// Each face, or each cell as a whole, is turned inside out with the given probability.
+[[nodiscard]] Polyhedra with_turned_faces(const Polyhedra& mesh, double share, std::uint64_t seed);
+[[nodiscard]] Polyhedra with_turned_cells(const Polyhedra& mesh, double share, std::uint64_t seed);
+
+} // namespace ciel::test
