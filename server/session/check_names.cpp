@@ -1,0 +1,65 @@
+#include "render/color_map.hpp"
+#include "scene/schema.hpp"
+#include "session/scene_geometry.hpp"
+
+#include <algorithm>
+
+namespace ciel::session {
+namespace {
+
+struct Check {
+    const store::Dataset& dataset;
+    std::string path; // of the layer
+
+    void scalar(const std::string& name, const std::string& place) const {
+        try {
+            const store::ScalarName parsed = store::parse_scalar(dataset, name);
+            if (dataset.find(parsed.array)->association != store::Association::point)
+                throw Error(name + " belongs to the cells; layers need point values");
+        } catch (const Error& error) {
+            throw scene::Invalid(path + place, error.what());
+        }
+    }
+
+    void coloring(const scene::Coloring& color) const {
+        if (!color.array.empty()) scalar(color.array, "/color/array");
+        const auto& maps = render::color_map_names();
+        if (std::find(maps.begin(), maps.end(), color.map) != maps.end()) return;
+        std::string known;
+        for (const auto& name : maps) known += (known.empty() ? "" : ", ") + name;
+        throw scene::Invalid(path + "/color/map", "there is no colour map " + color.map + "; there are " + known);
+    }
+
+    void operator()(const scene::IsoLayer& iso) const {
+        scalar(iso.array, "/array");
+        coloring(iso.color);
+    }
+    void operator()(const scene::SliceLayer& slice) const { coloring(slice.color); }
+    void operator()(const scene::OutlineLayer& outline) const { coloring(outline.color); }
+    void operator()(const scene::SurfaceLayer& surface) const {
+        coloring(surface.color);
+        for (std::size_t i = 0; i < surface.groups.size(); ++i) patch(surface.groups[i], i);
+    }
+
+    void patch(const std::string& name, std::size_t index) const {
+        std::string known;
+        for (std::size_t mesh = 0; mesh < dataset.info().meshes.size(); ++mesh)
+            for (const store::Group& group : dataset.groups(mesh)) {
+                if (group.of != store::Group::Of::faces) continue;
+                if (group.name == name) return;
+                known += (known.empty() ? "" : ", ") + group.name;
+            }
+        throw scene::Invalid(path + "/groups/" + std::to_string(index),
+                             "there is no patch " + name +
+                                 (known.empty() ? "; the dataset has none" : "; there are " + known));
+    }
+};
+
+} // namespace
+
+void check_names(const scene::Scene& scene, const store::Dataset& dataset) {
+    for (const scene::Layer& layer : scene.layers)
+        std::visit(Check{dataset, scene::pointer_step("/layers", layer.id)}, layer.kind);
+}
+
+} // namespace ciel::session

@@ -1,0 +1,58 @@
+#include "session/cut.hpp"
+
+#include <atomic>
+
+namespace ciel::session {
+
+std::uint64_t unique_number() {
+    static std::atomic<std::uint64_t> last{0};
+    return ++last;
+}
+
+void Painted::paint(const std::shared_ptr<const Shape>& new_shape, const std::string& new_array, std::size_t new_step,
+                    store::LoadedDataset& loaded) {
+    const bool same_step = new_array.empty() || new_step == step;
+    if (revision != 0 && new_shape == shape && new_array == array && same_step) return;
+    std::shared_ptr<std::vector<float>> values;
+    if (!new_array.empty()) {
+        const auto& points = new_shape->surface.points;
+        values = std::make_shared<std::vector<float>>(points.size());
+        interpolate(points, *loaded.scalar_values(new_array, new_step), 1, *values);
+    }
+    shape = new_shape;
+    array = new_array;
+    step = new_step;
+    scalars = std::move(values);
+    revision = unique_number();
+}
+
+void Cut::use_field(const std::string& name, store::ScalarField new_field, Engine engine) {
+    const bool same_mesh =
+        query && new_field.topology == field.topology && new_field.mesh.positions.data() == field.mesh.positions.data();
+    shape = nullptr;
+    field_name.clear(); // until all has gone well
+    if (!same_mesh) {
+        query.reset(); // before the field it reads goes
+        field = std::move(new_field);
+        query.emplace(*field.topology, field.mesh, engine);
+        query->set_field(*field.field);
+    } else {
+        query->set_field(*new_field.field);
+        field = std::move(new_field);
+    }
+    field_name = name;
+}
+
+bool Cut::extract(double new_nu, bool new_normals, const std::stop_token& stop) {
+    if (shape && nu == new_nu && normals == new_normals) return true;
+    shape = nullptr;
+    auto made = std::make_shared<Shape>();
+    if (!query->extract(new_nu, new_normals, made->surface, stop)) return false;
+    made->indices = triangulate(made->surface);
+    nu = new_nu;
+    normals = new_normals;
+    shape = std::move(made);
+    return true;
+}
+
+} // namespace ciel::session

@@ -1,0 +1,62 @@
+#include "render/renderer.hpp"
+#include "session/scene_geometry.hpp"
+
+#include <algorithm>
+
+namespace ciel::session {
+namespace {
+
+struct Background {
+    std::array<float, 3> top, bottom;
+};
+
+Background background_of(const std::string& name) {
+    if (name == "dark") return {{0.10F, 0.12F, 0.16F}, {0.03F, 0.04F, 0.05F}};
+    if (name == "light") return {{1.0F, 1.0F, 1.0F}, {0.90F, 0.92F, 0.95F}};
+    std::array<float, 3> color{};
+    for (std::size_t i = 0; i < 3; ++i)
+        color[i] = static_cast<float>(std::stoi(name.substr(1 + 2 * i, 2), nullptr, 16)) / 255.0F;
+    return {color, color};
+}
+
+} // namespace
+
+render::Camera camera_of(const Geometry& geometry, const scene::Scene& scene, double aspect) {
+    if (!scene.camera) return render::default_camera(geometry.bounds_min, geometry.bounds_max, aspect);
+    const scene::Camera& camera = *scene.camera;
+    return {camera.position, camera.target, camera.up, camera.fov, camera.parallel, camera.parallel_height};
+}
+
+render::Frame frame_of(const Geometry& geometry, const scene::Scene& scene, int width, int height, int samples) {
+    render::Frame frame;
+    frame.width = width;
+    frame.height = height;
+    frame.samples = samples;
+    frame.origin = geometry.origin;
+    frame.camera = camera_of(geometry, scene, static_cast<double>(width) / height);
+    frame.bounds_min = geometry.bounds_min;
+    frame.bounds_max = geometry.bounds_max;
+    const Background background = background_of(scene.background);
+    frame.background_top = background.top;
+    frame.background_bottom = background.bottom;
+    for (const Drawable& drawable : geometry.drawables) {
+        render::Mesh mesh;
+        mesh.positions = drawable.shape->surface.positions;
+        mesh.normals = drawable.shape->surface.normals;
+        if (drawable.scalars) mesh.scalars = *drawable.scalars;
+        mesh.indices = drawable.shape->indices;
+        mesh.lines = drawable.shape->lines;
+        mesh.map = drawable.map;
+        mesh.range = drawable.range;
+        mesh.color = drawable.color;
+        mesh.revision = drawable.revision;
+        mesh.identity = drawable.identity;
+        mesh.lit = drawable.lit;
+        frame.meshes.push_back(std::move(mesh));
+    }
+    std::stable_partition(frame.meshes.begin(), frame.meshes.end(),
+                          [](const render::Mesh& mesh) { return mesh.color[3] >= 1; });
+    return frame;
+}
+
+} // namespace ciel::session

@@ -1,0 +1,187 @@
+#include "session/scene_geometry.hpp"
+
+#include "session/cut.hpp"
+
+#include <algorithm>
+#include <set>
+
+namespace ciel::session {
+namespace {
+
+Vec3d low(const store::MeshInfo& mesh) { return {mesh.bounds[0], mesh.bounds[2], mesh.bounds[4]}; }
+Vec3d high(const store::MeshInfo& mesh) { return {mesh.bounds[1], mesh.bounds[3], mesh.bounds[5]}; }
+
+std::array<float, 2> range_of(const store::Dataset& dataset, const std::string& scalar, std::size_t step) {
+    const store::ScalarName name = store::parse_scalar(dataset, scalar);
+    const auto& arrays = dataset.steps()[step].arrays;
+    const auto found = arrays.find(name.array);
+    if (found == arrays.end()) return {0, 1};
+    const auto& info = found->second;
+    const auto& range =
+        name.component ? info.component_ranges.at(static_cast<std::size_t>(*name.component)) : info.range;
+    return {static_cast<float>(range[0]), static_cast<float>(range[1])};
+}
+
+void colour(Drawable& drawable, const scene::Coloring& coloring, const scene::Layer& layer,
+            const store::Dataset& dataset, std::size_t step) {
+    drawable.color = {coloring.solid[0], coloring.solid[1], coloring.solid[2], layer.opacity};
+    drawable.array = coloring.array;
+    drawable.map = coloring.map;
+    if (coloring.array.empty()) return;
+    drawable.range = range_of(dataset, coloring.array, step);
+    if (coloring.range)
+        drawable.range = {static_cast<float>((*coloring.range)[0]), static_cast<float>((*coloring.range)[1])};
+}
+
+std::size_t bytes_of(const Shape& shape) {
+    const Surface& s = shape.surface;
+    return (s.positions.size() + s.normals.size()) * sizeof(Vec3f) + s.points.size() * sizeof(EdgePoint) +
+           (s.polygon_offset.size() + s.polygon_vertex.size() + s.polygon_cell.size() + shape.indices.size()) *
+               sizeof(Index);
+}
+
+std::string plane_name(const scene::SliceLayer& slice, const store::Step& step) {
+    std::string name = "plane " + std::to_string(step.mesh) + " " + std::to_string(step.coordinates);
+    for (const double component : slice.normal) {
+        name.push_back(' ');
+        name.append(reinterpret_cast<const char*>(&component), sizeof component); // all its bits: a key, not a text
+    }
+    return name;
+}
+
+// One update: what each kind of layer does, and which kept state was still in use.
+struct Update {
+    Engine engine;
+    const std::shared_ptr<store::LoadedDataset>& loaded;
+    std::shared_ptr<store::Dataset> dataset;
+    const std::stop_token& stop;
+    Geometry& out;
+    std::map<std::pair<std::string, std::size_t>, Cut>& cuts;
+    std::map<std::pair<std::string, std::size_t>, Boundary>& boundaries;
+    std::set<std::pair<std::string, std::size_t>> used{};
+
+    [[nodiscard]] const store::Step& step() const { return dataset->steps()[out.step]; }
+
+    void add(Painted& painted, const std::shared_ptr<const Shape>& shape, const scene::Coloring& coloring,
+             const scene::Layer& layer, bool lit) {
+        painted.paint(shape, coloring.array, out.step, *loaded);
+        Drawable drawable;
+        drawable.layer = layer.id;
+        drawable.shape = shape;
+        drawable.scalars = painted.scalars;
+        drawable.lit = lit;
+        drawable.identity = painted.identity;
+        drawable.revision = painted.revision;
+        colour(drawable, coloring, layer, *dataset, out.step);
+        if (!shape->lines) out.triangles += shape->indices.size() / 3;
+        out.drawables.push_back(std::move(drawable));
+    }
+
+    bool operator()(const scene::Layer& layer, const scene::IsoLayer& iso) {
+        for (std::size_t i = 0; i < iso.values.size(); ++i) {
+            used.insert({layer.id, i});
+            Cut& cut = cuts[{layer.id, i}];
+            const std::string name = "field " + std::to_string(out.step) + " " + iso.array;
+            if (cut.field_name != name) cut.use_field(name, loaded->scalar(iso.array, out.step), engine);
+            if (!cut.extract(iso.values[i], iso.smooth, stop)) return false;
+            add(cut.painted, cut.shape, iso.color, layer, true);
+        }
+        return true;
+    }
+
+    // The field is measured from the mesh's origin, whatever the slice's, so that a slice that moves along its normal
+    // is only another nu of the same field.
+    bool operator()(const scene::Layer& layer, const scene::SliceLayer& slice) {
+        used.insert({layer.id, 0});
+        Cut& cut = cuts[{layer.id, 0}];
+        const std::string name = plane_name(slice, step());
+        if (cut.field_name != name) cut.use_field(name, loaded->plane(out.step, out.origin, slice.normal), engine);
+        double nu = 0;
+        for (std::size_t axis = 0; axis < 3; ++axis) nu += slice.normal[axis] * (slice.origin[axis] - out.origin[axis]);
+        if (!cut.extract(nu, false, stop)) return false;
+        add(cut.painted, cut.shape, slice.color, layer, false);
+        return true;
+    }
+
+    bool operator()(const scene::Layer& layer, const scene::SurfaceLayer& surface) {
+        std::string key = "surface " + std::to_string(step().mesh) + " " + std::to_string(step().coordinates);
+        for (const auto& group : surface.groups) key += '\0' + group;
+        Boundary& kept = boundary(layer, key);
+        if (!kept.shape) kept.shape = boundary_shape(*dataset, step(), surface.groups);
+        add(kept.painted, kept.shape, surface.color, layer, true);
+        return true;
+    }
+
+    bool operator()(const scene::Layer& layer, const scene::OutlineLayer& outline) {
+        Boundary& kept = boundary(layer, "outline " + std::to_string(step().mesh));
+        if (!kept.shape) kept.shape = outline_shape(out.bounds_min, out.bounds_max, out.origin);
+        scene::Coloring solid = outline.color;
+        solid.array.clear(); // a box has no values
+        add(kept.painted, kept.shape, solid, layer, false);
+        return true;
+    }
+
+    Boundary& boundary(const scene::Layer& layer, const std::string& key) {
+        used.insert({layer.id, 0});
+        Boundary& kept = boundaries[{layer.id, 0}];
+        if (kept.key != key) kept.shape = nullptr;
+        kept.key = key;
+        return kept;
+    }
+};
+
+} // namespace
+
+SceneGeometry::SceneGeometry(Engine engine) : engine_(engine) {}
+SceneGeometry::~SceneGeometry() = default;
+
+std::shared_ptr<const Geometry> SceneGeometry::update(const scene::Scene& scene,
+                                                      const std::shared_ptr<store::LoadedDataset>& loaded,
+                                                      std::stop_token stop) {
+    if (loaded != loaded_) {
+        cuts_.clear();
+        boundaries_.clear();
+        loaded_ = loaded;
+    }
+    const auto dataset = loaded->dataset();
+    if (dataset->steps().empty()) throw Error(dataset->info().name + " has no time step yet; append one to see it");
+    check_names(scene, *dataset);
+
+    auto geometry = std::make_shared<Geometry>();
+    geometry->step = dataset->step_at(scene.time);
+    const store::Step& step = dataset->steps()[geometry->step];
+    geometry->time = step.time;
+    geometry->origin = dataset->mesh(step.mesh, step.coordinates).origin;
+    geometry->bounds_min = low(dataset->info().meshes[step.mesh]);
+    geometry->bounds_max = high(dataset->info().meshes[step.mesh]);
+
+    Update run{engine_, loaded, dataset, stop, *geometry, cuts_, boundaries_};
+    for (const scene::Layer& layer : scene.layers) {
+        if (!layer.visible) {
+            for (auto& [key, cut] : cuts_) // kept: showing it again costs nothing
+                if (key.first == layer.id) run.used.insert(key);
+            continue;
+        }
+        const auto make = [&](const auto& kind) { return run(layer, kind); };
+        if (!std::visit(make, layer.kind)) return nullptr;
+    }
+    std::erase_if(cuts_, [&](const auto& entry) { return !run.used.contains(entry.first); });
+    std::erase_if(boundaries_, [&](const auto& entry) { return !run.used.contains(entry.first); });
+    geometry->bytes = memory_bytes();
+    return geometry;
+}
+
+std::size_t SceneGeometry::memory_bytes() const {
+    std::size_t bytes = 0;
+    const auto painted = [](const Painted& p) { return p.scalars ? p.scalars->size() * sizeof(float) : 0; };
+    for (const auto& [key, cut] : cuts_) {
+        if (cut.query) bytes += cut.query->memory_bytes();
+        if (cut.shape) bytes += bytes_of(*cut.shape);
+        bytes += painted(cut.painted);
+    }
+    for (const auto& [key, boundary] : boundaries_)
+        bytes += (boundary.shape ? bytes_of(*boundary.shape) : 0) + painted(boundary.painted);
+    return bytes;
+}
+
+} // namespace ciel::session

@@ -1,0 +1,78 @@
+// From a scene to what is drawn: one kernel Query per iso-value and slice, kept from one scene to the next, so that
+// only what changed is computed again.
+#pragma once
+
+#include "ciel/extract.hpp"
+#include "render/renderer.hpp"
+#include "scene/scene.hpp"
+#include "store/loaded.hpp"
+
+#include <map>
+#include <memory>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+namespace ciel::session {
+
+// Positions are offsets from Geometry::origin. A boundary surface has points with a == b: a mesh vertex itself.
+struct Shape {
+    Surface surface;
+    std::vector<Index> indices; // three per triangle, two per line
+    bool lines = false;
+};
+
+struct Drawable { // one iso-value, slice, boundary surface or outline of a layer
+    std::string layer;
+    std::shared_ptr<const Shape> shape;
+    std::shared_ptr<const std::vector<float>> scalars; // one per surface vertex; null: the solid colour
+    std::string array, map = "viridis";                // of the scalars
+    std::array<float, 2> range{0, 1};
+    std::array<float, 4> color{0.8F, 0.8F, 0.8F, 1}; // alpha: the layer's opacity
+    bool lit = true;
+    std::uint64_t identity = 0; // the same from one scene to the next, unique in the process
+    std::uint64_t revision = 0; // changes with shape and scalars, unique in the process
+};
+
+// What one scene shows. Immutable, owns all its arrays, may be read from any thread.
+struct Geometry {
+    std::vector<Drawable> drawables; // visible layers, in drawing order
+    Vec3d origin{}, bounds_min{}, bounds_max{};
+    double time = 0; // of the step shown
+    std::size_t step = 0;
+    std::size_t triangles = 0, bytes = 0;
+};
+
+struct Cut; // cut.hpp
+struct Boundary;
+
+// Not thread-safe: one at a time.
+class SceneGeometry {
+public:
+    explicit SceneGeometry(Engine engine);
+    ~SceneGeometry();
+
+    // Brings the geometry to `scene`, whose dataset `loaded` is. Returns null when `stop` was requested. Throws Error
+    // or scene::Invalid, and can be called again with another scene then.
+    [[nodiscard]] std::shared_ptr<const Geometry>
+    update(const scene::Scene& scene, const std::shared_ptr<store::LoadedDataset>& loaded, std::stop_token stop = {});
+    [[nodiscard]] std::size_t memory_bytes() const; // query state and surfaces
+
+private:
+    using Key = std::pair<std::string, std::size_t>; // layer id, index of the value
+    Engine engine_;
+    std::shared_ptr<store::LoadedDataset> loaded_;
+    std::map<Key, Cut> cuts_;
+    std::map<Key, Boundary> boundaries_;
+};
+
+// Borrows from `geometry`. samples: 1, or 4 for stills.
+[[nodiscard]] render::Frame frame_of(const Geometry& geometry, const scene::Scene& scene, int width, int height,
+                                     int samples);
+// The scene's, or the default view of the bounds.
+[[nodiscard]] render::Camera camera_of(const Geometry& geometry, const scene::Scene& scene, double aspect);
+
+// Throws scene::Invalid when the scene names an array, patch or colour map that does not exist.
+void check_names(const scene::Scene& scene, const store::Dataset& dataset);
+
+} // namespace ciel::session
