@@ -12,6 +12,8 @@
 namespace ciel {
 
 // Borrowed. Faces belong to one cell each (a face between two cells appears twice, once per cell), in any winding.
+// Collapsed cells are welcome: vertex ids may repeat in a loop, faces may have collapsed to a line or a point. A cell
+// is closed when its half-edges between distinct vertices pair up.
 struct PolyhedraView {
     Vec3d origin{};
     std::span<const float> positions;           // 3 V
@@ -34,10 +36,14 @@ struct AssembleReport {
     std::uint64_t reversed_cells = 0;      // wound inwards in the input, turned
     std::uint64_t reversed_faces = 0;      // single faces turned to agree with their cell
     std::uint64_t internal_boundaries = 0; // faces three or more cells claim: left unmatched
+    // Kept, and wound like their neighbours, although that makes their volume negative (folded curvilinear grids).
+    std::uint64_t inverted_cells = 0;
+    std::vector<Index> first_inverted; // at most 10, ids in the input
 };
 
 struct Assembled {
-    FaceMesh mesh;                          // cells in space-filling-curve (Hilbert) order, vertices by first use
+    FaceMesh mesh;                          // cells in space-filling-curve (Hilbert) order, vertices by first use,
+                                            // faces by (owner, neighbour)
     std::vector<Index> original_vertex;     // stored vertex -> input vertex; input vertices no cell uses are dropped
     std::vector<Index> original_cell;       // stored cell -> input cell
     std::vector<std::uint64_t> face_source; // stored face -> input face (of the owner): for naming patches

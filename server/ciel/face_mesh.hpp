@@ -12,7 +12,8 @@ namespace ciel {
 // Borrowed; the owner of the arrays must outlive every use. V vertices, F faces, C cells.
 // A face between two cells is stored once. Its loop is wound so that its normal (right hand) points out of `owner`
 // into `neighbour`; owner < neighbour; neighbour is `none` on the boundary. Repeated vertex ids in a loop (collapsed
-// cells) are allowed and kept. Cells are in storage order, which is a space-filling-curve order.
+// cells) are allowed and kept. Cells are in storage order, which is a space-filling-curve order; faces are sorted by
+// owner.
 struct FaceMeshView {
     Vec3d origin{};                             // added to every position
     std::span<const float> positions;           // 3 V: offsets from origin

@@ -1,0 +1,12 @@
+// Position on the three-dimensional Hilbert curve: neighbours in space become neighbours in memory.
+// Source: J. Skilling, Programming the Hilbert curve, AIP Conference Proceedings 707 (2004).
+#pragma once
+
+#include "ciel/types.hpp"
+
+namespace ciel {
+
+// `unit` in [0, 1]^3 (clamped; not a number counts as 0); 21 bits per axis.
+[[nodiscard]] std::uint64_t hilbert_key(Vec3d unit);
+
+} // namespace ciel

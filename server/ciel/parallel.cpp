@@ -1,0 +1,107 @@
+#include "ciel/parallel.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <thread>
+
+#if defined(CIEL_PARALLEL_TBB)
+#include <memory>
+#include <tbb/blocked_range.h>
+#include <tbb/global_control.h>
+#include <tbb/parallel_for.h>
+#elif defined(CIEL_PARALLEL_THREADS)
+#include <exception>
+#include <mutex>
+#include <vector>
+#endif
+
+namespace ciel {
+
+namespace {
+
+[[maybe_unused]] unsigned machine_threads() { return std::max(1U, std::thread::hardware_concurrency()); }
+
+} // namespace
+
+#if defined(CIEL_PARALLEL_TBB)
+
+namespace {
+std::unique_ptr<tbb::global_control> limit;
+}
+
+void set_thread_count(unsigned threads) {
+    limit.reset(); // the smallest of the living limits holds, so the old one goes first
+    if (threads > 0)
+        limit = std::make_unique<tbb::global_control>(tbb::global_control::max_allowed_parallelism, threads);
+}
+
+unsigned thread_count() {
+    return static_cast<unsigned>(tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
+}
+
+void parallel_for(std::size_t count, std::size_t grain,
+                  const std::function<void(std::size_t begin, std::size_t end)>& body) {
+    if (count == 0) return;
+    grain = std::max<std::size_t>(1, grain);
+    if (count <= grain) return body(0, count);
+    tbb::parallel_for(
+        tbb::blocked_range<std::size_t>(0, count, grain),
+        [&](const tbb::blocked_range<std::size_t>& range) { body(range.begin(), range.end()); },
+        tbb::simple_partitioner());
+}
+
+#elif defined(CIEL_PARALLEL_THREADS)
+
+namespace {
+std::atomic<unsigned> requested{0};
+}
+
+void set_thread_count(unsigned threads) { requested = threads; }
+
+unsigned thread_count() {
+    const unsigned threads = requested;
+    return threads > 0 ? threads : machine_threads();
+}
+
+void parallel_for(std::size_t count, std::size_t grain,
+                  const std::function<void(std::size_t begin, std::size_t end)>& body) {
+    if (count == 0) return;
+    grain = std::max<std::size_t>(1, grain);
+    const std::size_t ranges = (count + grain - 1) / grain;
+    std::atomic<std::size_t> next{0};
+    std::exception_ptr first_error;
+    std::mutex error_mutex;
+    const auto work = [&] {
+        for (std::size_t i = next++; i < ranges; i = next++) {
+            try {
+                body(i * grain, std::min(count, (i + 1) * grain));
+            } catch (...) {
+                const std::lock_guard lock(error_mutex);
+                if (!first_error) first_error = std::current_exception();
+            }
+        }
+    };
+    {
+        std::vector<std::jthread> helpers;
+        const std::size_t threads = std::min<std::size_t>(ranges, thread_count());
+        for (std::size_t i = 1; i < threads; ++i) helpers.emplace_back(work);
+        work();
+    }
+    if (first_error) std::rethrow_exception(first_error);
+}
+
+#else // serial: WebAssembly, and the reference for the other two
+
+void set_thread_count(unsigned) {}
+
+unsigned thread_count() { return 1; }
+
+void parallel_for(std::size_t count, std::size_t grain,
+                  const std::function<void(std::size_t begin, std::size_t end)>& body) {
+    grain = std::max<std::size_t>(1, grain);
+    for (std::size_t begin = 0; begin < count; begin += grain) body(begin, std::min(count, begin + grain));
+}
+
+#endif
+
+} // namespace ciel
