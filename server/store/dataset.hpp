@@ -29,6 +29,8 @@ struct ArrayStep {                 // one array at one step
     std::array<double, 2> range{}; // of the magnitude when components > 1; finite values only
     std::vector<std::array<double, 2>> component_ranges;
     std::uint64_t invalid = 0; // NaN or infinite values
+    // Known to exist at this time, but its chunk may not be written yet (store/README.md): values() throws until it is.
+    bool lazy = false;
 };
 
 struct Step {
@@ -53,6 +55,7 @@ struct MeshInfo {
 
 struct DatasetInfo {
     int format_version = 1;
+    std::string id;      // random, made once: tells a replaced dataset from a grown one
     std::string name;    // the directory's name without .ciel
     std::string source;  // what was imported
     std::string created; // ISO 8601

@@ -1,0 +1,248 @@
+#include "store/dataset.hpp"
+
+#include "store/chunk_cache.hpp"
+#include "store/files.hpp"
+#include "store/layout.hpp"
+#include "store/mapped_mesh.hpp"
+#include "store/marker.hpp"
+#include "store/statistics.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <mutex>
+
+namespace ciel::store {
+namespace {
+
+namespace fs = std::filesystem;
+
+// The shape of one array on one mesh; each chunk of it is one step.
+struct ArrayLayout {
+    fs::path directory;
+    std::uint64_t chunks = 0;
+    std::size_t rank = 0, chunk_bytes = 0;
+
+    [[nodiscard]] fs::path chunk(std::uint64_t index) const { return layout::chunk(directory, index, rank); }
+};
+
+ArrayLayout read_layout(const fs::path& directory, std::uint64_t items, int components) {
+    const auto document = directory / layout::array_document;
+    const ZarrArray array = parse_zarr_array(read_text(document, layout::document_bytes), document);
+    std::vector<std::uint64_t> of_step{items};
+    if (components > 1) of_step.push_back(static_cast<std::uint64_t>(components));
+    const auto is_step = [&](const std::vector<std::uint64_t>& extents) {
+        return std::equal(extents.begin() + 1, extents.end(), of_step.begin(), of_step.end());
+    };
+    if (array.type != ElementType::f4 || !is_step(array.shape) || !is_step(array.chunks) || array.chunks[0] != 1)
+        refuse(document, "does not hold one float32 chunk per step, of " + std::to_string(items) + " x " +
+                             std::to_string(components) + " values");
+    return {directory, array.shape[0], array.shape.size(), array.chunk_bytes(document)};
+}
+
+// What the directory says now: read again on every refresh.
+struct Documents {
+    DatasetInfo info;
+    Marker marker;
+};
+
+void check_is_dataset(const fs::path& directory) {
+    std::error_code error;
+    const auto status = fs::status(directory, error);
+    if (!fs::exists(status)) refuse(directory, "does not exist");
+    if (!fs::is_directory(status))
+        refuse(directory, "is a file, not a dataset directory; turn it into one with 'ciel import'");
+    if (!fs::exists(directory / layout::group_document, error))
+        refuse(directory, "is not a CIEL dataset: it has no .zgroup; make one with 'ciel import'");
+}
+
+Documents read_documents(const fs::path& directory) {
+    check_is_dataset(directory);
+    const auto group = directory / layout::group_document, attributes = directory / layout::attributes_document,
+               marker = directory / layout::commit_marker;
+    check_group_text(read_text(group, layout::document_bytes), group);
+    std::error_code error;
+    if (!fs::exists(attributes, error)) refuse(directory, "is a Zarr group, but not a CIEL dataset: it has no .zattrs");
+    Documents documents;
+    documents.info = parse_root_attributes(read_text(attributes, layout::document_bytes), attributes);
+    documents.marker = parse_marker(read_text(marker, layout::marker_bytes), marker);
+    auto path = fs::absolute(directory).lexically_normal();
+    if (!path.has_filename()) path = path.parent_path();
+    documents.info.name = path.extension() == ".ciel" ? path.stem().string() : path.filename().string();
+    return documents;
+}
+
+class MappedDataset final : public Dataset {
+public:
+    MappedDataset(fs::path directory, Documents documents, const MappedDataset* before)
+        : directory_(std::move(directory)), info_(std::move(documents.info)), marker_(std::move(documents.marker)) {
+        if (before != nullptr) {
+            chunks_ = before->chunks_;
+            meshes_ = before->meshes_;
+            steps_ = before->steps_;
+        }
+        for (std::size_t m = meshes_.size(); m < marker_.meshes; ++m)
+            meshes_.push_back(std::make_shared<MappedMesh>(layout::mesh(directory_, m)));
+        for (std::size_t m = 0; m < meshes_.size(); ++m) {
+            positions_.push_back(read_layout(meshes_[m]->directory() / "positions", meshes_[m]->vertex_count(), 3));
+            coordinate_checksums_.push_back(coordinate_checksums(m, before));
+            info_.meshes.push_back(meshes_[m]->attributes().info);
+            (void)mesh(m, 0);
+        }
+        layouts_.resize(meshes_.size());
+        for (const MarkedStep& step : marker_.steps) add_step(step);
+    }
+
+    const DatasetInfo& info() const override { return info_; }
+    const std::vector<Step>& steps() const override { return steps_; }
+
+    std::shared_ptr<Dataset> refreshed() const override {
+        for (const auto& mesh : meshes_) mesh->check_sizes();
+        chunks_->check_sizes();
+        Documents now = read_documents(directory_);
+        if (now.info.id != info_.id || now.marker.steps.size() < steps_.size() || now.marker.meshes < meshes_.size())
+            refuse(directory_, "was replaced by another dataset while it was open; open it again");
+        if (now.marker.steps.size() == steps_.size()) return nullptr;
+        return std::make_shared<MappedDataset>(directory_, std::move(now), this);
+    }
+
+    FaceMeshView mesh(std::size_t mesh, std::size_t coordinates) const override {
+        const MappedMesh& mapped = *at(mesh);
+        const ArrayLayout& positions = positions_[mesh];
+        if (coordinates >= positions.chunks)
+            refuse(positions.directory, "has no coordinates " + std::to_string(coordinates));
+        const auto& sums = coordinate_checksums_[mesh];
+        const fs::path file = positions.chunk(coordinates);
+        return mapped.view(
+            chunks_->get(file, positions.chunk_bytes, coordinates < sums.size() ? sums[coordinates] : std::string(),
+                         [&](std::span<const float> values) {
+                             if (!std::all_of(values.begin(), values.end(), [](float v) { return std::isfinite(v); }))
+                                 refuse(file, "holds a coordinate that is not finite");
+                         }));
+    }
+
+    std::vector<Group> groups(std::size_t mesh) const override { return at(mesh)->groups(); }
+    std::span<const Index> original_vertex(std::size_t mesh) const override { return at(mesh)->original_vertex(); }
+    std::span<const Index> original_cell(std::size_t mesh) const override { return at(mesh)->original_cell(); }
+
+    std::span<const float> values(const std::string& array, std::size_t step) const override {
+        if (find(array) == nullptr) refuse(directory_, "has no array '" + array + "'");
+        if (step >= steps_.size()) refuse(directory_, "has no step " + std::to_string(step));
+        const MarkedStep& marked = marker_.steps[step];
+        const auto entry = marked.arrays.find(array);
+        if (entry == marked.arrays.end()) return {};
+        const ArrayLayout& shape = layouts_[marked.mesh].at(array);
+        if (entry->second.lazy && !is_written(marked, array))
+            refuse(directory_, "array '" + array + "' is not yet extracted from its source at time " +
+                                   std::to_string(marked.time) + "; choose another step");
+        return chunks_->get(shape.chunk(entry->second.chunk), shape.chunk_bytes, entry->second.checksum);
+    }
+
+private:
+    const std::shared_ptr<MappedMesh>& at(std::size_t mesh) const {
+        if (mesh >= meshes_.size()) refuse(directory_, "has no mesh " + std::to_string(mesh));
+        return meshes_[mesh];
+    }
+
+    bool is_written(const MarkedStep& step, const std::string& array) const {
+        std::error_code error;
+        return fs::exists(layouts_[step.mesh].at(array).chunk(step.arrays.at(array).chunk), error);
+    }
+
+    // Coordinates added since: the mesh's attributes are read again for their checksums.
+    std::vector<std::string> coordinate_checksums(std::size_t mesh, const MappedDataset* before) const {
+        if (before == nullptr || mesh >= before->meshes_.size())
+            return meshes_[mesh]->attributes().coordinate_checksums;
+        const auto file = meshes_[mesh]->directory() / layout::attributes_document;
+        return parse_mesh_attributes(read_text(file, layout::document_bytes), file).coordinate_checksums;
+    }
+
+    void add_step(const MarkedStep& marked) {
+        const std::size_t index = next_step_++;
+        if (marked.coordinates >= positions_[marked.mesh].chunks)
+            refuse(directory_ / layout::commit_marker,
+                   "step " + std::to_string(index) + " names coordinates that do not exist");
+        for (const auto& [name, entry] : marked.arrays) learn_array(marked.mesh, name, entry.chunk);
+        if (index < steps_.size()) return; // known from before the refresh
+        Step step{marked.time, marked.mesh, marked.coordinates, {}};
+        for (const auto& [name, entry] : marked.arrays) step.arrays.emplace(name, array_step(marked, name, entry));
+        steps_.push_back(std::move(step));
+    }
+
+    void learn_array(std::size_t mesh, const std::string& name, std::uint64_t chunk) {
+        auto layout = layouts_[mesh].find(name);
+        if (layout == layouts_[mesh].end()) {
+            const auto directory = layout::values(meshes_[mesh]->directory(), name);
+            const auto document = directory / layout::attributes_document;
+            const ArrayInfo array = parse_array_attributes(read_text(document, layout::document_bytes), document);
+            if (array.name != name) refuse(document, "is named '" + array.name + "', not '" + name + "'");
+            const ArrayInfo* known = find(name);
+            if (known == nullptr)
+                info_.arrays.push_back(array);
+            else if (known->association != array.association || known->components != array.components)
+                refuse(document, "has another association or number of components than on an earlier mesh");
+            const std::uint64_t items =
+                array.association == Association::point ? meshes_[mesh]->vertex_count() : meshes_[mesh]->cell_count();
+            layout = layouts_[mesh].emplace(name, read_layout(directory, items, array.components)).first;
+        }
+        if (chunk >= layout->second.chunks)
+            refuse(layout->second.directory / layout::array_document,
+                   "declares " + std::to_string(layout->second.chunks) + " steps, but the commit marker names step " +
+                       std::to_string(chunk));
+    }
+
+    ArrayStep array_step(const MarkedStep& step, const std::string& name, const MarkedArray& entry) const {
+        const ArrayInfo& array = *find(name);
+        ArrayStep result;
+        result.lazy = entry.lazy;
+        if (entry.statistics) {
+            const auto lazy = result.lazy;
+            result = *entry.statistics;
+            result.lazy = lazy;
+            if (result.component_ranges.size() != static_cast<std::size_t>(array.components))
+                refuse(directory_ / layout::commit_marker,
+                       "'component_ranges' of '" + name + "' must have one entry per component");
+            return result;
+        }
+        if (entry.lazy && !is_written(step, name)) {
+            result.component_ranges.resize(static_cast<std::size_t>(array.components));
+            return result;
+        }
+        const ArrayLayout& shape = layouts_[step.mesh].at(name);
+        result =
+            statistics(chunks_->get(shape.chunk(entry.chunk), shape.chunk_bytes, entry.checksum), array.components);
+        result.lazy = entry.lazy;
+        return result;
+    }
+
+    fs::path directory_;
+    DatasetInfo info_;
+    Marker marker_;
+    std::vector<Step> steps_;
+    std::size_t next_step_ = 0;
+    std::vector<std::shared_ptr<MappedMesh>> meshes_;
+    std::vector<ArrayLayout> positions_;                         // per mesh
+    std::vector<std::vector<std::string>> coordinate_checksums_; // per mesh, per set
+    std::vector<std::map<std::string, ArrayLayout>> layouts_;    // per mesh
+    std::shared_ptr<ChunkCache> chunks_ = std::make_shared<ChunkCache>();
+};
+
+} // namespace
+
+std::shared_ptr<Dataset> Dataset::open(const fs::path& directory) {
+    return std::make_shared<MappedDataset>(directory, read_documents(directory), nullptr);
+}
+
+const ArrayInfo* Dataset::find(const std::string& array) const {
+    const auto& arrays = info().arrays;
+    const auto found = std::find_if(arrays.begin(), arrays.end(), [&](const ArrayInfo& a) { return a.name == array; });
+    return found == arrays.end() ? nullptr : &*found;
+}
+
+std::size_t Dataset::step_at(double time) const {
+    std::size_t best = 0;
+    for (std::size_t i = 1; i < steps().size(); ++i)
+        if (std::abs(steps()[i].time - time) < std::abs(steps()[best].time - time)) best = i;
+    return best;
+}
+
+} // namespace ciel::store

@@ -1,0 +1,114 @@
+#include "store/files.hpp"
+
+#include "ciel/types.hpp"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+#include <utility>
+
+namespace ciel::store {
+namespace {
+
+void write_all(const std::filesystem::path& file, std::span<const std::byte> bytes, bool durable) {
+    const Descriptor out(::open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644));
+    if (out.get() < 0) refuse_errno(file, "cannot be created");
+    while (!bytes.empty()) {
+        const ssize_t written = ::write(out.get(), bytes.data(), std::min<std::size_t>(bytes.size(), 1 << 30));
+        if (written < 0 && errno == EINTR) continue;
+        if (written < 0) refuse_errno(file, "cannot be written");
+        bytes = bytes.subspan(static_cast<std::size_t>(written));
+    }
+    if (durable && ::fsync(out.get()) != 0) refuse_errno(file, "cannot be flushed to the disk");
+}
+
+} // namespace
+
+void refuse(const std::filesystem::path& file, const std::string& sentence) {
+    throw Error(file.string() + ": " + sentence);
+}
+
+void refuse_errno(const std::filesystem::path& file, const std::string& what_failed) {
+    const int number = errno;
+    refuse(file, what_failed + " (" + std::strerror(number) + ")");
+}
+
+std::string read_text(const std::filesystem::path& file, std::size_t limit) {
+    // O_NONBLOCK: a FIFO put in the place of a file must not hang the server.
+    const Descriptor in(::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
+    if (in.get() < 0) {
+        if (errno == ENOENT) refuse(file, "is missing");
+        refuse_errno(file, "cannot be opened");
+    }
+    struct stat status {};
+    if (::fstat(in.get(), &status) != 0) refuse_errno(file, "cannot be examined");
+    if (!S_ISREG(status.st_mode)) refuse(file, "is not a regular file");
+    if (static_cast<std::size_t>(status.st_size) > limit)
+        refuse(file, "is longer than the " + std::to_string(limit) + " bytes such a file may have");
+    std::string text(static_cast<std::size_t>(status.st_size), '\0');
+    std::size_t filled = 0;
+    while (filled < text.size()) {
+        const ssize_t got = ::read(in.get(), text.data() + filled, text.size() - filled);
+        if (got < 0 && errno == EINTR) continue;
+        if (got < 0) refuse_errno(file, "cannot be read");
+        if (got == 0) break;
+        filled += static_cast<std::size_t>(got);
+    }
+    text.resize(filled);
+    return text;
+}
+
+void write_file(const std::filesystem::path& file, std::span<const std::byte> bytes) { write_all(file, bytes, false); }
+
+void replace_file(const std::filesystem::path& file, std::span<const std::byte> bytes) {
+    const std::filesystem::path beside = file.string() + ".new-" + std::to_string(::getpid());
+    try {
+        write_all(beside, bytes, true);
+        if (::rename(beside.c_str(), file.c_str()) != 0) refuse_errno(file, "cannot be replaced");
+    } catch (...) {
+        ::unlink(beside.c_str());
+        throw;
+    }
+    sync_directory(file.parent_path());
+}
+
+void make_directory(const std::filesystem::path& directory) {
+    std::error_code error;
+    std::filesystem::create_directories(directory, error);
+    if (error) refuse(directory, "cannot be created (" + error.message() + ")");
+}
+
+void sync_directory(const std::filesystem::path& directory) {
+    const Descriptor fd(::open(directory.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+    if (fd.get() < 0 || ::fsync(fd.get()) != 0) refuse_errno(directory, "cannot be flushed to the disk");
+}
+
+void sync_filesystem(const std::filesystem::path& directory) {
+    const Descriptor fd(::open(directory.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+    if (fd.get() < 0 || ::syncfs(fd.get()) != 0) refuse_errno(directory, "cannot be flushed to the disk");
+}
+
+Descriptor::~Descriptor() {
+    if (fd_ >= 0) ::close(fd_);
+}
+
+Descriptor::Descriptor(Descriptor&& other) noexcept : fd_(std::exchange(other.fd_, -1)) {}
+
+Descriptor& Descriptor::operator=(Descriptor&& other) noexcept {
+    std::swap(fd_, other.fd_);
+    return *this;
+}
+
+bool lock_directory(const std::filesystem::path& directory, Descriptor& lock) {
+    Descriptor fd(::open(directory.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+    if (fd.get() < 0) refuse_errno(directory, "cannot be opened");
+    if (::flock(fd.get(), LOCK_EX | LOCK_NB) != 0) return false;
+    lock = std::move(fd);
+    return true;
+}
+
+} // namespace ciel::store

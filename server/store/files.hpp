@@ -1,0 +1,50 @@
+// Files as the store needs them: read whole, written whole, replaced atomically. Every failure is an Error that names
+// the file.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace ciel::store {
+
+[[noreturn]] void refuse(const std::filesystem::path& file, const std::string& sentence);
+[[noreturn]] void refuse_errno(const std::filesystem::path& file, const std::string& what_failed);
+
+// Throws when it is missing, not a regular file, or longer than `limit`.
+[[nodiscard]] std::string read_text(const std::filesystem::path& file, std::size_t limit);
+
+// A new file; not flushed to the disk.
+void write_file(const std::filesystem::path& file, std::span<const std::byte> bytes);
+// Written beside, flushed and renamed over `file`: readers see the old or the new one, and a mapping of the old one
+// stays valid.
+void replace_file(const std::filesystem::path& file, std::span<const std::byte> bytes);
+
+void make_directory(const std::filesystem::path& directory); // and its parents
+void sync_directory(const std::filesystem::path& directory);
+// One flush for everything on the file system that holds `directory`: cheaper than one per chunk.
+void sync_filesystem(const std::filesystem::path& directory);
+
+[[nodiscard]] inline std::span<const std::byte> bytes_of(std::string_view text) {
+    return std::as_bytes(std::span(text.data(), text.size()));
+}
+
+// Owns a file descriptor.
+class Descriptor {
+public:
+    explicit Descriptor(int fd = -1) : fd_(fd) {}
+    ~Descriptor();
+    Descriptor(Descriptor&& other) noexcept;
+    Descriptor& operator=(Descriptor&& other) noexcept;
+    [[nodiscard]] int get() const { return fd_; }
+
+private:
+    int fd_;
+};
+
+// A lock that ends with the process. Returns false when another process holds it.
+[[nodiscard]] bool lock_directory(const std::filesystem::path& directory, Descriptor& lock);
+
+} // namespace ciel::store

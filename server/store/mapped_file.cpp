@@ -1,0 +1,56 @@
+#include "store/mapped_file.hpp"
+
+#include "store/files.hpp"
+
+#include <cerrno>
+#include <fcntl.h>
+#include <string>
+#include <sys/mman.h>
+#include <sys/stat.h>
+#include <unistd.h>
+#include <utility>
+
+namespace ciel::store {
+
+MappedFile::MappedFile(std::filesystem::path file, std::size_t bytes) : path_(std::move(file)) {
+    if (bytes == 0) return; // Zarr writes no chunk for an empty array
+    const Descriptor in(::open(path_.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
+    if (in.get() < 0) {
+        if (errno == ENOENT) refuse(path_, "is missing; restore it or import the data again");
+        refuse_errno(path_, "cannot be opened");
+    }
+    struct stat status {};
+    if (::fstat(in.get(), &status) != 0) refuse_errno(path_, "cannot be examined");
+    if (!S_ISREG(status.st_mode)) refuse(path_, "is not a regular file");
+    if (static_cast<std::size_t>(status.st_size) != bytes)
+        refuse(path_, "has " + std::to_string(status.st_size) + " bytes where " + std::to_string(bytes) +
+                          " are declared; restore it or import the data again");
+    void* data = ::mmap(nullptr, bytes, PROT_READ, MAP_SHARED, in.get(), 0);
+    if (data == MAP_FAILED) refuse_errno(path_, "cannot be mapped");
+    data_ = data;
+    size_ = bytes;
+}
+
+MappedFile::~MappedFile() {
+    if (data_ != nullptr) ::munmap(data_, size_);
+}
+
+MappedFile::MappedFile(MappedFile&& other) noexcept
+    : path_(std::move(other.path_)), data_(std::exchange(other.data_, nullptr)), size_(std::exchange(other.size_, 0)) {}
+
+MappedFile& MappedFile::operator=(MappedFile&& other) noexcept {
+    std::swap(path_, other.path_);
+    std::swap(data_, other.data_);
+    std::swap(size_, other.size_);
+    return *this;
+}
+
+void MappedFile::check_size() const {
+    struct stat status {};
+    // A missing file was replaced or deleted: the mapping keeps its content.
+    if (size_ == 0 || ::stat(path_.c_str(), &status) != 0) return;
+    if (static_cast<std::size_t>(status.st_size) < size_)
+        refuse(path_, "has shrunk while it was open; files of a dataset must be replaced, never truncated");
+}
+
+} // namespace ciel::store

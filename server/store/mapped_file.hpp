@@ -1,0 +1,39 @@
+// A file mapped for reading, of exactly the expected size.
+//
+// The SIGBUS rule: touching a page of a mapping beyond the end of a file that has shrunk kills the process. So sizes
+// are checked when mapping and on every refresh, and whoever changes a dataset replaces files (new file + rename) and
+// never truncates or rewrites them in place; a mapping of a replaced or deleted file stays valid.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <span>
+
+namespace ciel::store {
+
+class MappedFile {
+public:
+    MappedFile() = default;
+    // Throws Error when it is missing, not a regular file, or of another size. Zero bytes: nothing is opened.
+    MappedFile(std::filesystem::path file, std::size_t bytes);
+    ~MappedFile();
+    MappedFile(MappedFile&& other) noexcept;
+    MappedFile& operator=(MappedFile&& other) noexcept;
+
+    [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+    [[nodiscard]] std::span<const std::byte> bytes() const { return {static_cast<const std::byte*>(data_), size_}; }
+    template <typename T>
+    [[nodiscard]] std::span<const T> as() const {
+        return {static_cast<const T*>(data_), size_ / sizeof(T)};
+    }
+
+    // Throws Error when the file at the path is shorter than the mapping.
+    void check_size() const;
+
+private:
+    std::filesystem::path path_;
+    void* data_ = nullptr;
+    std::size_t size_ = 0;
+};
+
+} // namespace ciel::store

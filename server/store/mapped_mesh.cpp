@@ -1,0 +1,172 @@
+#include "store/mapped_mesh.hpp"
+
+#include "ciel/parallel.hpp"
+#include "store/checksum.hpp"
+#include "store/files.hpp"
+#include "store/layout.hpp"
+
+#include <algorithm>
+#include <functional>
+
+namespace ciel::store {
+namespace {
+
+constexpr const char* damaged = "; the dataset is damaged: restore the file or import the data again";
+
+ElementType type_of(const std::string& name) {
+    if (name == "cell_types") return ElementType::u1;
+    return name == "face_offset" ? ElementType::u8 : ElementType::u4;
+}
+
+bool is_cell_type(std::uint8_t type) {
+    switch (static_cast<CellType>(type)) {
+    case CellType::tetrahedron:
+    case CellType::hexahedron:
+    case CellType::wedge:
+    case CellType::pyramid:
+    case CellType::polyhedron:
+        return true;
+    }
+    return false;
+}
+
+// Branch-free, so that a pass over tens of millions of indices costs what reading them costs.
+Index highest(std::span<const Index> ids) {
+    Index result = 0;
+    for (const Index id : ids) result = std::max(result, id);
+    return result;
+}
+
+void check_below(const MappedFile& file, std::uint64_t limit, const char* of_what) {
+    const auto ids = file.as<Index>();
+    if (!ids.empty() && highest(ids) >= limit)
+        refuse(file.path(), "holds index " + std::to_string(highest(ids)) + ", but there are only " +
+                                std::to_string(limit) + " " + of_what + damaged);
+}
+
+void check_offsets(const MappedFile& file, std::uint64_t corners) {
+    const auto offsets = file.as<std::uint64_t>();
+    if (offsets.front() != 0 || offsets.back() != corners)
+        refuse(file.path(), "does not span the " + std::to_string(corners) + " corners of face_vertex" + damaged);
+    bool short_loop = false;
+    for (std::size_t i = 1; i < offsets.size(); ++i)
+        short_loop |= offsets[i] < offsets[i - 1] || offsets[i] - offsets[i - 1] < 3;
+    if (short_loop) refuse(file.path(), std::string("has a face with fewer than three corners") + damaged);
+}
+
+void check_owners(const MappedFile& file, std::uint64_t cells) {
+    check_below(file, cells, "cells");
+    const auto owner = file.as<Index>();
+    if (!std::is_sorted(owner.begin(), owner.end())) refuse(file.path(), std::string("is not sorted") + damaged);
+}
+
+void check_neighbours(const MappedFile& owner, const MappedFile& neighbour, std::uint64_t cells) {
+    const auto own = owner.as<Index>();
+    const auto other = neighbour.as<Index>();
+    bool wrong = false;
+    for (std::size_t i = 0; i < other.size(); ++i)
+        wrong |= other[i] != none && (other[i] >= cells || other[i] <= own[i]);
+    if (wrong)
+        refuse(neighbour.path(),
+               std::string("names a cell that does not exist or comes before its face's owner") + damaged);
+}
+
+void check_group(const Group& group, const MappedFile& file, std::uint64_t limit) {
+    const auto ids = group.ids;
+    if (std::adjacent_find(ids.begin(), ids.end(), std::greater_equal<>()) != ids.end())
+        refuse(file.path(), "is not sorted or holds an id twice" + std::string(damaged));
+    check_below(file, limit, group.of == Group::Of::faces ? "faces" : "cells");
+}
+
+} // namespace
+
+MappedMesh::MappedMesh(std::filesystem::path directory) : directory_(std::move(directory)) {
+    const auto attributes = directory_ / layout::attributes_document;
+    attributes_ = parse_mesh_attributes(read_text(attributes, layout::document_bytes), attributes);
+    for (const char* name : layout::whole_arrays) map(name, type_of(name));
+    for (std::size_t i = 0; i < attributes_.groups.size(); ++i) map("groups/" + std::to_string(i), ElementType::u4);
+
+    vertex_count_ = original_vertex().size();
+    const std::uint64_t faces = array("owner").as<Index>().size();
+    if (vertex_count_ == 0 || cell_count() == 0 || faces == 0)
+        refuse(directory_, std::string("is an empty mesh") + damaged);
+    if (vertex_count_ >= none || cell_count() >= none || faces >= none)
+        refuse(directory_, "has more vertices, faces or cells than 32 bits can number");
+    const auto expect = [&](const char* name, std::size_t have, std::size_t want) {
+        if (have != want)
+            refuse(array(name).path(),
+                   "has " + std::to_string(have) + " entries where " + std::to_string(want) + " are needed" + damaged);
+    };
+    if (attributes_.info.vertices != vertex_count_ || attributes_.info.cells != cell_count() ||
+        attributes_.info.faces != faces)
+        refuse(attributes, std::string("counts other vertices, faces or cells than the arrays hold") + damaged);
+    expect("original_cell", original_cell().size(), cell_count());
+    expect("neighbour", array("neighbour").as<Index>().size(), faces);
+    expect("face_offset", array("face_offset").as<std::uint64_t>().size(), faces + 1);
+    for (std::size_t i = 0; i < attributes_.groups.size(); ++i)
+        groups_.push_back(
+            {attributes_.groups[i].of, attributes_.groups[i].name, array("groups/" + std::to_string(i)).as<Index>()});
+    verify_checksums();
+    verify_indices();
+}
+
+void MappedMesh::map(const std::string& name, ElementType type) {
+    const auto path = directory_ / name;
+    const auto document = path / layout::array_document;
+    const ZarrArray zarr = parse_zarr_array(read_text(document, layout::document_bytes), document);
+    if (zarr.type != type || zarr.shape.size() != 1 || (zarr.shape != zarr.chunks && zarr.shape[0] != 0))
+        refuse(document, std::string("is not the one-chunk array that '") + name + "' must be" + damaged);
+    arrays_.emplace(name, MappedFile(layout::chunk(path, 0, 1), zarr.chunk_bytes(document)));
+}
+
+void MappedMesh::verify_checksums() const {
+    std::vector<std::pair<const std::string*, const MappedFile*>> all;
+    for (const auto& [name, file] : arrays_) all.emplace_back(&name, &file);
+    parallel_for(all.size(), 1, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            const auto& [name, file] = all[i];
+            const auto declared = attributes_.checksums.find(*name);
+            if (declared == attributes_.checksums.end())
+                refuse(directory_ / layout::attributes_document, "lacks the checksum of '" + *name + "'" + damaged);
+            if (checksum(file->bytes()) != declared->second)
+                refuse(file->path(), std::string("does not have its checksum") + damaged);
+        }
+    });
+}
+
+void MappedMesh::verify_indices() const {
+    const std::uint64_t faces = array("owner").as<Index>().size();
+    std::vector<std::function<void()>> checks{
+        [&] { check_below(array("face_vertex"), vertex_count_, "vertices"); },
+        [&] { check_offsets(array("face_offset"), array("face_vertex").as<Index>().size()); },
+        [&] { check_owners(array("owner"), cell_count()); },
+        [&] { check_neighbours(array("owner"), array("neighbour"), cell_count()); },
+        [&] {
+            if (!std::all_of(cell_types().begin(), cell_types().end(), is_cell_type))
+                refuse(array("cell_types").path(), std::string("names a cell type that does not exist") + damaged);
+        }};
+    for (std::size_t i = 0; i < groups_.size(); ++i)
+        checks.emplace_back([&, i] {
+            check_group(groups_[i], array("groups/" + std::to_string(i)),
+                        groups_[i].of == Group::Of::faces ? faces : cell_count());
+        });
+    parallel_for(checks.size(), 1, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) checks[i]();
+    });
+}
+
+FaceMeshView MappedMesh::view(std::span<const float> positions) const {
+    return {attributes_.origin,
+            positions,
+            cell_types(),
+            array("face_offset").as<std::uint64_t>(),
+            array("face_vertex").as<Index>(),
+            array("owner").as<Index>(),
+            array("neighbour").as<Index>()};
+}
+
+void MappedMesh::check_sizes() const {
+    for (const auto& [name, file] : arrays_) file.check_size();
+}
+
+} // namespace ciel::store

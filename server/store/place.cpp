@@ -1,0 +1,75 @@
+#include "store/place.hpp"
+
+#include "store/layout.hpp"
+
+#include <cerrno>
+#include <cstdio>
+#include <fcntl.h>
+#include <unistd.h>
+
+namespace ciel::store {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string temporary_prefix(const fs::path& target) { return std::string(".") + target.filename().string() + ".writing-"; }
+
+void remove_left_behind(const fs::path& target) {
+    std::error_code error;
+    for (const auto& entry : fs::directory_iterator(target.parent_path(), error)) {
+        if (!entry.path().filename().string().starts_with(temporary_prefix(target)) || !entry.is_directory(error))
+            continue;
+        Descriptor lock;
+        if (lock_directory(entry.path(), lock)) fs::remove_all(entry.path(), error);
+    }
+}
+
+} // namespace
+
+Place::Place(const fs::path& target, bool overwrite)
+    : target_(fs::absolute(target).lexically_normal()), overwrite_(overwrite) {
+    if (!target_.has_filename()) target_ = target_.parent_path();
+    check_target();
+    make_directory(target_.parent_path());
+    remove_left_behind(target_);
+    temporary_ = target_.parent_path() / (temporary_prefix(target_) + std::to_string(::getpid()));
+    for (int attempt = 1; !fs::create_directory(temporary_); ++attempt) // a second writer in this process
+        temporary_.replace_extension("writing-" + std::to_string(::getpid()) + "-" + std::to_string(attempt));
+    if (!lock_directory(temporary_, lock_)) refuse(temporary_, "is in use by another process");
+}
+
+Place::~Place() {
+    std::error_code error;
+    if (!temporary_.empty()) fs::remove_all(temporary_, error);
+}
+
+void Place::check_target() const {
+    std::error_code error;
+    if (!fs::exists(target_, error)) return;
+    if (!overwrite_) refuse(target_, "exists already; remove it or choose another name");
+    if (!fs::is_directory(target_, error) ||
+        !(fs::exists(target_ / layout::commit_marker, error) || fs::is_empty(target_, error)))
+        refuse(target_, "exists and is not a CIEL dataset, so it is not overwritten; choose another name");
+}
+
+void Place::commit() {
+    sync_filesystem(temporary_);
+    check_target(); // again: it may have come to exist meanwhile
+    const auto rename = [&](unsigned flags) {
+        return ::renameat2(AT_FDCWD, temporary_.c_str(), AT_FDCWD, target_.c_str(), flags) == 0;
+    };
+    // Some file systems know no flags; a plain rename still never replaces a directory that holds something.
+    const bool exists = fs::exists(target_);
+    bool done = rename(exists ? RENAME_EXCHANGE : RENAME_NOREPLACE);
+    if (!done && errno == EINVAL) {
+        if (exists) fs::remove_all(target_);
+        done = rename(0);
+    }
+    if (!done) refuse_errno(target_, "cannot be put in place");
+    sync_directory(target_.parent_path());
+    std::error_code error;
+    if (exists) fs::remove_all(temporary_, error); // by now the old dataset
+    temporary_.clear();
+}
+
+} // namespace ciel::store

@@ -1,0 +1,30 @@
+// The place where a new dataset comes to stand: written aside in a temporary sibling, renamed when whole.
+#pragma once
+
+#include "store/files.hpp"
+
+namespace ciel::store {
+
+class Place {
+public:
+    // Makes the temporary directory, and removes those that killed writers of the same target have left. Throws Error
+    // when the target exists and `overwrite` is false, or when it exists and is no dataset.
+    Place(const std::filesystem::path& target, bool overwrite);
+    ~Place(); // without commit(): removes the temporary directory
+    Place(const Place&) = delete;
+    Place& operator=(const Place&) = delete;
+
+    [[nodiscard]] const std::filesystem::path& temporary() const { return temporary_; }
+    // Flushes everything to the disk, then renames. A dataset that stood there is exchanged in one step and deleted;
+    // what has it mapped keeps it.
+    void commit();
+
+private:
+    void check_target() const;
+
+    std::filesystem::path target_, temporary_;
+    bool overwrite_;
+    Descriptor lock_; // tells a temporary directory in use from one left behind
+};
+
+} // namespace ciel::store

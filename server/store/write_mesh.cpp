@@ -1,0 +1,102 @@
+#include "store/write_mesh.hpp"
+
+#include "store/checksum.hpp"
+#include "store/files.hpp"
+#include "store/layout.hpp"
+#include "store/mesh_counts.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ciel::store {
+namespace {
+
+namespace fs = std::filesystem;
+
+void write_group(const fs::path& directory) {
+    make_directory(directory);
+    write_file(directory / layout::group_document, bytes_of(group_text()));
+}
+
+// Returns the checksum.
+std::string write_whole(const fs::path& directory, ElementType type, std::span<const std::byte> bytes) {
+    make_directory(directory);
+    write_file(directory / layout::array_document,
+               bytes_of(to_text(whole_array(type, bytes.size() / element_bytes(type)))));
+    if (!bytes.empty()) write_file(layout::chunk(directory, 0, 1), bytes);
+    return checksum(bytes);
+}
+
+void check_sizes(const FaceMesh& mesh, std::span<const Index> original_vertex, std::span<const Index> original_cell) {
+    if (mesh.cell_types.empty() || mesh.positions.empty()) throw Error("the mesh has no cells; nothing can be stored");
+    if (mesh.positions.size() != 3 * original_vertex.size() || mesh.cell_types.size() != original_cell.size() ||
+        mesh.owner.size() != mesh.neighbour.size() || mesh.face_offset.size() != mesh.owner.size() + 1 ||
+        mesh.face_offset.back() != mesh.face_vertex.size())
+        throw Error("the arrays of the mesh do not have matching sizes");
+    check_finite(mesh.positions);
+}
+
+void check_group(const NamedGroup& group, std::size_t limit) {
+    for (const Index id : group.ids)
+        if (id >= limit)
+            throw Error("group '" + group.name + "' names " + std::to_string(id) + ", but there are only " +
+                        std::to_string(limit));
+}
+
+} // namespace
+
+void check_finite(std::span<const float> positions) {
+    const auto bad = std::find_if(positions.begin(), positions.end(), [](float v) { return !std::isfinite(v); });
+    if (bad != positions.end())
+        throw Error("vertex " + std::to_string((bad - positions.begin()) / 3) + " has a coordinate that is not finite");
+}
+
+ZarrArray positions_shape(std::uint64_t sets, std::uint64_t vertices) {
+    return {ElementType::f4, {sets, vertices, 3}, {1, vertices, 3}};
+}
+
+ZarrArray values_shape(std::uint64_t steps, std::uint64_t items, int components) {
+    ZarrArray array{ElementType::f4, {steps, items}, {1, items}};
+    if (components > 1) {
+        array.shape.push_back(static_cast<std::uint64_t>(components));
+        array.chunks.push_back(static_cast<std::uint64_t>(components));
+    }
+    return array;
+}
+
+MeshAttributes write_mesh(const fs::path& directory, const FaceMesh& mesh, std::span<const Index> original_vertex,
+                          std::span<const Index> original_cell, std::span<const NamedGroup> groups) {
+    check_sizes(mesh, original_vertex, original_cell);
+    MeshAttributes attributes;
+    attributes.origin = mesh.origin;
+    attributes.info = count_mesh(mesh.view());
+    for (const fs::path& group : {directory, directory / "groups", directory / "arrays"}) write_group(group);
+
+    const auto write = [&](const std::string& name, ElementType type, std::span<const std::byte> bytes) {
+        attributes.checksums[name] = write_whole(directory / name, type, bytes);
+    };
+    write("cell_types", ElementType::u1, std::as_bytes(std::span(mesh.cell_types)));
+    write("face_offset", ElementType::u8, std::as_bytes(std::span(mesh.face_offset)));
+    write("face_vertex", ElementType::u4, std::as_bytes(std::span(mesh.face_vertex)));
+    write("owner", ElementType::u4, std::as_bytes(std::span(mesh.owner)));
+    write("neighbour", ElementType::u4, std::as_bytes(std::span(mesh.neighbour)));
+    write("original_vertex", ElementType::u4, std::as_bytes(original_vertex));
+    write("original_cell", ElementType::u4, std::as_bytes(original_cell));
+    for (std::size_t i = 0; i < groups.size(); ++i) {
+        check_group(groups[i], groups[i].of == Group::Of::faces ? mesh.owner.size() : mesh.cell_types.size());
+        std::vector<Index> ids = groups[i].ids;
+        std::sort(ids.begin(), ids.end());
+        ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+        const std::string name = "groups/" + std::to_string(i);
+        write(name, ElementType::u4, std::as_bytes(std::span(ids)));
+        attributes.groups.push_back({groups[i].of, groups[i].name});
+        write_file(directory / name / layout::attributes_document,
+                   bytes_of(group_attributes_text(attributes.groups.back())));
+    }
+    make_directory(directory / "positions");
+    write_file(layout::chunk(directory / "positions", 0, 3), std::as_bytes(std::span(mesh.positions)));
+    attributes.coordinate_checksums.push_back(checksum(std::as_bytes(std::span(mesh.positions))));
+    return attributes;
+}
+
+} // namespace ciel::store

@@ -1,0 +1,38 @@
+// A box of unit hexahedra as a FaceMesh, and a scratch directory: what the tests of the store write and read.
+#pragma once
+
+#include "ciel/face_mesh.hpp"
+#include "store/writer.hpp"
+
+#include <filesystem>
+#include <numeric>
+#include <string>
+#include <vector>
+
+namespace ciel::test {
+
+// nx x ny x nz hexahedra at integer positions; cells and vertices count x fastest.
+FaceMesh box(Index nx, Index ny, Index nz);
+std::vector<Index> identity(std::size_t count);
+
+class Scratch {
+public:
+    Scratch();
+    ~Scratch();
+    Scratch(const Scratch&) = delete;
+    [[nodiscard]] std::filesystem::path operator/(const std::string& name) const { return directory_ / name; }
+    [[nodiscard]] const std::filesystem::path& directory() const { return directory_; }
+
+private:
+    std::filesystem::path directory_;
+};
+
+// NAME.ciel with one mesh, the groups "wall" (faces) and "inner/zone" (cells), and the arrays p (point), U (point, 3)
+// and "cell:p" (cell) at times 0, 0.5, 1.0; p is not written at 0.5. p = vertex id + 1000 * step.
+void write_box(const std::filesystem::path& directory, const FaceMesh& mesh);
+std::vector<float> values_of(std::size_t count, std::size_t step);
+
+std::string read_file(const std::filesystem::path& file);
+void overwrite_file(const std::filesystem::path& file, const std::string& content);
+
+} // namespace ciel::test
