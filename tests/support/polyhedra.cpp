@@ -87,6 +87,23 @@ std::vector<std::vector<Id>> neighbours(const Polyhedra& mesh) {
 
 } // namespace
 
+double signed_volume(const Polyhedra& mesh, Id cell) {
+    double sum = 0;
+    const Point o = mesh.position(mesh.loops(cell)[0][0]);
+    const auto relative = [&](Id v) {
+        const Point p = mesh.position(v);
+        return Point{p[0] - o[0], p[1] - o[1], p[2] - o[2]};
+    };
+    for (const Loop& loop : mesh.loops(cell)) {
+        for (std::size_t i = 1; i + 1 < loop.size(); ++i) {
+            const Point a = relative(loop[0]), b = relative(loop[i]), c = relative(loop[i + 1]);
+            sum += a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0]) +
+                   a[2] * (b[0] * c[1] - b[1] * c[0]);
+        }
+    }
+    return sum / 6;
+}
+
 Polyhedra keep_cells(const Polyhedra& mesh, const std::function<bool(Id)>& keep) {
     Polyhedra result = without_cells(mesh);
     for (Id c = 0; c < mesh.cell_count(); ++c) {

@@ -40,6 +40,9 @@ struct Polyhedra {
     [[nodiscard]] std::vector<Loop> loops(Id cell) const;
 };
 
+// Positive when the faces are wound outwards; faces that are not planar count as fans from their first corner.
+[[nodiscard]] double signed_volume(const Polyhedra& mesh, Id cell);
+
 [[nodiscard]] Polyhedra keep_cells(const Polyhedra& mesh, const std::function<bool(Id cell)>& keep);
 
 // `second` beside `first`, moved by `shift`, sharing no vertex.

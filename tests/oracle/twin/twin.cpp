@@ -93,7 +93,10 @@ Cut cut_every_cell(const Polyhedra& mesh, std::span<const float> values, double 
 
 std::string difference(const Cut& expected, const Cut& actual) {
     std::ostringstream text;
-    for (auto e : expected.active_edges) {
+    std::set<CutEdge> drawn;
+    for (const CutPolygon& polygon : expected.polygons) drawn.insert(polygon.edges.begin(), polygon.edges.end());
+    // An edge that only dropped polygons touch may be listed or not.
+    for (auto e : drawn) {
         if (!actual.active_edges.contains(e)) {
             text << "edge " << e.first << "-" << e.second << " should be active";
             return text.str();
@@ -132,6 +135,7 @@ Segments boundary_segments(const Polyhedra& mesh, std::span<const float> values,
     for (std::uint64_t f = 0; f < mesh.face_count(); ++f) {
         Loop key(mesh.face(f).begin(), mesh.face(f).end());
         std::sort(key.begin(), key.end());
+        key.erase(std::unique(key.begin(), key.end()), key.end()); // a quad collapsed to a triangle meets triangles
         claims[key].push_back(f);
     }
     std::vector<Segment> found;

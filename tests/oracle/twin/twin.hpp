@@ -21,7 +21,7 @@ struct CutPolygon {
     friend auto operator<=>(const CutPolygon&, const CutPolygon&) = default;
 };
 
-// nullopt-like rule: polygons with fewer than three distinct edges are not part of a cut.
+// False when fewer than three distinct edges are left: such a polygon is not part of a cut.
 [[nodiscard]] bool make_canonical(CutPolygon& polygon);
 
 struct Cut {

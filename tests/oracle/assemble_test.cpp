@@ -1,0 +1,208 @@
+// What assemble() makes of any mesh, in any order and winding, told back in ids of the input.
+#include "ciel/assemble.hpp"
+#include "support/meshes.hpp"
+#include "support/views.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+
+namespace ciel::test {
+namespace {
+
+// From its least vertex on, in the direction it has.
+Loop canonical(Loop loop) {
+    Loop best = loop;
+    for (std::size_t i = 1; i < loop.size(); ++i) {
+        std::rotate(loop.begin(), loop.begin() + 1, loop.end());
+        best = std::min(best, loop);
+    }
+    return best;
+}
+
+using CellFaces = std::vector<std::multiset<Loop>>; // per input cell, outward loops
+
+CellFaces faces_of(const Polyhedra& mesh) {
+    CellFaces result(mesh.cell_count());
+    for (Id c = 0; c < mesh.cell_count(); ++c) {
+        for (const Loop& loop : mesh.loops(c)) result[c].insert(canonical(loop));
+    }
+    return result;
+}
+
+CellFaces faces_of(const Assembled& assembled, Id input_cells) {
+    CellFaces result(input_cells);
+    const FaceMeshView mesh = assembled.mesh.view();
+    for (Index f = 0; f < mesh.face_count(); ++f) {
+        Loop loop;
+        for (Index v : mesh.loop(f)) loop.push_back(assembled.original_vertex[v]);
+        result[assembled.original_cell[mesh.owner[f]]].insert(canonical(loop));
+        std::reverse(loop.begin(), loop.end());
+        if (mesh.neighbour[f] != none) result[assembled.original_cell[mesh.neighbour[f]]].insert(canonical(loop));
+    }
+    return result;
+}
+
+// Where two cells wrote a face differently (a quad collapsed to a triangle beside a triangle), the owner's loop stands
+// for both, so repeats are left out before comparing.
+CellFaces without_repeats(const CellFaces& cells) {
+    CellFaces result(cells.size());
+    for (std::size_t c = 0; c < cells.size(); ++c) {
+        for (Loop loop : cells[c]) {
+            loop.erase(std::unique(loop.begin(), loop.end()), loop.end());
+            while (loop.size() > 1 && loop.front() == loop.back()) loop.pop_back();
+            result[c].insert(canonical(loop));
+        }
+    }
+    return result;
+}
+
+class Assemble : public testing::TestWithParam<NamedMesh> {
+protected:
+    Polyhedra input = GetParam().make();
+
+    void expect_same_cells(const Assembled& assembled) const {
+        ASSERT_TRUE(assembled.report.bad_cells.empty());
+        EXPECT_EQ(without_repeats(faces_of(assembled, input.cell_count())), without_repeats(faces_of(input)));
+    }
+};
+
+TEST_P(Assemble, KeepsEveryCellAndItsOutwardFaces) {
+    const Assembled assembled = assemble(view(input));
+    expect_same_cells(assembled);
+    EXPECT_EQ(assembled.report.reversed_cells, 0U);
+    EXPECT_EQ(assembled.report.reversed_faces, 0U);
+}
+
+TEST_P(Assemble, KeepsTheContractOfFaceMeshView) {
+    const Assembled assembled = assemble(view(input));
+    const FaceMeshView mesh = assembled.mesh.view();
+    EXPECT_EQ(mesh.origin, input.origin);
+    ASSERT_EQ(mesh.face_offset.size(), std::size_t{mesh.face_count()} + 1);
+    ASSERT_EQ(mesh.neighbour.size(), mesh.owner.size());
+    EXPECT_TRUE(std::is_sorted(mesh.owner.begin(), mesh.owner.end()));
+    for (Index f = 0; f < mesh.face_count(); ++f) {
+        ASSERT_LT(mesh.owner[f], mesh.cell_count());
+        ASSERT_TRUE(mesh.neighbour[f] == none || mesh.neighbour[f] < mesh.cell_count());
+        ASSERT_LT(mesh.owner[f], mesh.neighbour[f]);
+        for (Index v : mesh.loop(f)) ASSERT_LT(v, mesh.vertex_count());
+    }
+    for (Index c = 0; c < mesh.cell_count(); ++c) {
+        EXPECT_EQ(mesh.cell_types[c], input.cell_types[assembled.original_cell[c]]);
+    }
+}
+
+TEST_P(Assemble, CarriesVerticesAndTheSourceOfFaces) {
+    const Assembled assembled = assemble(view(input));
+    const FaceMeshView mesh = assembled.mesh.view();
+    std::set<Id> used(input.face_vertex.begin(), input.face_vertex.end());
+    EXPECT_EQ(std::set<Id>(assembled.original_vertex.begin(), assembled.original_vertex.end()), used);
+    ASSERT_EQ(assembled.original_vertex.size(), mesh.vertex_count());
+    EXPECT_EQ(used.size(), mesh.vertex_count());
+    for (Index v = 0; v < mesh.vertex_count(); ++v) {
+        for (std::size_t d = 0; d < 3; ++d) {
+            EXPECT_EQ(mesh.positions[3 * v + d], input.positions[3 * assembled.original_vertex[v] + d]);
+        }
+    }
+    ASSERT_EQ(assembled.face_source.size(), mesh.face_count());
+    for (Index f = 0; f < mesh.face_count(); ++f) {
+        const std::uint64_t source = assembled.face_source[f];
+        const Id owner = assembled.original_cell[mesh.owner[f]];
+        ASSERT_GE(source, input.cell_offset[owner]);
+        ASSERT_LT(source, input.cell_offset[owner + 1]);
+        Loop loop;
+        for (Index v : mesh.loop(f)) loop.push_back(assembled.original_vertex[v]);
+        EXPECT_EQ(canonical(loop), canonical({input.face(source).begin(), input.face(source).end()}));
+    }
+}
+
+TEST_P(Assemble, FacesMatchWhereTwoCellsClaimThem) {
+    std::map<std::set<Id>, std::vector<Id>> claims;
+    for (Id c = 0; c < input.cell_count(); ++c) {
+        for (const Loop& loop : input.loops(c)) {
+            const std::set<Id> key(loop.begin(), loop.end());
+            if (key.size() >= 3) claims[key].push_back(c);
+        }
+    }
+    const Assembled assembled = assemble(view(input));
+    const FaceMeshView mesh = assembled.mesh.view();
+    std::map<std::set<Id>, std::vector<Id>> found;
+    for (Index f = 0; f < mesh.face_count(); ++f) {
+        std::set<Id> key;
+        for (Index v : mesh.loop(f)) key.insert(assembled.original_vertex[v]);
+        if (key.size() < 3) continue;
+        found[key].push_back(assembled.original_cell[mesh.owner[f]]);
+        if (mesh.neighbour[f] != none) found[key].push_back(assembled.original_cell[mesh.neighbour[f]]);
+        EXPECT_EQ(mesh.neighbour[f] == none, claims[key].size() != 2);
+    }
+    for (auto& [key, cells] : found) std::sort(cells.begin(), cells.end());
+    EXPECT_EQ(found, claims);
+}
+
+TEST_P(Assemble, AnyOrderGivesTheSameMesh) {
+    for (std::uint64_t seed : {61, 62, 63}) {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        const Shuffled other = shuffled(input, seed);
+        const Assembled assembled = assemble(view(other.mesh));
+        ASSERT_TRUE(assembled.report.bad_cells.empty());
+        const CellFaces faces = without_repeats(faces_of(assembled, input.cell_count()));
+        const CellFaces expected = without_repeats(faces_of(input));
+        for (Id c = 0; c < input.cell_count(); ++c) ASSERT_EQ(faces[c], expected[other.cell_of[c]]) << "cell " << c;
+    }
+}
+
+TEST_P(Assemble, TurnedFacesAreTurnedBack) {
+    for (std::uint64_t seed : {71, 72, 73}) {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        const Assembled assembled = assemble(view(with_turned_faces(input, 0.5, seed)));
+        expect_same_cells(assembled);
+        EXPECT_EQ(assembled.report.reversed_faces > 0, input.cell_count() > 0);
+    }
+}
+
+TEST_P(Assemble, TurnedCellsAreTurnedBackAndCounted) {
+    for (std::uint64_t seed : {81, 82, 83}) {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        const Polyhedra turned = with_turned_cells(input, 0.5, seed);
+        std::uint64_t expected = 0;
+        for (Id c = 0; c < input.cell_count(); ++c) expected += turned.loops(c) != input.loops(c) ? 1 : 0;
+        const Assembled assembled = assemble(view(turned));
+        expect_same_cells(assembled);
+        EXPECT_EQ(assembled.report.reversed_cells, expected);
+        EXPECT_EQ(assembled.report.reversed_faces, 0U);
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(All, Assemble, testing::ValuesIn(all_meshes()),
+                         [](const auto& test) { return test.param.name; });
+
+TEST(AssembleOneFace, OneTurnedFaceIsCounted) {
+    for (std::uint64_t face = 0; face < 6; ++face) {
+        Polyhedra cube = hexahedra({{1, 1, 1}});
+        std::reverse(cube.face_vertex.begin() + static_cast<std::ptrdiff_t>(4 * face),
+                     cube.face_vertex.begin() + static_cast<std::ptrdiff_t>(4 * face + 4));
+        const Assembled assembled = assemble(view(cube));
+        EXPECT_EQ(assembled.report.reversed_faces, 1U) << face;
+        EXPECT_EQ(assembled.report.reversed_cells, 0U) << face;
+    }
+}
+
+// So much jitter that some cells are turned inside out: agreement with the neighbours counts more than volume.
+TEST(AssembleFolded, CellsStayWoundLikeTheirNeighboursAndAreNamed) {
+    const Polyhedra folded = hexahedra({{9, 9, 9}, 0.9, 91});
+    std::vector<Id> inverted;
+    for (Id c = 0; c < folded.cell_count(); ++c) {
+        if (signed_volume(folded, c) < 0) inverted.push_back(c);
+    }
+    ASSERT_GT(inverted.size(), 10U);
+    const Assembled assembled = assemble(view(folded));
+    EXPECT_TRUE(assembled.report.bad_cells.empty());
+    EXPECT_EQ(faces_of(assembled, folded.cell_count()), faces_of(folded));
+    EXPECT_EQ(assembled.report.inverted_cells, inverted.size());
+    inverted.resize(10);
+    EXPECT_EQ(assembled.report.first_inverted, inverted);
+}
+
+} // namespace
+} // namespace ciel::test
