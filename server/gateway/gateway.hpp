@@ -12,17 +12,35 @@ namespace ciel::gateway {
 
 struct GatewayOptions {
     std::string host = "127.0.0.1";
-    unsigned short port = 8080;       // 0: any free one
-    std::string prefix;               // "/ciel" behind a proxy that keeps the path
-    std::filesystem::path webclient;  // static files
-    std::string token;                // empty on loopback; required elsewhere
-    std::vector<std::string> origins; // allowed beside the server's own
-    unsigned threads = 2;
+    unsigned short port = 8080;             // 0: any free one
+    std::string prefix;                     // "/ciel" behind a proxy, whether it keeps the path or not
+    std::filesystem::path webclient;        // static files; empty: none
+    std::string token;                      // empty on loopback; required elsewhere
+    std::vector<std::string> origins;       // "https://example.org", allowed beside the server's own
+    std::vector<std::string> allowed_hosts; // names in Host, beside localhost when bound to loopback
+    unsigned threads = 2;                   // for sockets
+    unsigned workers = 8;                   // for methods: each runs one request at a time
+    std::string version;                    // for the Server header
 };
 
-// Serves until SIGINT or SIGTERM, then drains. on_listening gets the bound port. Throws Error when the address cannot
-// be bound. Returns the process's exit code.
+// What the log and the address on the console need.
+struct Listening {
+    std::string host; // as it stands in a URL: "127.0.0.1", "[::1]"
+    unsigned short port = 0;
+    bool loopback = true;
+};
+
+// Whether `host` names the loopback interface: elsewhere a token is required. Throws Error when it cannot be resolved.
+[[nodiscard]] bool is_loopback(const std::string& host);
+
+// 128 random bits as a token that needs no quoting anywhere.
+[[nodiscard]] std::string generate_token();
+
+// Serves until SIGINT or SIGTERM, then drains: no new connections, clients are told, what is under way is finished,
+// WebSockets close with 1001. A second signal ends the process at once. on_listening is called from the thread that
+// called serve, before anything is served. Throws Error when the address cannot be bound, the token is missing or badly
+// formed, or the web client's folder cannot be read. Returns the process's exit code.
 int serve(session::Server& server, const GatewayOptions& options,
-          const std::function<void(unsigned short port)>& on_listening);
+          const std::function<void(const Listening&)>& on_listening);
 
 } // namespace ciel::gateway

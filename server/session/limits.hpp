@@ -23,8 +23,11 @@ struct Limits {
     std::size_t field_cache_bytes = std::size_t{4} << 30;
     std::size_t session_memory_bytes = std::size_t{2} << 30; // query state and surfaces of one session
     unsigned unacknowledged_frames = 2;
-    unsigned session_idle_seconds = 3600; // without a connection
-    unsigned request_seconds = 30;        // to send a whole HTTP request
+    unsigned session_idle_seconds = 3600;      // without a connection
+    unsigned request_seconds = 30;             // to send a whole HTTP request
+    std::size_t waiting_text_bytes = 16 << 20; // answers that a WebSocket has not read
+    unsigned websocket_idle_seconds = 60;      // without a sign of life; pings go out at half of it
+    unsigned drain_seconds = 10;               // from SIGTERM to the end
 };
 
 } // namespace ciel::session

@@ -1,0 +1,48 @@
+// What every connection and route reaches.
+#pragma once
+
+#include "gateway/access.hpp"
+#include "gateway/connections.hpp"
+#include "gateway/static_files.hpp"
+#include "session/server.hpp"
+
+#include <array>
+#include <atomic>
+#include <chrono>
+#include <mutex>
+#include <optional>
+
+namespace ciel::gateway {
+
+struct Counters { // for /metrics
+    std::atomic<std::uint64_t> connections{0}, refused_connections{0}, websockets_open{0};
+    std::array<std::atomic<std::uint64_t>, 6> responses{}; // by status / 100
+    std::atomic<std::uint64_t> texts_received{0}, texts_sent{0}, frames_sent{0}, frames_dropped{0}, bytes_sent{0};
+};
+
+// Draws the test picture at most once a second, however often it is asked.
+class ReadinessProbe {
+public:
+    [[nodiscard]] session::Readiness check(session::Server& server);
+
+private:
+    std::mutex mutex_;
+    std::optional<std::chrono::steady_clock::time_point> checked_;
+    session::Readiness last_;
+};
+
+struct Context {
+    Context(session::Server& server_, const GatewayOptions& options, AccessRules access_);
+
+    session::Server& server;
+    std::string prefix, version;
+    AccessRules access;
+    StaticFiles files;
+    Counters counters;
+    Connections connections;
+    ReadinessProbe readiness;
+    std::atomic<bool> draining{false};
+    std::atomic<std::uint64_t> next_connection_id{1};
+};
+
+} // namespace ciel::gateway

@@ -1,0 +1,126 @@
+#include "gateway/gateway.hpp"
+
+#include "ciel/types.hpp"
+#include "gateway/listener.hpp"
+#include "gateway/target.hpp"
+
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/post.hpp>
+#include <boost/asio/signal_set.hpp>
+#include <csignal>
+#include <cstdlib>
+#include <spdlog/spdlog.h>
+#include <thread>
+
+namespace ciel::gateway {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+AccessRules access_rules(const GatewayOptions& options, bool loopback, unsigned short port) {
+    if (!options.token.empty()) check_token_form(options.token);
+    if (!loopback && options.token.empty())
+        throw Error("a server that others can reach needs a token; name one with --token");
+    AccessRules rules;
+    rules.loopback = loopback;
+    rules.allowed_hosts = options.allowed_hosts;
+    rules.origins = options.origins;
+    rules.token = options.token;
+    rules.cookie_name = "ciel_token_" + std::to_string(port);
+    rules.cookie_path = normal_prefix(options.prefix) + "/";
+    return rules;
+}
+
+// The process's sockets and threads, from the first signal to the end.
+class Service {
+public:
+    Service(session::Server& server, const GatewayOptions& options)
+        : address_(resolve_host(options.host)), acceptor_(bind(io_, address_, options.port)),
+          threads_(std::max(1U, options.threads)), workers_(std::max(1U, options.workers)),
+          context_(server, options, access_rules(options, address_.is_loopback(), acceptor_.local_endpoint().port())) {}
+
+    int run(const std::function<void(const Listening&)>& on_listening) {
+        asio::co_spawn(io_, drain_on_signal(), asio::detached); // from here on a signal drains
+        on_listening(listening());
+        asio::co_spawn(io_, accept_connections(acceptor_, io_, context_, workers_), asio::detached);
+        std::vector<std::jthread> threads;
+        for (unsigned i = 1; i < threads_; ++i) threads.emplace_back([this] { io_.run(); });
+        io_.run();
+        threads.clear();
+        if (!drained_) abandon();
+        workers_.join();
+        return 0;
+    }
+
+private:
+    Listening listening() const {
+        const std::string text = address_.to_string();
+        return {address_.is_v6() ? "[" + text + "]" : text, acceptor_.local_endpoint().port(), address_.is_loopback()};
+    }
+
+    asio::awaitable<void> drain_on_signal() {
+        asio::signal_set signals(io_, SIGINT, SIGTERM);
+        error_code ignored;
+        co_await signals.async_wait(asio::redirect_error(asio::use_awaitable, ignored));
+        signals.async_wait([](const error_code& error, int signal) {
+            if (!error) std::_Exit(128 + signal);
+        });
+        co_await drain();
+        signals.cancel();
+        io_.stop();
+    }
+
+    asio::awaitable<void> drain() {
+        spdlog::info("stopping: {} connections", context_.connections.count());
+        const auto deadline = Clock::now() + std::chrono::seconds(context_.server.limits().drain_seconds);
+        acceptor_.close();
+        context_.draining = true;
+        asio::post(workers_, [this] {
+            context_.server.drain();
+            server_drained_ = true;
+        });
+        co_await until(deadline, [this] { return server_drained_.load(); });
+        context_.connections.drain_all();
+        co_await until(deadline, [this] { return context_.connections.count() == 0; });
+        drained_ = server_drained_ && context_.connections.count() == 0;
+    }
+
+    template <typename Condition>
+    asio::awaitable<void> until(Clock::time_point deadline, Condition condition) {
+        asio::steady_timer timer(io_);
+        while (!condition() && Clock::now() < deadline) {
+            timer.expires_after(std::chrono::milliseconds(10));
+            error_code ignored;
+            co_await timer.async_wait(asio::redirect_error(asio::use_awaitable, ignored));
+        }
+    }
+
+    // Methods that still run hold references into the server: the process must end without taking it apart. Datasets
+    // are only read, so nothing is left half-written.
+    [[noreturn]] static void abandon() {
+        spdlog::warn("stopped with requests still under way");
+        spdlog::shutdown();
+        std::_Exit(0);
+    }
+
+    asio::io_context io_;
+    asio::ip::address address_;
+    asio::ip::tcp::acceptor acceptor_;
+    unsigned threads_;
+    asio::thread_pool workers_;
+    Context context_;
+    std::atomic<bool> server_drained_{false};
+    bool drained_ = false;
+};
+
+} // namespace
+
+bool is_loopback(const std::string& host) { return resolve_host(host).is_loopback(); }
+
+int serve(session::Server& server, const GatewayOptions& options,
+          const std::function<void(const Listening&)>& on_listening) {
+    Service service(server, options);
+    return service.run(on_listening);
+}
+
+} // namespace ciel::gateway

@@ -1,0 +1,20 @@
+// One handler per route.
+#pragma once
+
+#include "gateway/context.hpp"
+#include "gateway/http_message.hpp"
+#include "gateway/target.hpp"
+
+namespace ciel::gateway {
+
+[[nodiscard]] Response websocket_expected(Context& context, const Request& request, const Target& target);
+[[nodiscard]] Response rpc(Context& context, const Request& request, const Target& target);
+[[nodiscard]] Response healthz(Context& context, const Request& request, const Target& target);
+[[nodiscard]] Response readyz(Context& context, const Request& request, const Target& target);
+[[nodiscard]] Response metrics(Context& context, const Request& request, const Target& target);
+[[nodiscard]] Response static_file(Context& context, const Request& request, const Target& target);
+
+// Security headers, and CORS for listed origins.
+void add_common_headers(const Context& context, const Request& request, Response& response);
+
+} // namespace ciel::gateway

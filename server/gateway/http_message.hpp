@@ -1,0 +1,29 @@
+// HTTP requests and responses as plain data: what routes see, without Beast.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace ciel::gateway {
+
+struct Request {
+    std::string method; // "GET"; HEAD is answered as GET without the body
+    std::string target; // as sent: "/rpc?token=..."
+    std::string host, origin, authorization, cookie, content_type, if_none_match, forwarded_proto;
+    std::string body;
+    std::string remote; // address, for logs
+};
+
+struct Response {
+    unsigned status = 200;
+    std::string content_type = "text/plain; charset=utf-8";
+    std::string body;
+    std::vector<std::pair<std::string, std::string>> headers;
+};
+
+// A plain sentence and a newline.
+[[nodiscard]] Response sentence(unsigned status, std::string text);
+[[nodiscard]] Response json(unsigned status, std::string text);
+
+} // namespace ciel::gateway

@@ -1,0 +1,24 @@
+// One TCP connection: its HTTP requests in order, until it closes or becomes a WebSocket.
+#pragma once
+
+#include "gateway/asio.hpp"
+#include "gateway/context.hpp"
+
+#include <memory>
+
+namespace ciel::gateway {
+
+// What draining does to a connection right now; runs on the connection's own executor.
+using OnDrain = std::shared_ptr<std::function<void()>>;
+
+struct ConnectionStart {
+    asio::ip::tcp::socket socket;
+    std::shared_ptr<Connections::Ticket> ticket;
+    OnDrain on_drain;
+    bool over_limit = false; // answer 503 and close
+};
+
+// Runs on the socket's executor, a strand. Ends without throwing when the connection has ended.
+asio::awaitable<void> http_session(ConnectionStart start, Context& context, asio::thread_pool& workers);
+
+} // namespace ciel::gateway

@@ -1,0 +1,112 @@
+#include "gateway/routes.hpp"
+
+#include "gateway/handlers.hpp"
+
+#include <spdlog/spdlog.h>
+
+namespace ciel::gateway {
+namespace {
+
+constexpr std::array<Route, 6> table{{
+    // path, method, needs_token, long_running, is_websocket
+    {"/ws", "GET", true, false, true, websocket_expected},
+    {"/rpc", "POST", true, true, false, rpc},
+    {"/healthz", "GET", false, false, false, healthz},
+    {"/readyz", "GET", false, true, false, readyz},
+    {"/metrics", "GET", true, true, false, metrics},
+    {"*", "GET", false, false, false, static_file}, // every other path
+}};
+
+bool method_matches(const Route& route, std::string_view method) {
+    return route.method == method || (route.method == "GET" && method == "HEAD");
+}
+
+std::string methods_of(const Route& route) {
+    return route.method == "GET" ? "GET, HEAD" : std::string(route.method) + ", OPTIONS";
+}
+
+const Route& route_of(std::string_view path) {
+    for (const auto& route : table)
+        if (route.path == path || route.path == "*") return route;
+    return table.back();
+}
+
+Response refuse_token() {
+    Response response = sentence(401, "This server needs its token: open the address that it printed when it started, "
+                                      "or send \"Authorization: Bearer TOKEN\".");
+    response.headers.emplace_back("WWW-Authenticate", "Bearer");
+    return response;
+}
+
+// A browser asks before it lets a listed origin's page POST JSON.
+Response preflight(const Request& request, const Route& route) {
+    Response response = sentence(204, "");
+    response.body.clear();
+    response.headers.emplace_back("Access-Control-Allow-Methods", std::string(route.method));
+    response.headers.emplace_back("Access-Control-Allow-Headers", "content-type, authorization");
+    response.headers.emplace_back("Allow", methods_of(route));
+    if (!request.origin.empty()) response.headers.emplace_back("Access-Control-Max-Age", "600");
+    return response;
+}
+
+std::optional<Response> refusal(const Context& context, const Request& request, const Target& target,
+                                const Route& route) {
+    const bool changes_or_streams = route.is_websocket || route.method != "GET";
+    if (changes_or_streams && !origin_allowed(context.access, request.origin, request.host))
+        return sentence(403, "The origin " + request.origin + " may not use this server; allow it with --origin.");
+    if (request.method == "OPTIONS" && route.method == "POST") return preflight(request, route);
+    if (!method_matches(route, request.method)) {
+        Response response = sentence(405, target.path + " does not know the method " + request.method + ".");
+        response.headers.emplace_back("Allow", methods_of(route));
+        return response;
+    }
+    const std::string token = presented_token(context.access, request, target);
+    const bool offered_in_url = target.query.count("token") != 0;
+    if ((route.needs_token || offered_in_url) && !token_allowed(context.access, token)) return refuse_token();
+    return std::nullopt;
+}
+
+// Links of a prefix without its slash would miss.
+Response to_prefix(const Context& context, const Request& request) {
+    Response response = sentence(308, "The client is at " + context.prefix + "/");
+    const auto query = std::min(request.target.find('?'), request.target.size());
+    response.headers.emplace_back("Location", context.prefix + "/" + request.target.substr(query));
+    return response;
+}
+
+Resolved refused(Response response) { return {std::move(response), nullptr, {}}; }
+
+} // namespace
+
+std::span<const Route> routes() { return table; }
+
+Resolved resolve(const Context& context, const Request& request) {
+    auto target = parse_target(request.target);
+    if (!target) return refused(sentence(400, "The request's path is malformed."));
+    if (!host_allowed(context.access, request.host))
+        return refused(
+            sentence(403, "The host name " + request.host + " is not this server's; allow it with --allowed-host."));
+    const auto path = below_prefix(target->path, context.prefix);
+    if (path.empty()) return refused(to_prefix(context, request));
+    target->path = std::string(path);
+    const Route& route = route_of(target->path);
+    if (auto response = refusal(context, request, *target, route)) return refused(std::move(*response));
+    return {std::nullopt, &route, std::move(*target)};
+}
+
+Response respond(Context& context, const Request& request, const Resolved& resolved) {
+    Response response;
+    if (resolved.refusal)
+        response = *resolved.refusal;
+    else
+        try {
+            response = resolved.route->handler(context, request, resolved.target);
+        } catch (const std::exception& error) {
+            spdlog::error("{} {}: {}", request.method, resolved.target.path, error.what());
+            response = sentence(500, "The request failed; the server's log says why.");
+        }
+    add_common_headers(context, request, response);
+    return response;
+}
+
+} // namespace ciel::gateway

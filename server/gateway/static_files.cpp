@@ -1,0 +1,108 @@
+#include "gateway/static_files.hpp"
+
+#include "ciel/types.hpp"
+
+#include <algorithm>
+#include <array>
+#include <fstream>
+#include <iterator>
+
+namespace ciel::gateway {
+namespace {
+
+constexpr std::size_t size_limit = 64 << 20;
+
+constexpr std::array<std::pair<std::string_view, std::string_view>, 18> mime_types{{
+    {".css", "text/css; charset=utf-8"},
+    {".gif", "image/gif"},
+    {".html", "text/html; charset=utf-8"},
+    {".ico", "image/x-icon"},
+    {".jpg", "image/jpeg"},
+    {".js", "text/javascript; charset=utf-8"},
+    {".json", "application/json"},
+    {".map", "application/json"},
+    {".mjs", "text/javascript; charset=utf-8"},
+    {".png", "image/png"},
+    {".svg", "image/svg+xml"},
+    {".ttf", "font/ttf"},
+    {".txt", "text/plain; charset=utf-8"},
+    {".wasm", "application/wasm"},
+    {".webmanifest", "application/manifest+json"},
+    {".webp", "image/webp"},
+    {".woff", "font/woff"},
+    {".woff2", "font/woff2"},
+}};
+
+// FNV-1a, 64 bits: it tells versions of one file apart, nothing more.
+std::string content_tag(std::string_view content) {
+    std::uint64_t hash = 14695981039346656037U;
+    for (const char c : content) hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211U;
+    std::string tag(1, '"');
+    for (int shift = 60; shift >= 0; shift -= 4) tag += "0123456789abcdef"[(hash >> shift) & 15];
+    tag += '"';
+    return tag;
+}
+
+// What the client's build writes: assets/NAME-HASH.EXT with eight characters of hash.
+bool is_hashed(const std::filesystem::path& relative) {
+    const std::string stem = relative.stem().string();
+    const auto dash = stem.size() < 9 ? std::string::npos : stem.size() - 9;
+    return relative.parent_path() == "assets" && dash != std::string::npos && stem[dash] == '-';
+}
+
+bool is_below(const std::filesystem::path& path, const std::filesystem::path& root) {
+    return std::mismatch(root.begin(), root.end(), path.begin(), path.end()).first == root.end();
+}
+
+} // namespace
+
+StaticFiles::StaticFiles(const std::filesystem::path& root) {
+    namespace fs = std::filesystem;
+    std::error_code failure;
+    const fs::path base = fs::canonical(root, failure);
+    if (failure || !fs::is_directory(base))
+        throw Error("the web client's folder " + root.string() +
+                    " cannot be read; build it, or name it with --webclient");
+    std::size_t total = 0;
+    for (const auto& entry : fs::recursive_directory_iterator(base)) {
+        if (!entry.is_regular_file(failure)) continue;
+        if (!is_below(fs::canonical(entry.path(), failure), base) || failure) continue;
+        std::ifstream stream(entry.path(), std::ios::binary);
+        StaticFile file;
+        file.content.assign(std::istreambuf_iterator<char>(stream), {});
+        if ((total += file.content.size()) > size_limit)
+            throw Error(root.string() +
+                        " holds more than 64 MiB: it is no web client; name its folder with --webclient");
+        const fs::path relative = entry.path().lexically_relative(base);
+        file.mime = mime_type(relative.extension().string());
+        file.etag = content_tag(file.content);
+        file.immutable = is_hashed(relative);
+        files_.emplace((fs::path("/") / relative).generic_string(), std::move(file));
+    }
+}
+
+const StaticFile* StaticFiles::find(std::string_view path) const {
+    const auto found = files_.find(path == "/" ? "/index.html" : path);
+    return found == files_.end() ? nullptr : &found->second;
+}
+
+std::string_view mime_type(std::string_view extension) {
+    const auto found =
+        std::find_if(mime_types.begin(), mime_types.end(), [&](const auto& row) { return row.first == extension; });
+    return found == mime_types.end() ? "application/octet-stream" : found->second;
+}
+
+Response file_response(const StaticFile& file, std::string_view if_none_match) {
+    Response response;
+    response.content_type = file.mime;
+    response.headers.emplace_back("ETag", file.etag);
+    response.headers.emplace_back("Cache-Control", file.immutable ? "public, max-age=31536000, immutable" : "no-cache");
+    if (if_none_match == "*" || if_none_match.find(file.etag) != std::string_view::npos) {
+        response.status = 304;
+        return response;
+    }
+    response.body = file.content;
+    return response;
+}
+
+} // namespace ciel::gateway

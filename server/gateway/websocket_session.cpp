@@ -1,0 +1,219 @@
+#include "gateway/websocket_session.hpp"
+
+#include "gateway/outbox.hpp"
+#include "methods/dispatcher.hpp"
+
+#include <boost/asio/post.hpp>
+#include <boost/beast/core/buffers_to_string.hpp>
+#include <boost/beast/core/flat_buffer.hpp>
+#include <boost/beast/websocket/stream.hpp>
+#include <deque>
+#include <optional>
+#include <spdlog/spdlog.h>
+
+namespace ciel::gateway {
+namespace {
+
+namespace websocket = beast::websocket;
+using websocket::close_code;
+
+constexpr std::size_t inbox_bytes_limit = 4 << 20; // then the socket is not read until methods have caught up
+
+// Everything runs on the socket's strand, except what is handed to `workers` and the Connection's callbacks.
+class WebSocketSession : public std::enable_shared_from_this<WebSocketSession> {
+public:
+    WebSocketSession(beast::tcp_stream stream, Context& context, asio::thread_pool& workers)
+        : context_(context), workers_(workers), socket_(std::move(stream)), inbox_changed_(socket_.get_executor()),
+          outbox_changed_(socket_.get_executor()), part_ended_(socket_.get_executor()) {
+        for (auto* timer : {&inbox_changed_, &outbox_changed_, &part_ended_})
+            timer->expires_at(std::chrono::steady_clock::time_point::max());
+    }
+
+    asio::awaitable<void> run(HttpRequest upgrade, std::string remote, OnDrain on_drain);
+
+private:
+    asio::awaitable<bool> accept(HttpRequest upgrade);
+    void open(std::string remote);
+    asio::awaitable<void> read();
+    asio::awaitable<void> handle_in_order();
+    asio::awaitable<void> write();
+    template <typename Part>
+    void start(Part part);
+
+    // A timer that never expires serves as a condition: waiters look again whenever it is cancelled.
+    static asio::awaitable<void> changed(asio::steady_timer& timer) {
+        error_code ignored;
+        co_await timer.async_wait(asio::redirect_error(asio::use_awaitable, ignored));
+    }
+    void request_close(close_code code, const char* reason) {
+        if (!close_) close_ = websocket::close_reason(code, reason);
+        outbox_changed_.cancel();
+    }
+    void outbox_pushed();
+    void end();
+    void cut() { beast::get_lowest_layer(socket_).close(); }
+
+    Context& context_;
+    asio::thread_pool& workers_;
+    websocket::stream<beast::tcp_stream> socket_;
+    std::shared_ptr<Outbox> outbox_;
+    std::shared_ptr<session::Connection> connection_;
+    std::deque<std::string> inbox_;
+    std::size_t inbox_bytes_ = 0;
+    asio::steady_timer inbox_changed_, outbox_changed_, part_ended_;
+    std::optional<websocket::close_reason> close_; // wanted; sent when nothing is under way
+    bool handling_ = false, ended_ = false;
+    int parts_ = 0;
+};
+
+asio::awaitable<bool> WebSocketSession::accept(HttpRequest upgrade) {
+    const auto& limits = context_.server.limits();
+    beast::get_lowest_layer(socket_).expires_never(); // the WebSocket has its own time-outs
+    websocket::stream_base::timeout timeouts{};
+    timeouts.handshake_timeout = std::chrono::seconds(limits.drain_seconds / 2);
+    timeouts.idle_timeout = std::chrono::seconds(limits.websocket_idle_seconds);
+    timeouts.keep_alive_pings = true;
+    socket_.set_option(timeouts);
+    socket_.set_option(websocket::stream_base::decorator([this](websocket::response_type& response) {
+        response.set(beast::http::field::sec_websocket_protocol, std::string(subprotocol));
+        response.set(beast::http::field::server, "CIEL/" + context_.version);
+    }));
+    socket_.read_message_max(limits.message_bytes);
+    socket_.auto_fragment(false); // frames leave in one piece, without a copy
+    error_code error;
+    co_await socket_.async_accept(upgrade, asio::redirect_error(asio::use_awaitable, error));
+    co_return !error;
+}
+
+void WebSocketSession::open(std::string remote) {
+    const std::weak_ptr<WebSocketSession> weak = weak_from_this();
+    outbox_ = std::make_shared<Outbox>(context_.server.limits().waiting_text_bytes, [this, weak] {
+        asio::post(socket_.get_executor(), [weak] {
+            if (const auto self = weak.lock()) self->outbox_pushed();
+        });
+    });
+    connection_ = std::make_shared<session::Connection>();
+    connection_->id = context_.next_connection_id++;
+    connection_->remote = std::move(remote);
+    connection_->send_text = [outbox = outbox_](std::string text) { outbox->push_text(std::move(text)); };
+    connection_->send_binary = [outbox = outbox_](FrameBytes bytes) { outbox->push_frame(std::move(bytes)); };
+    context_.server.connection_opened(connection_);
+}
+
+asio::awaitable<void> WebSocketSession::run(HttpRequest upgrade, std::string remote, OnDrain on_drain) {
+    const bool accepted = co_await accept(std::move(upgrade));
+    if (!accepted) co_return;
+    spdlog::debug("{}: WebSocket opened", remote);
+    ++context_.counters.websockets_open;
+    open(remote);
+    *on_drain = [this] { request_close(close_code::going_away, "the server stops"); };
+    start([this] { return handle_in_order(); });
+    start([this] { return write(); });
+    co_await read();
+    end();
+    while (parts_ > 0) co_await changed(part_ended_);
+    *on_drain = nullptr;
+    outbox_->close();
+    context_.counters.frames_dropped += outbox_->dropped_frames();
+    co_await on_worker(workers_, [this] {
+        context_.server.connection_closed(connection_->id);
+        return std::string();
+    });
+    --context_.counters.websockets_open;
+    spdlog::debug("{}: WebSocket closed", remote);
+}
+
+template <typename Part>
+void WebSocketSession::start(Part part) {
+    ++parts_;
+    asio::co_spawn(socket_.get_executor(), std::move(part), [this](const std::exception_ptr& failure) {
+        if (failure) cut();
+        --parts_;
+        part_ended_.cancel();
+    });
+}
+
+asio::awaitable<void> WebSocketSession::read() {
+    while (!ended_) {
+        beast::flat_buffer buffer;
+        error_code error;
+        co_await socket_.async_read(buffer, asio::redirect_error(asio::use_awaitable, error));
+        if (error) co_return; // closed, gone, silent for too long; Beast has answered 1002, 1007 or 1009 where due
+        if (close_) continue;
+        if (!socket_.got_text()) {
+            request_close(close_code::unknown_data, "send JSON-RPC as text");
+            continue;
+        }
+        ++context_.counters.texts_received;
+        inbox_bytes_ += buffer.size();
+        inbox_.push_back(beast::buffers_to_string(buffer.data()));
+        inbox_changed_.cancel();
+        while (inbox_bytes_ > inbox_bytes_limit && !ended_) co_await changed(inbox_changed_);
+    }
+}
+
+asio::awaitable<void> WebSocketSession::handle_in_order() {
+    while (!ended_) {
+        if (inbox_.empty()) {
+            co_await changed(inbox_changed_);
+            continue;
+        }
+        const std::string text = std::move(inbox_.front());
+        inbox_.pop_front();
+        handling_ = true;
+        std::string answer =
+            co_await on_worker(workers_, [&] { return methods::dispatch(context_.server, *connection_, text); });
+        handling_ = false;
+        if (!answer.empty()) outbox_->push_text(std::move(answer));
+        inbox_bytes_ -= text.size();
+        inbox_changed_.cancel();
+        outbox_changed_.cancel();
+    }
+}
+
+asio::awaitable<void> WebSocketSession::write() {
+    error_code error;
+    while (!ended_ && !error) {
+        const auto message = outbox_->pop();
+        const bool idle = !handling_ && inbox_.empty();
+        if (!message && close_ && (idle || close_->code != close_code::going_away)) {
+            co_await socket_.async_close(*close_, asio::redirect_error(asio::use_awaitable, error));
+            break;
+        }
+        if (!message) {
+            co_await changed(outbox_changed_);
+            continue;
+        }
+        const auto bytes = message->frame ? asio::buffer(*message->frame) : asio::buffer(message->text);
+        socket_.binary(message->frame != nullptr);
+        co_await socket_.async_write(bytes, asio::redirect_error(asio::use_awaitable, error));
+        ++(message->frame ? context_.counters.frames_sent : context_.counters.texts_sent);
+        context_.counters.bytes_sent += bytes.size();
+    }
+    cut(); // also ends a read that waits for a peer who is gone
+}
+
+void WebSocketSession::outbox_pushed() {
+    if (outbox_->overflowed()) {
+        spdlog::info("{}: does not read its answers; disconnected", connection_->remote);
+        cut();
+    }
+    outbox_changed_.cancel();
+}
+
+void WebSocketSession::end() {
+    ended_ = true;
+    cut();
+    inbox_changed_.cancel();
+    outbox_changed_.cancel();
+}
+
+} // namespace
+
+asio::awaitable<void> websocket_session(beast::tcp_stream stream, HttpRequest upgrade, std::string remote,
+                                        OnDrain on_drain, Context& context, asio::thread_pool& workers) {
+    const auto session = std::make_shared<WebSocketSession>(std::move(stream), context, workers);
+    co_await session->run(std::move(upgrade), std::move(remote), std::move(on_drain));
+}
+
+} // namespace ciel::gateway
