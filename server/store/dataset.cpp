@@ -161,11 +161,20 @@ private:
         if (marked.coordinates >= positions_[marked.mesh].chunks)
             refuse(directory_ / layout::commit_marker,
                    "step " + std::to_string(index) + " names coordinates that do not exist");
-        for (const auto& [name, entry] : marked.arrays) learn_array(marked.mesh, name, entry.chunk);
+        for (const auto& [name, entry] : marked.arrays) {
+            learn_array(marked.mesh, name, entry.chunk);
+            check_chunk(marked, name, entry);
+        }
         if (index < steps_.size()) return; // known from before the refresh
         Step step{marked.time, marked.mesh, marked.coordinates, {}};
         for (const auto& [name, entry] : marked.arrays) step.arrays.emplace(name, array_step(marked, name, entry));
         steps_.push_back(std::move(step));
+    }
+
+    void check_chunk(const MarkedStep& step, const std::string& name, const MarkedArray& entry) const {
+        if (entry.lazy && !is_written(step, name)) return;
+        const ArrayLayout& shape = layouts_[step.mesh].at(name);
+        check_file_size(shape.chunk(entry.chunk), shape.chunk_bytes);
     }
 
     void learn_array(std::size_t mesh, const std::string& name, std::uint64_t chunk) {

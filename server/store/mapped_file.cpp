@@ -12,19 +12,35 @@
 
 namespace ciel::store {
 
+namespace {
+
+void check_status(const std::filesystem::path& file, const struct stat& status, std::size_t bytes) {
+    if (!S_ISREG(status.st_mode)) refuse(file, "is not a regular file");
+    if (static_cast<std::size_t>(status.st_size) != bytes)
+        refuse(file, "has " + std::to_string(status.st_size) + " bytes where " + std::to_string(bytes) +
+                         " are declared; restore it or import the data again");
+}
+
+[[noreturn]] void refuse_absent(const std::filesystem::path& file) {
+    if (errno == ENOENT) refuse(file, "is missing; restore it or import the data again");
+    refuse_errno(file, "cannot be opened");
+}
+
+} // namespace
+
+void check_file_size(const std::filesystem::path& file, std::size_t bytes) {
+    struct stat status {};
+    if (::stat(file.c_str(), &status) != 0) refuse_absent(file);
+    check_status(file, status, bytes);
+}
+
 MappedFile::MappedFile(std::filesystem::path file, std::size_t bytes) : path_(std::move(file)) {
     if (bytes == 0) return; // Zarr writes no chunk for an empty array
     const Descriptor in(::open(path_.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
-    if (in.get() < 0) {
-        if (errno == ENOENT) refuse(path_, "is missing; restore it or import the data again");
-        refuse_errno(path_, "cannot be opened");
-    }
+    if (in.get() < 0) refuse_absent(path_);
     struct stat status {};
     if (::fstat(in.get(), &status) != 0) refuse_errno(path_, "cannot be examined");
-    if (!S_ISREG(status.st_mode)) refuse(path_, "is not a regular file");
-    if (static_cast<std::size_t>(status.st_size) != bytes)
-        refuse(path_, "has " + std::to_string(status.st_size) + " bytes where " + std::to_string(bytes) +
-                          " are declared; restore it or import the data again");
+    check_status(path_, status, bytes);
     void* data = ::mmap(nullptr, bytes, PROT_READ, MAP_SHARED, in.get(), 0);
     if (data == MAP_FAILED) refuse_errno(path_, "cannot be mapped");
     data_ = data;

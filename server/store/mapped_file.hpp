@@ -11,6 +11,9 @@
 
 namespace ciel::store {
 
+// Throws Error when `file` is missing, not a regular file, or of another size.
+void check_file_size(const std::filesystem::path& file, std::size_t bytes);
+
 class MappedFile {
 public:
     MappedFile() = default;
