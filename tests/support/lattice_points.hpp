@@ -43,8 +43,13 @@ public:
 private:
     Id add(double x, double y, double z) {
         std::uniform_real_distribution<double> shift(-box_.jitter, box_.jitter);
-        const double dx = shift(random_), dy = shift(random_), dz = shift(random_);
-        return mesh_.add_vertex({(x + dx) * box_.edge, (y + dy) * box_.edge, (z + dz) * box_.edge});
+        Point p{x, y, z};
+        for (std::size_t d = 0; d < 3; ++d) {
+            const double moved = p[d] + shift(random_);
+            if (p[d] > 0 && p[d] < box_.cubes[d]) p[d] = moved; // the box keeps its flat sides
+            p[d] *= box_.edge;
+        }
+        return mesh_.add_vertex(p);
     }
 
     Box box_;

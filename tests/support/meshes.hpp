@@ -11,7 +11,7 @@ namespace ciel::test {
 
 struct Box {
     std::array<int, 3> cubes;
-    double jitter = 0; // of each vertex, in cube edges; faces stay matched but are no longer planar
+    double jitter = 0; // of each vertex, in cube edges, but never off the box's sides; inner faces are no longer planar
     std::uint64_t seed = 1;
     double edge = 1; // of a cube
 };

@@ -43,7 +43,7 @@ private:
         if (is_new) {
             std::uniform_real_distribution<double> shift(-box_.jitter, box_.jitter);
             Point p;
-            for (int d = 0; d < 3; ++d) p[d] = (0.5 * n[d] + shift(random_)) * box_.edge;
+            for (std::size_t d = 0; d < 3; ++d) p[d] = (0.5 * n[d] + shift(random_)) * box_.edge;
             entry->second = mesh_.add_vertex(p);
         }
         return entry->second;
