@@ -24,9 +24,19 @@ struct ExportSurface {
 enum class SurfaceFormat { ply, stl, vtp };
 [[nodiscard]] SurfaceFormat surface_format(const std::string& extension); // ".ply"; throws Error with the known ones
 
+// Polygons without area (a value that hits vertices exactly makes them) and vertices that no polygon uses are left out.
+// A failed stream is the caller's to check.
 void write_ply(const ExportSurface& surface, std::ostream& out); // binary little-endian, double positions
-void write_stl(const ExportSurface& surface, std::ostream& out); // binary
-void write_vtp(const ExportSurface& surface, std::ostream& out); // VTK XML, appended raw
+void write_stl(const ExportSurface& surface, std::ostream& out); // binary; float32 positions and no values
+void write_vtp(const ExportSurface& surface, std::ostream& out); // VTK XML, appended raw, double positions
 void write_surface(SurfaceFormat format, const ExportSurface& surface, std::ostream& out);
+
+// What every format writes.
+struct ExportedPolygons {
+    std::vector<Index> vertices;  // of the surface
+    std::vector<Index> offset{0}; // polygons + 1
+    std::vector<Index> corner;    // into `vertices`
+};
+[[nodiscard]] ExportedPolygons exported_polygons(const Surface& surface, bool triangles);
 
 } // namespace ciel::wire

@@ -1,0 +1,92 @@
+#include "wire/surface_files.hpp"
+
+#include "ciel/types.hpp"
+
+#include <algorithm>
+#include <span>
+
+namespace ciel::wire {
+namespace {
+
+double squared(const Vec3d& v) { return v[0] * v[0] + v[1] * v[1] + v[2] * v[2]; }
+
+// Newell's normal about the first corner, in double: exact zero for repeated points, and next to nothing beside the
+// squared perimeter for points on one line.
+bool has_area(const Surface& surface, std::span<const Index> polygon) {
+    if (polygon.size() < 3) return false;
+    const Vec3f& base = surface.positions[polygon[0]];
+    const auto relative = [&](Index vertex) {
+        const Vec3f& p = surface.positions[vertex];
+        return Vec3d{double{p[0]} - base[0], double{p[1]} - base[1], double{p[2]} - base[2]};
+    };
+    Vec3d normal{};
+    double extent = 0;
+    for (std::size_t i = 1; i + 1 < polygon.size(); ++i) {
+        const Vec3d a = relative(polygon[i]);
+        const Vec3d b = relative(polygon[i + 1]);
+        for (std::size_t k = 0; k < 3; ++k)
+            normal[k] += a[(k + 1) % 3] * b[(k + 2) % 3] - a[(k + 2) % 3] * b[(k + 1) % 3];
+        extent = std::max({extent, squared(a), squared(b)});
+    }
+    return squared(normal) > 1e-24 * extent * extent;
+}
+
+class Compactor {
+public:
+    explicit Compactor(const Surface& surface) : surface_(surface), local_(surface.positions.size(), none) {}
+
+    void add(std::span<const Index> polygon) {
+        if (!has_area(surface_, polygon)) return;
+        for (const Index vertex : polygon) {
+            if (local_[vertex] == none) {
+                local_[vertex] = static_cast<Index>(out_.vertices.size());
+                out_.vertices.push_back(vertex);
+            }
+            out_.corner.push_back(local_[vertex]);
+        }
+        out_.offset.push_back(static_cast<Index>(out_.corner.size()));
+    }
+    ExportedPolygons take() { return std::move(out_); }
+
+private:
+    const Surface& surface_;
+    std::vector<Index> local_;
+    ExportedPolygons out_;
+};
+
+} // namespace
+
+SurfaceFormat surface_format(const std::string& extension) {
+    if (extension == ".ply") return SurfaceFormat::ply;
+    if (extension == ".stl") return SurfaceFormat::stl;
+    if (extension == ".vtp") return SurfaceFormat::vtp;
+    throw Error("'" + extension + "' is no surface format; there are .ply, .stl and .vtp");
+}
+
+void write_surface(SurfaceFormat format, const ExportSurface& surface, std::ostream& out) {
+    switch (format) {
+    case SurfaceFormat::ply:
+        return write_ply(surface, out);
+    case SurfaceFormat::stl:
+        return write_stl(surface, out);
+    case SurfaceFormat::vtp:
+        return write_vtp(surface, out);
+    }
+}
+
+ExportedPolygons exported_polygons(const Surface& surface, bool triangles) {
+    Compactor compactor(surface);
+    if (triangles) {
+        const std::vector<Index> corners = triangulate(surface);
+        for (std::size_t i = 0; i < corners.size(); i += 3) compactor.add(std::span(corners).subspan(i, 3));
+        return compactor.take();
+    }
+    const std::span<const Index> all = surface.polygon_vertex;
+    for (std::size_t i = 0; i + 1 < surface.polygon_offset.size(); ++i) {
+        const Index begin = surface.polygon_offset[i];
+        compactor.add(all.subspan(begin, surface.polygon_offset[i + 1] - begin));
+    }
+    return compactor.take();
+}
+
+} // namespace ciel::wire
