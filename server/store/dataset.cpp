@@ -202,24 +202,20 @@ private:
     ArrayStep array_step(const MarkedStep& step, const std::string& name, const MarkedArray& entry) const {
         const ArrayInfo& array = *find(name);
         ArrayStep result;
-        result.lazy = entry.lazy;
         if (entry.statistics) {
-            const auto lazy = result.lazy;
             result = *entry.statistics;
-            result.lazy = lazy;
             if (result.component_ranges.size() != static_cast<std::size_t>(array.components))
                 refuse(directory_ / layout::commit_marker,
                        "'component_ranges' of '" + name + "' must have one entry per component");
-            return result;
-        }
-        if (entry.lazy && !is_written(step, name)) {
+        } else if (entry.lazy && !is_written(step, name)) {
             result.component_ranges.resize(static_cast<std::size_t>(array.components));
-            return result;
+        } else {
+            const ArrayLayout& shape = layouts_[step.mesh].at(name);
+            result =
+                statistics(chunks_->get(shape.chunk(entry.chunk), shape.chunk_bytes, entry.checksum), array.components);
         }
-        const ArrayLayout& shape = layouts_[step.mesh].at(name);
-        result =
-            statistics(chunks_->get(shape.chunk(entry.chunk), shape.chunk_bytes, entry.checksum), array.components);
         result.lazy = entry.lazy;
+        result.has_checksum = !entry.checksum.empty();
         return result;
     }
 

@@ -31,6 +31,7 @@ struct ArrayStep {                 // one array at one step
     std::uint64_t invalid = 0; // NaN or infinite values
     // Known to exist at this time, but its chunk may not be written yet (store/README.md): values() throws until it is.
     bool lazy = false;
+    bool has_checksum = false; // else its chunk cannot be verified: written with plain Zarr
 };
 
 struct Step {

@@ -20,7 +20,8 @@ std::string valid_utf8(const std::string& text) {
 }
 
 std::string to_text(const nlohmann::json& json) {
-    return json.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+    // ASCII only: python3-zarr 2.13 decodes attributes as ASCII.
+    return json.dump(1, ' ', true, nlohmann::json::error_handler_t::replace) + "\n";
 }
 
 void JsonReader::refuse(const std::string& what) const {

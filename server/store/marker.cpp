@@ -16,14 +16,11 @@ std::array<double, 2> parse_range(const JsonReader& value) {
 }
 
 std::optional<ArrayStep> parse_statistics(const JsonReader& value) {
-    const auto range = value.find("range");
-    if (!range) return std::nullopt;
+    const auto range = value.find("range"), components = value.find("component_ranges");
+    if (!range || !components) return std::nullopt;
     ArrayStep statistics;
     statistics.range = parse_range(*range);
-    if (const auto components = value.find("component_ranges"))
-        for (const JsonReader& item : components->items()) statistics.component_ranges.push_back(parse_range(item));
-    else
-        statistics.component_ranges.push_back(statistics.range);
+    for (const JsonReader& item : components->items()) statistics.component_ranges.push_back(parse_range(item));
     if (const auto invalid = value.find("invalid")) statistics.invalid = invalid->count();
     return statistics;
 }

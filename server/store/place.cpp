@@ -12,7 +12,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string temporary_prefix(const fs::path& target) { return std::string(".") + target.filename().string() + ".writing-"; }
+std::string temporary_prefix(const fs::path& target) {
+    return std::string(".") + target.filename().string() + ".writing-";
+}
 
 void remove_left_behind(const fs::path& target) {
     std::error_code error;

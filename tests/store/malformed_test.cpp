@@ -186,9 +186,11 @@ const std::vector<Malformed> table{
 class MalformedTest : public testing::TestWithParam<Malformed> {};
 
 TEST_P(MalformedTest, IsRefusedByNameOfFile) {
+    static const test::Scratch pattern;
+    if (!fs::exists(pattern / "box.ciel")) test::write_box(pattern / "box.ciel", test::box(2, 2, 2));
     const test::Scratch scratch;
     const fs::path directory = scratch / "box.ciel";
-    test::write_box(directory, test::box(2, 2, 2));
+    fs::copy(pattern / "box.ciel", directory, fs::copy_options::recursive);
     GetParam().damage(directory);
     try {
         (void)Dataset::open(directory);

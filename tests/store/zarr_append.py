@@ -1,0 +1,36 @@
+"""Reads the box dataset of box.hpp with zarr, checks it, and appends a step the way server/store/README.md says."""
+
+import json
+import os
+import sys
+
+import numpy
+import zarr
+
+path = sys.argv[1]
+group = zarr.open_group(path, mode="r+")
+mesh = group["meshes/0"]
+assert group.attrs["ciel"]["format_version"] == 1
+assert mesh["positions"].shape == (1, 27, 3) and mesh["positions"][0, 26].tolist() == [2, 2, 2]
+assert mesh["cell_types"][:].tolist() == [12] * 8
+assert mesh["face_offset"][-1] == mesh["face_vertex"].shape[0] == 36 * 4
+assert (mesh["owner"][:] < mesh["neighbour"][:]).all()  # none is the highest number
+assert [g["name"] for g in mesh.attrs["ciel"]["groups"]] == ["wall", "inner/zone \u00e9"]
+assert mesh["groups/0"][:].tolist() == [0, 1, 2]
+
+arrays = {a.attrs["ciel"]["name"]: a for _, a in mesh["arrays"].arrays()}
+assert set(arrays) == {"p", "U", "cell:p"}
+assert arrays["U"].shape == (3, 27, 3) and arrays["U"].attrs["ciel"]["units"] == "m/s"
+assert arrays["U"][2].ravel().tolist() == [i + 2000 for i in range(81)]
+assert arrays["cell:p"][1].tolist() == [i + 1000 for i in range(8)]
+assert arrays["p"][2].tolist() == [i + 2000 for i in range(27)]
+assert numpy.isnan(arrays["p"][1]).all(), "not written at that time"
+
+p = group["meshes/0/arrays/p"]
+p.append(numpy.arange(100, 127, dtype="<f4")[None])
+with open(path + "/steps.json") as file:
+    marker = json.load(file)
+marker["steps"].append({"time": 1.5, "arrays": {"p": {"chunk": p.shape[0] - 1}}})
+with open(path + "/steps.json.new", "w") as file:
+    json.dump(marker, file)
+os.replace(path + "/steps.json.new", path + "/steps.json")
