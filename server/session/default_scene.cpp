@@ -38,6 +38,10 @@ std::vector<Candidate> candidates(const store::Dataset& dataset) {
     return found;
 }
 
+bool is_written(const store::Dataset& dataset, const store::Step& step, const std::string& scalar) {
+    return step.arrays.contains(store::parse_scalar(dataset, scalar).array);
+}
+
 double sensible_value(const std::vector<float>& values) {
     std::vector<float> sample;
     const std::size_t stride = values.size() / sample_size + 1;
@@ -90,9 +94,9 @@ json obstacles(const store::Dataset& dataset, const store::Step& step) {
 
 } // namespace
 
-json default_scene(store::LoadedDataset& loaded) {
+json default_scene(store::LoadedDataset& loaded, const std::string& name) {
     const auto dataset = loaded.dataset();
-    json scene{{"dataset", dataset->info().name}};
+    json scene{{"dataset", name}};
     json& layers = scene["layers"] = json::object();
     layers["outline"] = {{"type", "outline"}, {"order", 0}};
     if (dataset->steps().empty()) return scene;
@@ -110,7 +114,7 @@ json default_scene(store::LoadedDataset& loaded) {
     const std::string& scalar = scalars.front().scalar;
     json color = json::object();
     for (const Candidate& other : scalars)
-        if (other.scalar != scalar && other.step <= step_index) color["array"] = other.scalar;
+        if (other.scalar != scalar && is_written(*dataset, step, other.scalar)) color["array"] = other.scalar;
     layers["iso"] = {{"type", "iso"},
                      {"order", 2},
                      {"array", scalar},

@@ -134,6 +134,8 @@ struct Update {
 
 SceneGeometry::SceneGeometry(Engine engine) : engine_(engine) {}
 SceneGeometry::~SceneGeometry() = default;
+SceneGeometry::SceneGeometry(SceneGeometry&&) noexcept = default;
+SceneGeometry& SceneGeometry::operator=(SceneGeometry&&) noexcept = default;
 
 std::shared_ptr<const Geometry> SceneGeometry::update(const scene::Scene& scene,
                                                       const std::shared_ptr<store::LoadedDataset>& loaded,

@@ -51,6 +51,8 @@ class SceneGeometry {
 public:
     explicit SceneGeometry(Engine engine);
     ~SceneGeometry();
+    SceneGeometry(SceneGeometry&&) noexcept;
+    SceneGeometry& operator=(SceneGeometry&&) noexcept;
 
     // Brings the geometry to `scene`, whose dataset `loaded` is. Returns null when `stop` was requested. Throws Error
     // or scene::Invalid, and can be called again with another scene then.

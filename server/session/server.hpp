@@ -27,6 +27,12 @@ struct Readiness {
 
 class Sessions;     // sessions.hpp
 class FrameWorkers; // frame_workers.hpp
+class Metrics;      // metrics.hpp
+struct Services;    // services.hpp
+class Locators;     // locator.hpp
+
+// Draws a triangle and checks its pixels.
+[[nodiscard]] Readiness draw_test_picture(render::Renderer& renderer);
 
 // Thread-safe. The gateway calls connection_closed and drain; methods reach the rest.
 class Server {
@@ -38,6 +44,10 @@ public:
     [[nodiscard]] store::Catalog& catalog();
     [[nodiscard]] Sessions& sessions();
     [[nodiscard]] FrameWorkers& frame_workers();
+    [[nodiscard]] const ServerOptions& options() const;
+    [[nodiscard]] Metrics& counters();
+    [[nodiscard]] const Services& services() const;
+    [[nodiscard]] Locators& locators();
 
     // Connections hear of appended steps (`dataset.changed`) while they are registered here.
     void connection_opened(std::shared_ptr<Connection> connection);

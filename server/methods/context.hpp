@@ -1,0 +1,42 @@
+// What a method may reach, and how it fails.
+#pragma once
+
+#include "protocol/methods.hpp"
+#include "session/errors.hpp"
+#include "session/locator.hpp"
+#include "session/server.hpp"
+#include "session/services.hpp"
+#include "session/sessions.hpp"
+
+namespace ciel::methods {
+
+struct Context {
+    session::Server& server;
+    session::Connection& connection;
+
+    [[nodiscard]] std::shared_ptr<session::Session> session(const std::string& id) const {
+        return server.sessions().find(id);
+    }
+    [[nodiscard]] std::shared_ptr<session::View> view(std::int64_t id) const;
+    [[nodiscard]] std::shared_ptr<store::LoadedDataset> dataset(const std::string& name) const;
+    // The connection as views and subscriptions keep it; null over HTTP.
+    [[nodiscard]] std::shared_ptr<session::Connection> streaming_connection() const;
+};
+
+// Params that the schema allows and the method does not. `path` is a JSON pointer into the params.
+class InvalidParams : public std::runtime_error {
+public:
+    InvalidParams(std::string path_, const std::string& reason) : std::runtime_error(reason), path(std::move(path_)) {}
+    std::string path;
+};
+class NeedsWebSocket : public std::runtime_error {
+public:
+    using std::runtime_error::runtime_error;
+};
+
+// Throws LimitReached.
+void check_picture_size(const session::Limits& limits, std::int64_t width, std::int64_t height);
+
+[[nodiscard]] protocol::SessionState state_of(const session::Session& session, const session::SessionStatus& status);
+
+} // namespace ciel::methods

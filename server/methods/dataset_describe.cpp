@@ -1,0 +1,71 @@
+#include "methods/context.hpp"
+#include "session/default_scene.hpp"
+
+namespace ciel::methods {
+namespace {
+
+protocol::MeshInfo mesh_of(const store::MeshInfo& mesh) {
+    protocol::MeshInfo info;
+    const auto whole = [](std::uint64_t count) { return static_cast<std::int64_t>(count); };
+    info.vertices = whole(mesh.vertices);
+    info.edges = whole(mesh.edges);
+    info.faces = whole(mesh.faces);
+    info.half_edges = whole(mesh.half_edges);
+    info.boundary_faces = whole(mesh.boundary_faces);
+    info.components = whole(mesh.components);
+    for (const auto& [type, count] : mesh.cells_by_type) info.cells[type] = whole(count);
+    return info;
+}
+
+// The range over all steps at which the array was written.
+protocol::ArrayInfo array_of(const store::Dataset& dataset, const store::ArrayInfo& array) {
+    const bool at_points = array.association == store::Association::point;
+    protocol::ArrayInfo info{
+        array.name, at_points ? "point" : "cell", array.components, array.units, array.description, {}, {}, {}};
+    if (at_points) info.scalars = store::scalar_names(array);
+    for (const store::Step& step : dataset.steps()) {
+        const auto written = step.arrays.find(array.name);
+        if (written == step.arrays.end()) continue;
+        info.times.push_back(step.time);
+        const auto& range = written->second.range;
+        if (!info.range) info.range = range;
+        info.range = {std::min((*info.range)[0], range[0]), std::max((*info.range)[1], range[1])};
+    }
+    return info;
+}
+
+std::vector<protocol::DatasetDescriptionGroupsItem> groups_of(const store::Dataset& dataset, std::size_t mesh) {
+    std::vector<protocol::DatasetDescriptionGroupsItem> groups;
+    for (const store::Group& group : dataset.groups(mesh))
+        groups.push_back({group.name, group.of == store::Group::Of::faces ? "faces" : "cells",
+                          static_cast<std::int64_t>(group.ids.size())});
+    return groups;
+}
+
+} // namespace
+
+protocol::DatasetDescribeResult dataset_describe(Context& context, const protocol::DatasetDescribeParams& params) {
+    const auto loaded = context.dataset(params.dataset);
+    const auto dataset = loaded->dataset();
+    const store::DatasetInfo& info = dataset->info();
+    protocol::DatasetDescription description;
+    description.name = params.dataset;
+    description.source = info.source;
+    description.created = info.created;
+    description.length_units = info.length_units;
+    for (const store::Step& step : dataset->steps()) description.times.push_back(step.time);
+    description.input = {static_cast<std::int64_t>(info.input_vertices), static_cast<std::int64_t>(info.input_edges),
+                         static_cast<std::int64_t>(info.input_cells)};
+    const std::size_t mesh = dataset->steps().empty() ? 0 : dataset->steps().front().mesh;
+    if (mesh < info.meshes.size()) {
+        description.bounds = info.meshes[mesh].bounds;
+        description.mesh = mesh_of(info.meshes[mesh]);
+        description.groups = groups_of(*dataset, mesh);
+    }
+    for (const store::ArrayInfo& array : info.arrays) description.arrays.push_back(array_of(*dataset, array));
+    description.notes = info.notes;
+    description.default_scene = session::default_scene(*loaded, params.dataset);
+    return description;
+}
+
+} // namespace ciel::methods

@@ -1,0 +1,63 @@
+#include "methods/context.hpp"
+
+#include <cmath>
+
+namespace ciel::methods {
+namespace {
+
+std::array<double, 2> finite_range(const std::vector<float>& values) {
+    std::array<double, 2> range{INFINITY, -INFINITY};
+    for (const float value : values)
+        if (std::isfinite(value)) range = {std::min<double>(range[0], value), std::max<double>(range[1], value)};
+    if (range[0] > range[1]) return {0, 0};
+    return range;
+}
+
+// Bins are [low, high); the last one holds its upper end, too.
+void count(protocol::DatasetHistogramResult& result, const std::vector<float>& values) {
+    const auto [low, high] = result.range;
+    const auto bins = static_cast<double>(result.counts.size());
+    for (const float value : values) {
+        if (!std::isfinite(value))
+            ++result.invalid;
+        else if (value < low)
+            ++result.below;
+        else if (value > high)
+            ++result.above;
+        else {
+            const double place = high > low ? (value - low) / (high - low) * bins : 0;
+            ++result.counts[static_cast<std::size_t>(std::min(place, bins - 1))];
+        }
+    }
+}
+
+} // namespace
+
+protocol::DatasetHistogramResult dataset_histogram(Context& context, const protocol::DatasetHistogramParams& params) {
+    const std::size_t limit = context.server.limits().histogram_bins;
+    if (params.bins > static_cast<std::int64_t>(limit))
+        throw session::LimitReached("a histogram may have " + std::to_string(limit) + " bins");
+    if (params.range && !((*params.range)[0] < (*params.range)[1]))
+        throw InvalidParams("/range", "/range must be [minimum, maximum]");
+    const auto loaded = context.dataset(params.dataset);
+    const auto dataset = loaded->dataset();
+    if (dataset->steps().empty()) throw Error(params.dataset + " has no time step yet");
+    const store::ScalarName name = [&] {
+        try {
+            return store::parse_scalar(*dataset, params.array);
+        } catch (const Error& error) {
+            throw session::NotFound(error.what());
+        }
+    }();
+    if (dataset->find(name.array)->association == store::Association::cell)
+        throw InvalidParams("/array", params.array + " belongs to the cells; a histogram needs point values");
+
+    const auto values = loaded->scalar_values(params.array, params.time ? dataset->step_at(*params.time) : 0);
+    protocol::DatasetHistogramResult result;
+    result.range = params.range ? *params.range : finite_range(*values);
+    result.counts.assign(static_cast<std::size_t>(params.bins), 0);
+    count(result, *values);
+    return result;
+}
+
+} // namespace ciel::methods

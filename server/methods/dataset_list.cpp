@@ -1,0 +1,11 @@
+#include "methods/context.hpp"
+
+namespace ciel::methods {
+
+protocol::DatasetListResult dataset_list(Context& context, const protocol::DatasetListParams&) {
+    protocol::DatasetListResult list;
+    for (const auto& entry : context.server.catalog().list()) list.push_back({entry.name, entry.problem});
+    return list;
+}
+
+} // namespace ciel::methods

@@ -1,0 +1,48 @@
+#include "methods/error_answer.hpp"
+
+#include "methods/context.hpp"
+
+namespace ciel::methods {
+namespace {
+
+using nlohmann::json;
+
+json error(int code, const char* message, const std::string& reason) {
+    return {{"code", code}, {"message", message}, {"data", {{"reason", reason}}}};
+}
+
+json error_at(int code, const char* message, const std::string& path, const std::string& reason) {
+    return {{"code", code}, {"message", message}, {"data", {{"path", path}, {"reason", reason}}}};
+}
+
+} // namespace
+
+json parse_error(const std::string& reason) { return error(-32700, "Parse error", reason); }
+json invalid_request(const std::string& reason) { return error(-32600, "Invalid Request", reason); }
+json limit_error(const std::string& reason) { return error(protocol::Limit, "Limit exceeded", reason); }
+
+json error_of_current_exception() {
+    try {
+        throw;
+    } catch (const MethodNotFound& e) {
+        return error(-32601, "Method not found", e.what());
+    } catch (const InvalidParams& e) {
+        return error_at(-32602, "Invalid params", e.path, e.what());
+    } catch (const scene::Invalid& e) {
+        return error_at(protocol::InvalidScene, "Invalid scene", e.path, e.what());
+    } catch (const session::NotFound& e) {
+        return error(protocol::NotFound, "Not found", e.what());
+    } catch (const session::LimitReached& e) {
+        return limit_error(e.what());
+    } catch (const NeedsWebSocket& e) {
+        return error(protocol::NeedsWebSocket, "Needs a WebSocket", e.what());
+    } catch (const Error& e) {
+        return error(protocol::Failed, "Failed", e.what());
+    } catch (const std::exception& e) {
+        return error(-32603, "Internal error", e.what());
+    } catch (...) {
+        return error(-32603, "Internal error", "an exception that is none of the standard's");
+    }
+}
+
+} // namespace ciel::methods

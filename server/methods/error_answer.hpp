@@ -1,0 +1,21 @@
+// Exceptions -> the error objects of JSON-RPC 2.0 (section 5.1) and of the contract.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+#include <string>
+
+namespace ciel::methods {
+
+class MethodNotFound : public std::runtime_error {
+public:
+    using std::runtime_error::runtime_error;
+};
+
+[[nodiscard]] nlohmann::json parse_error(const std::string& reason);
+[[nodiscard]] nlohmann::json invalid_request(const std::string& reason);
+[[nodiscard]] nlohmann::json limit_error(const std::string& reason);
+// To be called in a handler. Every exception has an answer.
+[[nodiscard]] nlohmann::json error_of_current_exception();
+
+} // namespace ciel::methods

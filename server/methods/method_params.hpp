@@ -1,0 +1,13 @@
+// Params of a request, checked against the contract's schemas.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+namespace ciel::methods {
+
+// By-position params become by-name ones, in the declared order. Throws InvalidParams. REQUIRES: the contract has the
+// method, and `params` is an object or an array.
+[[nodiscard]] nlohmann::json checked_params(const std::string& method, nlohmann::json params);
+
+} // namespace ciel::methods

@@ -1,0 +1,41 @@
+#include "methods/scene_source.hpp"
+#include "session/probe.hpp"
+
+#include <cmath>
+
+namespace ciel::methods {
+namespace {
+
+session::ViewSize size_of(const Context& context, const protocol::ProbePointParams& params) {
+    if (!params.width) throw InvalidParams("/width", "a pixel needs the width of the picture it is in");
+    if (!params.height) throw InvalidParams("/height", "a pixel needs the height of the picture it is in");
+    check_picture_size(context.server.limits(), *params.width, *params.height);
+    return {static_cast<std::uint32_t>(*params.width), static_cast<std::uint32_t>(*params.height)};
+}
+
+std::optional<std::int64_t> id_of(Index id) { return id == none ? std::nullopt : std::optional<std::int64_t>(id); }
+
+} // namespace
+
+protocol::ProbePointResult probe_point(Context& context, const protocol::ProbePointParams& params) {
+    if (params.position.has_value() == params.pixel.has_value())
+        throw InvalidParams("/position", "give either a position or a pixel");
+    const auto size = params.pixel ? size_of(context, params) : session::ViewSize{};
+    const SceneSource source(context, params.session, params.scene);
+    const auto dataset = source.loaded().dataset();
+    if (dataset->steps().empty()) throw Error(dataset->info().name + " has no time step yet");
+    const std::size_t step = dataset->step_at(source.version().scene.time);
+    const auto locator = context.server.locators().get(dataset, step);
+
+    std::optional<Vec3d> position = params.position;
+    if (params.pixel)
+        position = context.server.frame_workers().run([&](session::Worker& worker) {
+            return session::position_under(*source.geometry(), source.version().scene, size, *params.pixel, *locator,
+                                           worker);
+        });
+    if (!position) return {};
+    const session::Probed probed = session::probe(*dataset, step, *locator, *position);
+    return {probed.cell != none, position, id_of(probed.vertex), id_of(probed.cell), probed.values};
+}
+
+} // namespace ciel::methods

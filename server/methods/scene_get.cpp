@@ -1,0 +1,10 @@
+#include "methods/context.hpp"
+
+namespace ciel::methods {
+
+protocol::SceneGetResult scene_get(Context& context, const protocol::SceneGetParams& params) {
+    const auto session = context.session(params.session);
+    return state_of(*session, session->status());
+}
+
+} // namespace ciel::methods

@@ -1,0 +1,10 @@
+#include "methods/context.hpp"
+
+namespace ciel::methods {
+
+protocol::SceneRedoResult scene_redo(Context& context, const protocol::SceneRedoParams& params) {
+    const auto session = context.session(params.session);
+    return state_of(*session, session->redo(context.connection.id));
+}
+
+} // namespace ciel::methods

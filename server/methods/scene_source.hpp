@@ -1,0 +1,27 @@
+// Pictures, probes and exports work on a session's scene or on one given in place.
+#pragma once
+
+#include "methods/context.hpp"
+
+#include <optional>
+
+namespace ciel::methods {
+
+class SceneSource {
+public:
+    // Throws InvalidParams when there is neither a session nor a scene; scene::Invalid, NotFound.
+    SceneSource(const Context& context, const std::optional<std::string>& session,
+                const std::optional<nlohmann::json>& scene);
+
+    [[nodiscard]] const session::SceneVersion& version() const { return *version_; }
+    [[nodiscard]] store::LoadedDataset& loaded() const { return *version_->loaded; }
+    // A session's geometry is kept and shared with its views; without a session it is made for this call.
+    [[nodiscard]] std::shared_ptr<const session::Geometry> geometry() const;
+
+private:
+    const session::Services& services_;
+    std::shared_ptr<session::Session> session_;
+    std::shared_ptr<const session::SceneVersion> version_;
+};
+
+} // namespace ciel::methods

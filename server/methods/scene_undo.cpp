@@ -1,0 +1,10 @@
+#include "methods/context.hpp"
+
+namespace ciel::methods {
+
+protocol::SceneUndoResult scene_undo(Context& context, const protocol::SceneUndoParams& params) {
+    const auto session = context.session(params.session);
+    return state_of(*session, session->undo(context.connection.id));
+}
+
+} // namespace ciel::methods

@@ -1,0 +1,26 @@
+#include "methods/context.hpp"
+#include "session/default_scene.hpp"
+
+namespace ciel::methods {
+namespace {
+
+std::string first_dataset(store::Catalog& catalog) {
+    for (const auto& entry : catalog.list())
+        if (entry.problem.empty()) return entry.name;
+    throw session::NotFound("the server offers no dataset; start it with one, or import one into its folder");
+}
+
+} // namespace
+
+protocol::SessionOpenResult session_open(Context& context, const protocol::SessionOpenParams& params) {
+    const auto document = [&] {
+        if (params.scene) return *params.scene;
+        const std::string name = params.dataset ? *params.dataset : first_dataset(context.server.catalog());
+        return session::default_scene(*context.dataset(name), name);
+    };
+    const auto session = context.server.sessions().open(params.session.value_or(""), document);
+    if (context.streaming_connection()) session->subscribe(context.connection.id);
+    return state_of(*session, session->status());
+}
+
+} // namespace ciel::methods

@@ -1,0 +1,11 @@
+#include "methods/context.hpp"
+
+namespace ciel::methods {
+
+protocol::ViewCloseResult view_close(Context& context, const protocol::ViewCloseParams& params) {
+    const auto view = context.view(params.view);
+    context.server.sessions().close_view(view->id(), context.connection.id);
+    return nullptr;
+}
+
+} // namespace ciel::methods

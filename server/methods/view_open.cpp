@@ -1,0 +1,16 @@
+#include "methods/context.hpp"
+
+namespace ciel::methods {
+
+protocol::ViewOpenResult view_open(Context& context, const protocol::ViewOpenParams& params) {
+    const auto session = context.session(params.session);
+    check_picture_size(context.server.limits(), params.width, params.height);
+    const auto connection = context.streaming_connection();
+    if (!connection) throw NeedsWebSocket("frames travel over a WebSocket; over HTTP use picture.render");
+    const auto view = context.server.sessions().open_view(
+        *session, connection, {static_cast<std::uint32_t>(params.width), static_cast<std::uint32_t>(params.height)},
+        params.stream == "geometry" ? session::Stream::geometry : session::Stream::image);
+    return {view->id()};
+}
+
+} // namespace ciel::methods

@@ -1,0 +1,12 @@
+#include "methods/context.hpp"
+
+namespace ciel::methods {
+
+protocol::ViewResizeResult view_resize(Context& context, const protocol::ViewResizeParams& params) {
+    const auto view = context.view(params.view);
+    check_picture_size(context.server.limits(), params.width, params.height);
+    view->resize({static_cast<std::uint32_t>(params.width), static_cast<std::uint32_t>(params.height)});
+    return nullptr;
+}
+
+} // namespace ciel::methods

@@ -1,0 +1,54 @@
+#include "session/frame_loop.hpp"
+
+#include "session/batches.hpp"
+#include "session/picture.hpp"
+
+namespace ciel::session {
+namespace {
+
+float elapsed_ms(Clock::time_point since) {
+    return std::chrono::duration<float, std::milli>(Clock::now() - since).count();
+}
+
+wire::FrameHeader header_of(const View& view, const FrameRequest& request, const Geometry& geometry) {
+    wire::FrameHeader header;
+    header.kind = request.stream == Stream::image ? wire::FrameKind::image : wire::FrameKind::geometry;
+    header.flags = request.still ? wire::still : 0;
+    header.view = view.id();
+    header.revision = request.version->revision;
+    header.width = request.size.width;
+    header.height = request.size.height;
+    header.time = geometry.time;
+    header.triangles = static_cast<std::uint32_t>(geometry.triangles);
+    header.wait_ms = std::chrono::duration<float, std::milli>(request.started - request.version->changed).count();
+    return header;
+}
+
+} // namespace
+
+void show_frame(View& view, Worker& worker, bool still) {
+    const auto request = view.take(still);
+    if (!request) return;
+    try {
+        const auto geometry = view.session().geometry(*request->version, request->stop);
+        if (!geometry) return view.give_up();
+        wire::FrameHeader header = header_of(view, *request, *geometry);
+        header.extract_ms = elapsed_ms(request->started);
+        const auto drawing = Clock::now();
+        std::vector<std::vector<std::uint8_t>> messages;
+        if (request->stream == Stream::image) {
+            const auto image = draw(*geometry, request->version->scene, request->size, request->still, worker);
+            header.draw_ms = elapsed_ms(drawing);
+            if (request->still && request->stop.stop_requested()) return view.give_up();
+            messages.push_back(image_message(header, image, request->still));
+        } else if (view.is_new_content(content_of(*geometry))) {
+            messages = geometry_messages(header, *geometry);
+        }
+        view.deliver(*request, std::move(messages),
+                     {header.wait_ms, header.extract_ms, header.draw_ms, header.encode_ms});
+    } catch (const std::exception& error) {
+        view.fail(*request, error.what());
+    }
+}
+
+} // namespace ciel::session

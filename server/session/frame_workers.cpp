@@ -1,0 +1,91 @@
+#include "session/frame_workers.hpp"
+
+#include <algorithm>
+
+namespace ciel::session {
+namespace {
+constexpr std::chrono::seconds patience{1}; // after which a waiting still goes before interactive frames
+}
+
+render::Renderer& Worker::renderer() {
+    if (!renderer_) renderer_.emplace(backend_);
+    return *renderer_;
+}
+
+FrameWorkers::FrameWorkers(unsigned threads, render::Backend backend) : backend_(backend) {
+    for (unsigned i = 0; i < std::max(threads, 1U); ++i)
+        threads_.emplace_back([this](std::stop_token stop) { work(std::move(stop)); });
+}
+
+FrameWorkers::~FrameWorkers() {
+    drain();
+    for (auto& thread : threads_) thread.request_stop();
+}
+
+bool FrameWorkers::post(Job job) {
+    const std::scoped_lock lock(mutex_);
+    if (draining_) return false;
+    now_.push_back(std::move(job));
+    changed_.notify_all();
+    return true;
+}
+
+bool FrameWorkers::post_later(Clock::time_point due, Job job) {
+    const std::scoped_lock lock(mutex_);
+    if (draining_) return false;
+    later_.emplace(due, std::move(job));
+    changed_.notify_all();
+    return true;
+}
+
+void FrameWorkers::drain() {
+    std::deque<Job> dropped_now; // destroyed after the lock is released: a job may hold the last reference to a view
+    std::multimap<Clock::time_point, Job> dropped_later;
+    std::unique_lock lock(mutex_);
+    draining_ = true;
+    dropped_now.swap(now_);
+    dropped_later.swap(later_);
+    changed_.wait(lock, [&] { return busy_ == 0; });
+}
+
+FrameWorkers::Job FrameWorkers::next(std::unique_lock<std::mutex>& lock, const std::stop_token& stop) {
+    const auto take_later = [&] {
+        Job job = std::move(later_.begin()->second);
+        later_.erase(later_.begin());
+        return job;
+    };
+    while (!stop.stop_requested()) {
+        const auto time = Clock::now();
+        if (!later_.empty() && later_.begin()->first + patience < time) return take_later();
+        if (!now_.empty()) {
+            Job job = std::move(now_.front());
+            now_.pop_front();
+            return job;
+        }
+        if (!later_.empty() && later_.begin()->first <= time) return take_later();
+        if (later_.empty())
+            changed_.wait(lock, stop, [&] { return !now_.empty() || !later_.empty(); });
+        else {
+            const auto due = later_.begin()->first;
+            changed_.wait_until(lock, stop, due,
+                                [&] { return !now_.empty() || later_.empty() || later_.begin()->first < due; });
+        }
+    }
+    return {};
+}
+
+void FrameWorkers::work(std::stop_token stop) {
+    Worker worker(backend_);
+    std::unique_lock lock(mutex_);
+    while (Job job = next(lock, stop)) {
+        ++busy_;
+        lock.unlock();
+        job(worker);
+        job = nullptr; // what it holds goes before the lock is taken
+        lock.lock();
+        --busy_;
+        changed_.notify_all();
+    }
+}
+
+} // namespace ciel::session

@@ -1,0 +1,79 @@
+// Threads that draw, each with a GL context of its own: contexts never move, sessions own none.
+#pragma once
+
+#include "render/renderer.hpp"
+
+#include <chrono>
+#include <condition_variable>
+#include <deque>
+#include <functional>
+#include <future>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <thread>
+#include <vector>
+
+namespace ciel::session {
+
+using Clock = std::chrono::steady_clock;
+
+// What a job gets of the thread that it runs on.
+class Worker {
+public:
+    explicit Worker(render::Backend backend) : backend_(backend) {}
+    // Made at first use, so that work without pictures needs no GL. Throws Error; the next call tries again.
+    [[nodiscard]] render::Renderer& renderer();
+
+private:
+    render::Backend backend_;
+    std::optional<render::Renderer> renderer_;
+};
+
+// Thread-safe.
+class FrameWorkers {
+public:
+    using Job = std::function<void(Worker&)>; // must not throw
+
+    FrameWorkers(unsigned threads, render::Backend backend);
+    ~FrameWorkers(); // waits for the jobs under way, drops the rest
+
+    // Jobs of post go first, in order. A job of post_later starts at `due` or after, when no other waits, or at the
+    // latest a second after `due`. Dropped, with false, once drained.
+    bool post(Job job);
+    bool post_later(Clock::time_point due, Job job);
+
+    // Runs `function(worker)` on a worker, after interactive frames, and waits for its result or exception. Not to be
+    // called from a job.
+    template <class Function>
+    auto run(Function function) {
+        using Result = decltype(function(std::declval<Worker&>()));
+        auto task = std::make_shared<std::packaged_task<Result(Worker&)>>(std::move(function));
+        auto result = task->get_future();
+        const bool posted = post_later(Clock::now(), [task](Worker& worker) { (*task)(worker); });
+        task.reset(); // else a dropped job would leave the wait below without end
+        try {
+            if (posted) return result.get();
+        } catch (const std::future_error&) { // dropped
+        }
+        throw Error("the server is about to stop and draws no more");
+    }
+
+    void drain(); // no new jobs; returns when those under way have ended
+
+private:
+    void work(std::stop_token stop);
+    [[nodiscard]] Job next(std::unique_lock<std::mutex>& lock, const std::stop_token& stop);
+
+    render::Backend backend_;
+    std::mutex mutex_;
+    std::condition_variable_any changed_;
+    std::deque<Job> now_;
+    std::multimap<Clock::time_point, Job> later_;
+    unsigned busy_ = 0;
+    bool draining_ = false;
+    std::vector<std::jthread> threads_;
+};
+
+} // namespace ciel::session

@@ -1,0 +1,177 @@
+#include "session/locator.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace ciel::session {
+namespace {
+
+constexpr Index cells_per_box = 128; // cells lie on a space-filling curve, so that runs of them are compact
+constexpr std::size_t locators_kept = 4;
+constexpr double on_the_face = 1e-6; // share of 4 pi; a point on a face is half inside either cell
+
+Vec3d minus(const Vec3d& a, const Vec3d& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
+double dot(const Vec3d& a, const Vec3d& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+Vec3d cross(const Vec3d& a, const Vec3d& b) {
+    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+double length(const Vec3d& a) { return std::sqrt(dot(a, a)); }
+
+// Of the triangle a, b, c seen from the origin.
+double solid_angle(const Vec3d& a, const Vec3d& b, const Vec3d& c) {
+    const double la = length(a), lb = length(b), lc = length(c);
+    const double volume = dot(a, cross(b, c));
+    return 2 * std::atan2(volume, la * lb * lc + dot(a, b) * lc + dot(b, c) * la + dot(c, a) * lb);
+}
+
+} // namespace
+
+Locator::Locator(std::shared_ptr<const store::Dataset> dataset, std::size_t mesh, std::size_t coordinates)
+    : dataset_(std::move(dataset)), mesh_(dataset_->mesh(mesh, coordinates)), face_offset_(mesh_.cell_count() + 1) {
+    const auto of_both_sides = [&](auto&& visit) {
+        for (Index face = 0; face < mesh_.face_count(); ++face)
+            for (const Index cell : {mesh_.owner[face], mesh_.neighbour[face]})
+                if (cell != none) visit(cell, face);
+    };
+    of_both_sides([&](Index cell, Index) { ++face_offset_[cell + 1]; });
+    for (std::size_t cell = 1; cell < face_offset_.size(); ++cell) face_offset_[cell] += face_offset_[cell - 1];
+    faces_.resize(face_offset_.back());
+    std::vector<Index> next(face_offset_.begin(), face_offset_.end() - 1);
+    of_both_sides([&](Index cell, Index face) { faces_[next[cell]++] = face; });
+
+    constexpr float infinity = std::numeric_limits<float>::infinity();
+    boxes_.assign((mesh_.cell_count() + cells_per_box - 1) / cells_per_box,
+                  {Vec3f{infinity, infinity, infinity}, Vec3f{-infinity, -infinity, -infinity}});
+    of_both_sides([&](Index cell, Index face) {
+        auto& [low, high] = boxes_[cell / cells_per_box];
+        for (const Index vertex : mesh_.loop(face))
+            for (std::size_t axis = 0; axis < 3; ++axis) {
+                const float at = mesh_.positions[std::size_t{3} * vertex + axis];
+                low[axis] = std::min(low[axis], at);
+                high[axis] = std::max(high[axis], at);
+            }
+    });
+}
+
+Vec3d Locator::point(Index vertex) const {
+    const float* at = &mesh_.positions[std::size_t{3} * vertex];
+    return {at[0], at[1], at[2]};
+}
+
+Vec3d Locator::centroid(std::span<const Index> vertices) const {
+    Vec3d sum{};
+    for (const Index vertex : vertices) {
+        const Vec3d at = point(vertex);
+        for (std::size_t axis = 0; axis < 3; ++axis) sum[axis] += at[axis] / static_cast<double>(vertices.size());
+    }
+    return sum;
+}
+
+std::vector<Index> Locator::vertices(Index cell) const {
+    std::vector<Index> all;
+    for (Index i = face_offset_[cell]; i < face_offset_[cell + 1]; ++i) {
+        const auto loop = mesh_.loop(faces_[i]);
+        all.insert(all.end(), loop.begin(), loop.end());
+    }
+    std::sort(all.begin(), all.end());
+    all.erase(std::unique(all.begin(), all.end()), all.end());
+    return all;
+}
+
+double Locator::winding(Index cell, const Vec3d& at) const {
+    double angle = 0;
+    for (Index i = face_offset_[cell]; i < face_offset_[cell + 1]; ++i) {
+        const auto loop = mesh_.loop(faces_[i]);
+        const Vec3d middle = minus(centroid(loop), at);
+        double face_angle = 0;
+        for (std::size_t k = 0; k < loop.size(); ++k)
+            face_angle += solid_angle(middle, minus(point(loop[k]), at), minus(point(loop[(k + 1) % loop.size()]), at));
+        angle += mesh_.owner[faces_[i]] == cell ? face_angle : -face_angle;
+    }
+    return angle / (4 * std::numbers::pi);
+}
+
+Index Locator::cell_at(const Vec3d& position) const {
+    const Vec3d at = minus(position, mesh_.origin);
+    Index best = none;
+    double most = 0.5 - on_the_face;
+    for (std::size_t box = 0; box < boxes_.size(); ++box) {
+        const auto& [low, high] = boxes_[box];
+        bool inside = true;
+        for (std::size_t axis = 0; axis < 3; ++axis) inside = inside && low[axis] <= at[axis] && at[axis] <= high[axis];
+        if (!inside) continue;
+        const auto begin = static_cast<Index>(box * cells_per_box);
+        for (Index cell = begin; cell < std::min(begin + cells_per_box, mesh_.cell_count()); ++cell) {
+            const double here = winding(cell, at);
+            if (here <= most) continue;
+            most = here;
+            best = cell;
+        }
+        if (most > 1 - on_the_face) break;
+    }
+    return best;
+}
+
+Index Locator::nearest_vertex(Index cell, const Vec3d& position) const {
+    const Vec3d at = minus(position, mesh_.origin);
+    const auto all = vertices(cell);
+    return *std::min_element(all.begin(), all.end(), [&](Index a, Index b) {
+        return length(minus(point(a), at)) < length(minus(point(b), at));
+    });
+}
+
+Weights Locator::weights_in(Index cell, const Vec3d& position) const {
+    const Vec3d at = minus(position, mesh_.origin);
+    const auto all = vertices(cell);
+    const Vec3d center = centroid(all);
+
+    // The tetrahedron that the point is deepest in; in a bent cell it may lie a little outside of all.
+    std::array<double, 4> best{};
+    double deepest = -std::numeric_limits<double>::infinity();
+    std::span<const Index> best_loop;
+    Index best_a = none, best_b = none;
+    for (Index i = face_offset_[cell]; i < face_offset_[cell + 1]; ++i) {
+        const auto loop = mesh_.loop(faces_[i]);
+        const Vec3d middle = minus(centroid(loop), center);
+        for (std::size_t k = 0; k < loop.size(); ++k) {
+            const Index a = loop[k], b = loop[(k + 1) % loop.size()];
+            const Vec3d pa = minus(point(a), center), pb = minus(point(b), center), p = minus(at, center);
+            const double volume = dot(middle, cross(pa, pb));
+            if (volume == 0) continue;
+            const double wf = dot(p, cross(pa, pb)) / volume;
+            const double wa = dot(middle, cross(p, pb)) / volume;
+            const double wb = dot(middle, cross(pa, p)) / volume;
+            const std::array<double, 4> shares{1 - wf - wa - wb, wf, wa, wb};
+            const double depth = *std::min_element(shares.begin(), shares.end());
+            if (!(depth > deepest)) continue;
+            deepest = depth;
+            best = shares;
+            best_loop = loop;
+            best_a = a;
+            best_b = b;
+        }
+    }
+    Weights weights;
+    if (best_a == none) return {{nearest_vertex(cell, position), 1}}; // a cell without volume
+    for (const Index vertex : all) weights.emplace_back(vertex, best[0] / static_cast<double>(all.size()));
+    for (const Index vertex : best_loop) weights.emplace_back(vertex, best[1] / static_cast<double>(best_loop.size()));
+    weights.emplace_back(best_a, best[2]);
+    weights.emplace_back(best_b, best[3]);
+    return weights;
+}
+
+std::shared_ptr<const Locator> Locators::get(const std::shared_ptr<store::Dataset>& dataset, std::size_t step) {
+    const store::Step& shown = dataset->steps().at(step);
+    const float* positions = dataset->mesh(shown.mesh, shown.coordinates).positions.data();
+    const std::scoped_lock lock(mutex_);
+    const auto found =
+        std::find_if(kept_.begin(), kept_.end(), [&](const Kept& kept) { return kept.positions == positions; });
+    if (found != kept_.end()) return found->locator;
+    auto made = std::make_shared<const Locator>(dataset, shown.mesh, shown.coordinates);
+    if (kept_.size() == locators_kept) kept_.erase(kept_.begin());
+    kept_.push_back({positions, made});
+    return made;
+}
+
+} // namespace ciel::session

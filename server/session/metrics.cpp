@@ -1,0 +1,91 @@
+#include "session/metrics.hpp"
+
+#include <locale>
+#include <sstream>
+
+namespace ciel::session {
+namespace {
+
+void family(std::ostream& out, const char* name, const char* type, const char* help) {
+    out << "# HELP " << name << ' ' << help << "\n# TYPE " << name << ' ' << type << '\n';
+}
+
+template <class Value>
+void single(std::ostream& out, const char* name, const char* type, const char* help, Value value) {
+    family(out, name, type, help);
+    out << name << ' ' << value << '\n';
+}
+
+std::string escaped(const std::string& label) {
+    std::string text;
+    for (const char c : label) {
+        if (c == '\\' || c == '"') text += '\\';
+        text += c == '\n' ? ' ' : c;
+    }
+    return text;
+}
+
+} // namespace
+
+void Metrics::count_frame(bool still, std::size_t bytes, const FrameTimes& times) {
+    ++(still ? stills_ : interactive_);
+    bytes_ += bytes;
+    const std::scoped_lock lock(mutex_);
+    seconds_.wait += times.wait / 1000;
+    seconds_.extract += times.extract / 1000;
+    seconds_.draw += times.draw / 1000;
+    seconds_.encode += times.encode / 1000;
+}
+
+void Metrics::count_picture(std::size_t bytes) {
+    ++pictures_;
+    bytes_ += bytes;
+}
+
+void Metrics::count_request(const std::string& method) {
+    const std::scoped_lock lock(mutex_);
+    ++requests_[method];
+}
+
+void Metrics::count_error(int code) {
+    const std::scoped_lock lock(mutex_);
+    ++errors_[code];
+}
+
+std::string Metrics::text(const Gauges& gauges) const {
+    std::ostringstream out;
+    out.imbue(std::locale::classic());
+    out.precision(17);
+    family(out, "ciel_frames_total", "counter", "Frames sent to views.");
+    out << "ciel_frames_total{kind=\"interactive\"} " << interactive_ << "\nciel_frames_total{kind=\"still\"} "
+        << stills_ << '\n';
+    single(out, "ciel_frames_cancelled_total", "counter", "Frames given up because a newer scene was there.",
+           cancelled_.load());
+    single(out, "ciel_frames_failed_total", "counter", "Frames that could not be made.", failed_.load());
+    single(out, "ciel_pictures_total", "counter", "Still pictures answered to picture.render.", pictures_.load());
+    single(out, "ciel_image_bytes_total", "counter", "Bytes of frames and pictures.", bytes_.load());
+
+    const std::scoped_lock lock(mutex_);
+    family(out, "ciel_frame_seconds_total", "counter", "Time spent on frames, by stage.");
+    for (const auto& [stage, seconds] : {std::pair{"wait", seconds_.wait}, std::pair{"extract", seconds_.extract},
+                                         std::pair{"draw", seconds_.draw}, std::pair{"encode", seconds_.encode}})
+        out << "ciel_frame_seconds_total{stage=\"" << stage << "\"} " << seconds << '\n';
+    family(out, "ciel_rpc_requests_total", "counter", "JSON-RPC requests, by method.");
+    for (const auto& [method, count] : requests_)
+        out << "ciel_rpc_requests_total{method=\"" << method << "\"} " << count << '\n';
+    family(out, "ciel_rpc_errors_total", "counter", "JSON-RPC error answers, by code.");
+    for (const auto& [code, count] : errors_) out << "ciel_rpc_errors_total{code=\"" << code << "\"} " << count << '\n';
+
+    single(out, "ciel_sessions", "gauge", "Sessions kept.", gauges.sessions);
+    single(out, "ciel_connections", "gauge", "Open WebSockets.", gauges.connections);
+    single(out, "ciel_views", "gauge", "Open views.", gauges.views);
+    single(out, "ciel_session_bytes", "gauge", "Query state and surfaces of all sessions.", gauges.session_bytes);
+    single(out, "ciel_datasets", "gauge", "Datasets in memory.", gauges.datasets);
+    single(out, "ciel_dataset_bytes", "gauge", "Topologies and cached fields of all datasets.", gauges.dataset_bytes);
+    family(out, "ciel_gl_info", "gauge", "What draws.");
+    out << "ciel_gl_info{renderer=\"" << escaped(gauges.gl_renderer) << "\",backend=\"" << escaped(gauges.backend)
+        << "\"} 1\n";
+    return out.str();
+}
+
+} // namespace ciel::session

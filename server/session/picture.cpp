@@ -1,0 +1,46 @@
+#include "session/picture.hpp"
+
+#include "wire/png.hpp"
+
+#include <cmath>
+
+namespace ciel::session {
+namespace {
+constexpr double interactive_pixels = 1280.0 * 720.0;
+constexpr int still_samples = 4;
+} // namespace
+
+render::Image draw(const Geometry& geometry, const scene::Scene& scene, ViewSize size, bool still, Worker& worker) {
+    double scale = 1;
+    const double pixels = static_cast<double>(size.width) * size.height;
+    if (!still && pixels > interactive_pixels) scale = std::sqrt(interactive_pixels / pixels);
+    const int width = std::max(1, static_cast<int>(size.width * scale));
+    const int height = std::max(1, static_cast<int>(size.height * scale));
+    render::Image image;
+    worker.renderer().draw(frame_of(geometry, scene, width, height, still ? still_samples : 1), image);
+    return image;
+}
+
+std::vector<std::uint8_t> image_message(wire::FrameHeader& header, const render::Image& image, bool still) {
+    const auto started = Clock::now();
+    std::vector<std::uint8_t> message(wire::frame_header_bytes);
+    wire::encode_png(image.width, image.height, image.rgb,
+                     still ? wire::PngEffort::still : wire::PngEffort::interactive, message);
+    header.encode_ms = std::chrono::duration<float, std::milli>(Clock::now() - started).count();
+    header.flags |= wire::first_of_frame | wire::last_of_frame;
+    header.width = static_cast<std::uint32_t>(image.width);
+    header.height = static_cast<std::uint32_t>(image.height);
+    header.payload_bytes = static_cast<std::uint32_t>(message.size() - wire::frame_header_bytes);
+    wire::write_frame_header(
+        header, std::span<std::uint8_t, wire::frame_header_bytes>(message.data(), wire::frame_header_bytes));
+    return message;
+}
+
+void number_frame(std::vector<std::uint8_t>& message, std::uint32_t frame) {
+    const std::span<std::uint8_t, wire::frame_header_bytes> bytes(message.data(), wire::frame_header_bytes);
+    wire::FrameHeader header = wire::read_frame_header(message);
+    header.frame = frame;
+    wire::write_frame_header(header, bytes);
+}
+
+} // namespace ciel::session

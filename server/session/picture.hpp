@@ -1,0 +1,21 @@
+// Geometry -> image -> bytes.
+#pragma once
+
+#include "session/frame_workers.hpp"
+#include "session/scene_geometry.hpp"
+#include "session/view.hpp"
+#include "wire/frame_header.hpp"
+
+namespace ciel::session {
+
+// A still has the asked size and four samples a pixel; an interactive picture has at most 1280 x 720 pixels of the same
+// shape and one sample.
+[[nodiscard]] render::Image draw(const Geometry& geometry, const scene::Scene& scene, ViewSize size, bool still,
+                                 Worker& worker);
+// Header and PNG; fills in the header's encoding time, sizes and flags.
+[[nodiscard]] std::vector<std::uint8_t> image_message(wire::FrameHeader& header, const render::Image& image,
+                                                      bool still);
+// Writes the frame number into a finished message: it is known only when the frame is sent.
+void number_frame(std::vector<std::uint8_t>& message, std::uint32_t frame);
+
+} // namespace ciel::session

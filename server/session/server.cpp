@@ -1,0 +1,111 @@
+#include "session/server.hpp"
+
+#include "protocol/json.hpp"
+#include "session/locator.hpp"
+#include "session/notify.hpp"
+#include "session/sessions.hpp"
+
+#include <set>
+
+namespace ciel::session {
+
+struct Server::State {
+    ServerOptions options;
+    Metrics metrics;
+    Connections connections;
+    store::Catalog catalog;
+    FrameWorkers workers;
+    Services services;
+    Sessions sessions;
+    Locators locators;
+    std::mutex readiness_mutex;
+    Readiness last_readiness;
+    std::shared_ptr<void> watch;
+    std::jthread housekeeping; // last: it uses the others
+
+    explicit State(ServerOptions chosen)
+        : options(std::move(chosen)), catalog(options.data),
+          workers(options.render_workers, options.backend), services{options.limits, options.engine, catalog,
+                                                                     connections,    workers,        metrics},
+          sessions(services) {
+        watch = catalog.watch([this](const std::string& dataset) { tell_steps(dataset); });
+        housekeeping = std::jthread([this](const std::stop_token& stop) {
+            std::mutex mutex;
+            std::condition_variable_any never;
+            std::unique_lock lock(mutex);
+            while (!never.wait_for(lock, stop, std::chrono::seconds(10), [&] { return stop.stop_requested(); }))
+                sessions.expire(Clock::now());
+        });
+    }
+
+    ~State() {
+        watch.reset();
+        workers.drain();
+    }
+
+    void tell_steps(const std::string& dataset) {
+        protocol::DatasetChanged note{dataset, {}};
+        for (const auto& step : catalog.open(dataset)->dataset()->steps()) note.times.push_back(step.time);
+        connections.send_all(notification_text(note));
+        sessions.dataset_changed(dataset);
+    }
+};
+
+Server::Server(ServerOptions options) : state_(std::make_unique<State>(std::move(options))) {}
+Server::~Server() = default;
+
+const Limits& Server::limits() const { return state_->options.limits; }
+const ServerOptions& Server::options() const { return state_->options; }
+store::Catalog& Server::catalog() { return state_->catalog; }
+Sessions& Server::sessions() { return state_->sessions; }
+FrameWorkers& Server::frame_workers() { return state_->workers; }
+Metrics& Server::counters() { return state_->metrics; }
+Locators& Server::locators() { return state_->locators; }
+const Services& Server::services() const { return state_->services; }
+
+void Server::connection_opened(std::shared_ptr<Connection> connection) {
+    state_->connections.add(std::move(connection));
+}
+
+void Server::connection_closed(std::uint64_t connection_id) {
+    state_->connections.remove(connection_id);
+    state_->sessions.connection_closed(connection_id);
+}
+
+Readiness Server::readiness() {
+    Readiness readiness;
+    try {
+        readiness = state_->workers.run([](Worker& worker) { return draw_test_picture(worker.renderer()); });
+    } catch (const std::exception& error) {
+        readiness.problem = error.what();
+    }
+    const std::scoped_lock lock(state_->readiness_mutex);
+    state_->last_readiness = readiness;
+    return readiness;
+}
+
+std::string Server::metrics() const {
+    Gauges gauges;
+    std::set<std::shared_ptr<store::LoadedDataset>> datasets;
+    for (const auto& session : state_->sessions.all()) {
+        ++gauges.sessions;
+        gauges.views += session->view_count();
+        gauges.session_bytes += session->memory_bytes();
+        datasets.insert(session->newest()->loaded);
+    }
+    gauges.connections = state_->connections.size();
+    gauges.datasets = datasets.size();
+    for (const auto& dataset : datasets) gauges.dataset_bytes += dataset->memory_bytes();
+    const std::scoped_lock lock(state_->readiness_mutex);
+    gauges.gl_renderer = state_->last_readiness.gl_renderer;
+    gauges.backend = state_->last_readiness.backend;
+    return state_->metrics.text(gauges);
+}
+
+void Server::drain() {
+    state_->sessions.stop_opening();
+    state_->connections.send_all(notification_text(protocol::ServerDraining{}));
+    state_->workers.drain();
+}
+
+} // namespace ciel::session

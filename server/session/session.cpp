@@ -1,0 +1,187 @@
+#include "session/session.hpp"
+
+#include "protocol/json.hpp"
+#include "session/errors.hpp"
+#include "session/notify.hpp"
+#include "session/open_dataset.hpp"
+#include "session/view.hpp"
+
+#include <algorithm>
+
+namespace ciel::session {
+namespace {
+
+void check_limits(const scene::Scene& scene, const Limits& limits) {
+    if (scene.layers.size() > limits.layers)
+        throw LimitReached("a scene may have " + std::to_string(limits.layers) + " layers; remove some");
+    for (const scene::Layer& layer : scene.layers)
+        if (const auto* iso = std::get_if<scene::IsoLayer>(&layer.kind))
+            if (iso->values.size() > limits.values_per_layer)
+                throw LimitReached("layer " + layer.id + " may have " + std::to_string(limits.values_per_layer) +
+                                   " values; remove some");
+}
+
+} // namespace
+
+std::shared_ptr<const SceneVersion> make_version(const Services& services, nlohmann::json document,
+                                                 std::uint64_t revision) {
+    auto version = std::make_shared<SceneVersion>();
+    // Null and absent mean the same in a scene; a merge patch can only make the latter, so only the latter is kept.
+    document = scene::merge_patch(nlohmann::json::object(), document);
+    version->scene = scene::parse(document);
+    check_limits(version->scene, services.limits);
+    version->loaded = open_dataset(services.catalog, version->scene.dataset);
+    check_names(version->scene, *version->loaded->dataset());
+    version->revision = revision;
+    version->document = std::make_shared<const nlohmann::json>(std::move(document));
+    version->changed = Clock::now();
+    return version;
+}
+
+Session::Session(std::string id, const Services& services, std::shared_ptr<const SceneVersion> first)
+    : id_(std::move(id)), services_(services), version_(std::move(first)), history_(services.limits.undo_steps),
+      used_(Clock::now()), scene_geometry_(services.engine) {}
+
+SessionStatus Session::current() const { return {version_, history_.can_undo(), history_.can_redo()}; }
+
+SessionStatus Session::status() const {
+    const std::scoped_lock lock(mutex_);
+    used_ = Clock::now();
+    return current();
+}
+
+std::shared_ptr<const SceneVersion> Session::newest() const {
+    const std::scoped_lock lock(mutex_);
+    return version_;
+}
+
+SessionStatus Session::change(std::shared_ptr<const SceneVersion> next, std::uint64_t author) {
+    version_ = std::move(next);
+    used_ = Clock::now();
+    std::string text;
+    for (const auto connection_id : subscribers_) {
+        if (connection_id == author) continue;
+        const auto connection = services_.connections.find(connection_id);
+        if (!connection || !connection->send_text) continue;
+        if (text.empty())
+            text = notification_text(
+                protocol::SceneChanged{id_, static_cast<std::int64_t>(version_->revision), *version_->document});
+        connection->send_text(text);
+    }
+    for (const auto& [id, view] : views_) view->offer(version_);
+    return current();
+}
+
+SessionStatus Session::patch(const nlohmann::json& merge_patch, const std::string& gesture, std::uint64_t author) {
+    const std::scoped_lock lock(mutex_);
+    auto next = make_version(services_, scene::merge_patch(*version_->document, merge_patch), version_->revision + 1);
+    if (*next->document == *version_->document) return current();
+    history_.record(version_->document, gesture);
+    return change(std::move(next), author);
+}
+
+SessionStatus Session::replace(nlohmann::json document, std::uint64_t author) {
+    const std::scoped_lock lock(mutex_);
+    auto next = make_version(services_, std::move(document), version_->revision + 1);
+    if (*next->document == *version_->document) return current();
+    history_.record(version_->document, "");
+    return change(std::move(next), author);
+}
+
+SessionStatus Session::undo(std::uint64_t author) {
+    const std::scoped_lock lock(mutex_);
+    if (!history_.can_undo()) return current();
+    History after = history_; // the old one stays when the document cannot be shown any more
+    const Document document = after.undo(version_->document);
+    auto next = make_version(services_, *document, version_->revision + 1);
+    history_ = std::move(after);
+    return change(std::move(next), author);
+}
+
+SessionStatus Session::redo(std::uint64_t author) {
+    const std::scoped_lock lock(mutex_);
+    if (!history_.can_redo()) return current();
+    History after = history_;
+    const Document document = after.redo(version_->document);
+    auto next = make_version(services_, *document, version_->revision + 1);
+    history_ = std::move(after);
+    return change(std::move(next), author);
+}
+
+void Session::subscribe(std::uint64_t connection) {
+    const std::scoped_lock lock(mutex_);
+    subscribers_.insert(connection);
+    used_ = Clock::now();
+}
+
+void Session::add_view(std::shared_ptr<View> view) {
+    const std::scoped_lock lock(mutex_);
+    if (views_.size() >= services_.limits.views_per_session)
+        throw LimitReached("a session may have " + std::to_string(services_.limits.views_per_session) +
+                           " views; close one first");
+    views_[view->id()] = view;
+    view->offer(version_);
+}
+
+void Session::remove_view(std::uint32_t view) {
+    const std::scoped_lock lock(mutex_);
+    const auto found = views_.find(view);
+    if (found == views_.end()) return;
+    found->second->close();
+    views_.erase(found);
+}
+
+void Session::disconnect(std::uint64_t connection) {
+    const std::scoped_lock lock(mutex_);
+    const bool was_here = subscribers_.erase(connection) > 0;
+    std::erase_if(views_, [&](const auto& entry) {
+        if (entry.second->connection_id() != connection) return false;
+        entry.second->close();
+        return true;
+    });
+    if (was_here) used_ = Clock::now();
+}
+
+void Session::close() {
+    const std::scoped_lock lock(mutex_);
+    for (const auto& [id, view] : views_) view->close();
+    views_.clear();
+    subscribers_.clear();
+}
+
+void Session::offer_again() {
+    const std::scoped_lock lock(mutex_);
+    for (const auto& [id, view] : views_) view->offer(version_);
+}
+
+std::shared_ptr<const Geometry> Session::geometry(const SceneVersion& version, std::stop_token stop) {
+    const std::scoped_lock lock(geometry_mutex_);
+    auto made = scene_geometry_.update(version.scene, version.loaded, std::move(stop));
+    bytes_ = scene_geometry_.memory_bytes();
+    if (bytes_ <= services_.limits.session_memory_bytes) return made;
+    const auto megabytes = [](std::size_t bytes) { return std::to_string(bytes >> 20) + " MB"; };
+    const std::string sentence = "the surfaces of this scene need " + megabytes(bytes_) + ", more than the " +
+                                 megabytes(services_.limits.session_memory_bytes) +
+                                 " of a session; show fewer values or layers";
+    scene_geometry_ = SceneGeometry(services_.engine);
+    bytes_ = 0;
+    throw LimitReached(sentence);
+}
+
+void Session::release_geometry() {
+    const std::scoped_lock lock(geometry_mutex_);
+    scene_geometry_ = SceneGeometry(services_.engine);
+    bytes_ = 0;
+}
+
+bool Session::is_idle_since(Clock::time_point time) const {
+    const std::scoped_lock lock(mutex_);
+    return subscribers_.empty() && views_.empty() && used_ < time;
+}
+
+std::size_t Session::view_count() const {
+    const std::scoped_lock lock(mutex_);
+    return views_.size();
+}
+
+} // namespace ciel::session

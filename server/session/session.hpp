@@ -1,0 +1,88 @@
+// A session: one scene with its history, kept between connections and shared by any number of them.
+#pragma once
+
+#include "session/frame_workers.hpp"
+#include "session/history.hpp"
+#include "session/scene_geometry.hpp"
+#include "session/services.hpp"
+
+#include <atomic>
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <set>
+
+namespace ciel::session {
+
+class View; // view.hpp
+
+// One state of the scene. Immutable.
+struct SceneVersion {
+    std::uint64_t revision = 0;
+    Document document;
+    scene::Scene scene; // the document, parsed
+    std::shared_ptr<store::LoadedDataset> loaded;
+    Clock::time_point changed;
+};
+
+// Parses a document, opens its dataset and checks the names in it. Throws scene::Invalid, NotFound, LimitReached.
+[[nodiscard]] std::shared_ptr<const SceneVersion> make_version(const Services& services, nlohmann::json document,
+                                                               std::uint64_t revision);
+
+struct SessionStatus {
+    std::shared_ptr<const SceneVersion> version;
+    bool can_undo = false, can_redo = false;
+};
+
+// Thread-safe. Changes are applied in order; each that changes the document has a new revision, is heard by the other
+// subscribed connections and offered to all views.
+class Session {
+public:
+    Session(std::string id, const Services& services, std::shared_ptr<const SceneVersion> first);
+
+    [[nodiscard]] const std::string& id() const { return id_; }
+    [[nodiscard]] SessionStatus status() const; // counts as use
+    [[nodiscard]] std::shared_ptr<const SceneVersion> newest() const;
+    // `author`: the connection that is not told, for it has the answer. Throw as make_version does, changing nothing.
+    SessionStatus patch(const nlohmann::json& merge_patch, const std::string& gesture, std::uint64_t author);
+    SessionStatus replace(nlohmann::json document, std::uint64_t author);
+    SessionStatus undo(std::uint64_t author); // the status as it is when there is nothing to undo
+    SessionStatus redo(std::uint64_t author);
+
+    void subscribe(std::uint64_t connection);
+    void add_view(std::shared_ptr<View> view); // throws LimitReached; the view is offered the newest scene
+    void remove_view(std::uint32_t view);
+    void disconnect(std::uint64_t connection); // its views and its subscription
+    void close();                              // all views
+    void offer_again();                        // the dataset has grown: the nearest step may be another
+
+    // The geometry of a version, made on the calling thread; others wait. Null when stopped. Throws Error,
+    // LimitReached.
+    [[nodiscard]] std::shared_ptr<const Geometry> geometry(const SceneVersion& version, std::stop_token stop);
+    void release_geometry(); // memory of a session that nobody looks at
+
+    [[nodiscard]] bool is_idle_since(Clock::time_point time) const; // no connection, and not used since
+    [[nodiscard]] std::size_t memory_bytes() const { return bytes_; }
+    [[nodiscard]] std::size_t view_count() const;
+
+private:
+    SessionStatus change(std::shared_ptr<const SceneVersion> next, std::uint64_t author); // REQUIRES: the lock
+    [[nodiscard]] SessionStatus current() const;                                          // REQUIRES: the lock
+
+    const std::string id_;
+    const Services& services_;
+
+    mutable std::mutex mutex_;
+    std::shared_ptr<const SceneVersion> version_;
+    History history_;
+    std::set<std::uint64_t> subscribers_;
+    std::map<std::uint32_t, std::shared_ptr<View>> views_;
+    mutable Clock::time_point used_;
+
+    std::mutex geometry_mutex_; // never taken while holding mutex_
+    SceneGeometry scene_geometry_;
+    std::atomic<std::size_t> bytes_{0};
+};
+
+} // namespace ciel::session

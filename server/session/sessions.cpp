@@ -1,0 +1,133 @@
+#include "session/sessions.hpp"
+
+#include "session/errors.hpp"
+
+#include <nlohmann/json.hpp>
+#include <random>
+
+namespace ciel::session {
+namespace {
+
+// 128 random bits: whoever knows a session's id may change its scene.
+std::string random_id() {
+    static constexpr char digits[] = "0123456789abcdef";
+    std::random_device source;
+    std::string id;
+    for (int word = 0; word < 4; ++word)
+        for (auto [bits, i] = std::pair{source(), 0}; i < 8; ++i, bits >>= 4) id += digits[bits & 15];
+    return id;
+}
+
+} // namespace
+
+std::shared_ptr<Session> Sessions::find(const std::string& id) {
+    const std::scoped_lock lock(mutex_);
+    const auto found = sessions_.find(id);
+    if (found == sessions_.end()) throw NotFound("there is no session " + id + "; open one with session.open");
+    return found->second;
+}
+
+std::shared_ptr<Session> Sessions::open(const std::string& id, const std::function<nlohmann::json()>& document) {
+    const auto check = [&] { // REQUIRES: the lock
+        if (stopped_) throw LimitReached("the server is about to stop and opens no new sessions");
+        if (sessions_.size() >= services_.limits.sessions)
+            throw LimitReached("there are already " + std::to_string(sessions_.size()) +
+                               " sessions, as many as the server keeps; close one first");
+    };
+    expire(Clock::now());
+    {
+        const std::scoped_lock lock(mutex_);
+        if (const auto found = sessions_.find(id); found != sessions_.end()) return found->second;
+        check();
+    }
+    auto first = make_version(services_, document(), 1); // may open a dataset: not under the lock
+    const std::scoped_lock lock(mutex_);
+    if (const auto found = sessions_.find(id); found != sessions_.end()) return found->second;
+    check();
+    const std::string name = id.empty() ? random_id() : id;
+    return sessions_[name] = std::make_shared<Session>(name, services_, std::move(first));
+}
+
+void Sessions::close(const std::string& id) {
+    const auto session = find(id);
+    session->close();
+    const std::scoped_lock lock(mutex_);
+    sessions_.erase(id);
+}
+
+std::shared_ptr<View> Sessions::open_view(Session& session, const std::shared_ptr<Connection>& connection,
+                                          ViewSize size, Stream stream) {
+    const auto shared = find(session.id());
+    std::uint32_t id = 0;
+    {
+        const std::scoped_lock lock(mutex_);
+        if (stopped_) throw LimitReached("the server is about to stop and opens no new views");
+        id = ++last_view_;
+    }
+    auto view = std::make_shared<View>(id, shared, connection, services_, size, stream);
+    shared->subscribe(connection->id);
+    shared->add_view(view);
+    const std::scoped_lock lock(mutex_);
+    std::erase_if(views_, [](const auto& entry) { return entry.second.expired(); });
+    views_[id] = view;
+    return view;
+}
+
+std::shared_ptr<View> Sessions::view(std::uint32_t id, std::uint64_t connection) {
+    const std::scoped_lock lock(mutex_);
+    const auto found = views_.find(id);
+    auto view = found == views_.end() ? nullptr : found->second.lock();
+    if (!view || view->connection_id() != connection)
+        throw NotFound("this connection has no view " + std::to_string(id) + "; open one with view.open");
+    return view;
+}
+
+void Sessions::close_view(std::uint32_t id, std::uint64_t connection) {
+    const auto closing = view(id, connection);
+    closing->session().remove_view(id);
+    const std::scoped_lock lock(mutex_);
+    views_.erase(id);
+}
+
+void Sessions::connection_closed(std::uint64_t connection) {
+    for (const auto& session : all()) {
+        session->disconnect(connection);
+        // Its surfaces go when nobody looks any more. On a worker: an extraction under way may hold them for a while.
+        if (session->is_idle_since(Clock::time_point::max()))
+            services_.workers.post([session](Worker&) {
+                if (session->is_idle_since(Clock::time_point::max())) session->release_geometry();
+            });
+    }
+}
+
+void Sessions::dataset_changed(const std::string& dataset) {
+    for (const auto& session : all())
+        if (session->newest()->scene.dataset == dataset) session->offer_again();
+}
+
+void Sessions::expire(Clock::time_point now) {
+    const std::scoped_lock lock(mutex_);
+    const auto limit = now - std::chrono::seconds(services_.limits.session_idle_seconds);
+    std::erase_if(sessions_, [&](const auto& entry) { return entry.second->is_idle_since(limit); });
+}
+
+void Sessions::stop_opening() {
+    const std::scoped_lock lock(mutex_);
+    stopped_ = true;
+}
+
+void Sessions::close_all() {
+    for (const auto& session : all()) session->close();
+    const std::scoped_lock lock(mutex_);
+    sessions_.clear();
+    views_.clear();
+}
+
+std::vector<std::shared_ptr<Session>> Sessions::all() const {
+    const std::scoped_lock lock(mutex_);
+    std::vector<std::shared_ptr<Session>> list;
+    for (const auto& [id, session] : sessions_) list.push_back(session);
+    return list;
+}
+
+} // namespace ciel::session

@@ -1,0 +1,45 @@
+// All sessions of the process, by id.
+#pragma once
+
+#include "session/session.hpp"
+#include "session/view.hpp"
+
+namespace ciel::session {
+
+// Thread-safe.
+class Sessions {
+public:
+    explicit Sessions(const Services& services) : services_(services) {}
+    ~Sessions() { close_all(); }
+
+    // Throws NotFound with a sentence.
+    [[nodiscard]] std::shared_ptr<Session> find(const std::string& id);
+    // The session of this id, or a new one of it that shows `document`; an empty id: a new one. Throws LimitReached,
+    // and as make_version does.
+    [[nodiscard]] std::shared_ptr<Session> open(const std::string& id, const std::function<nlohmann::json()>& document);
+    void close(const std::string& id); // throws NotFound
+
+    // Views have ids of their own in the process; only the connection that opened one may use it.
+    [[nodiscard]] std::shared_ptr<View> open_view(Session& session, const std::shared_ptr<Connection>& connection,
+                                                  ViewSize size, Stream stream);
+    [[nodiscard]] std::shared_ptr<View> view(std::uint32_t id, std::uint64_t connection); // throws NotFound
+    void close_view(std::uint32_t id, std::uint64_t connection);                          // throws NotFound
+
+    void connection_closed(std::uint64_t connection);
+    void dataset_changed(const std::string& dataset); // views of it are offered their scene again
+    void expire(Clock::time_point now);               // forgets sessions that have been idle for too long
+    void stop_opening();                              // draining: no new sessions from here on
+    void close_all();
+
+    [[nodiscard]] std::vector<std::shared_ptr<Session>> all() const;
+
+private:
+    const Services& services_;
+    mutable std::mutex mutex_;
+    std::map<std::string, std::shared_ptr<Session>> sessions_;
+    std::map<std::uint32_t, std::weak_ptr<View>> views_;
+    std::uint32_t last_view_ = 0;
+    bool stopped_ = false;
+};
+
+} // namespace ciel::session

@@ -1,0 +1,149 @@
+#include "session/view.hpp"
+
+#include "protocol/json.hpp"
+#include "session/frame_loop.hpp"
+#include "session/notify.hpp"
+#include "session/picture.hpp"
+
+namespace ciel::session {
+namespace {
+
+constexpr std::chrono::milliseconds quiet{150};    // without a change before a still is drawn: a pause of the hand
+constexpr std::chrono::milliseconds patience{500}; // younger interactive work is finished, though superseded
+
+} // namespace
+
+View::View(std::uint32_t id, std::shared_ptr<Session> session, std::shared_ptr<Connection> connection,
+           const Services& services, ViewSize size, Stream stream)
+    : id_(id), session_(std::move(session)), connection_(std::move(connection)), services_(services), size_(size),
+      stream_(stream) {}
+
+void View::offer(std::shared_ptr<const SceneVersion> version) {
+    const std::scoped_lock lock(mutex_);
+    if (newest_ && version->revision < newest_->revision) return;
+    newest_ = version;
+    mailbox_.put(std::move(version));
+    still_wanted_ = nullptr;
+    quiet_until_ = Clock::now() + quiet;
+    if (working_ && (working_on_still_ || (!gave_up_ && Clock::now() - started_ > patience))) stop_.request_stop();
+    schedule();
+}
+
+void View::again() {
+    if (!newest_) return;
+    mailbox_.put(newest_);
+    still_wanted_ = nullptr;
+    content_.clear();
+    if (working_) stop_.request_stop();
+    schedule();
+}
+
+void View::resize(ViewSize size) {
+    const std::scoped_lock lock(mutex_);
+    size_ = size;
+    again();
+}
+
+void View::set_stream(Stream stream) {
+    const std::scoped_lock lock(mutex_);
+    if (stream_ == stream) return;
+    stream_ = stream;
+    again();
+}
+
+void View::acknowledge(std::uint32_t frame) {
+    const std::scoped_lock lock(mutex_);
+    if (frame > sent_) return; // not sent yet: nothing to acknowledge
+    acknowledged_ = std::max(acknowledged_, frame);
+    schedule();
+}
+
+void View::close() {
+    const std::scoped_lock lock(mutex_);
+    closed_ = true;
+    stop_.request_stop();
+}
+
+void View::schedule() {
+    if (closed_ || working_ || queued_ || !has_room()) return;
+    const std::weak_ptr<View> weak = weak_from_this();
+    if (!mailbox_.empty()) {
+        queued_ = services_.workers.post([weak](Worker& worker) {
+            if (const auto view = weak.lock()) show_frame(*view, worker, false);
+        });
+    } else if (still_wanted_ && !still_queued_) {
+        still_queued_ = services_.workers.post_later(quiet_until_, [weak](Worker& worker) {
+            if (const auto view = weak.lock()) show_frame(*view, worker, true);
+        });
+    }
+}
+
+std::optional<FrameRequest> View::take(bool still) {
+    const std::scoped_lock lock(mutex_);
+    (still ? still_queued_ : queued_) = false;
+    const bool due = still ? still_wanted_ && !queued_ && Clock::now() >= quiet_until_ : !mailbox_.empty();
+    if (closed_ || working_ || !has_room() || !due) {
+        schedule();
+        return {};
+    }
+    FrameRequest request{still ? still_wanted_ : *mailbox_.take(), size_, stream_, still, {}, Clock::now()};
+    stop_ = std::stop_source();
+    request.stop = stop_.get_token();
+    started_ = request.started;
+    working_ = true;
+    working_on_still_ = still;
+    return request;
+}
+
+void View::deliver(const FrameRequest& request, std::vector<std::vector<std::uint8_t>> messages,
+                   const FrameTimes& times) {
+    std::unique_lock lock(mutex_);
+    std::size_t bytes = 0;
+    if (!closed_ && !messages.empty()) {
+        ++sent_;
+        for (auto& message : messages) {
+            number_frame(message, sent_);
+            bytes += message.size();
+            connection_->send_binary(std::make_shared<const std::vector<std::uint8_t>>(std::move(message)));
+        }
+    }
+    still_wanted_ = nullptr;
+    if (!request.still && request.stream == Stream::image && mailbox_.empty()) still_wanted_ = request.version;
+    gave_up_ = false;
+    finish();
+    lock.unlock();
+    if (bytes > 0) services_.metrics.count_frame(request.still, bytes, times);
+}
+
+void View::give_up() {
+    services_.metrics.count_cancelled_frame();
+    const std::scoped_lock lock(mutex_);
+    gave_up_ = !working_on_still_;
+    finish();
+}
+
+void View::fail(const FrameRequest& request, const std::string& sentence) {
+    services_.metrics.count_failed_frame();
+    const std::scoped_lock lock(mutex_);
+    still_wanted_ = nullptr;
+    content_.clear();
+    if (!closed_) {
+        const protocol::ViewFailed note{id_, static_cast<std::int64_t>(request.version->revision), sentence};
+        connection_->send_text(notification_text(note));
+    }
+    finish();
+}
+
+void View::finish() {
+    working_ = false;
+    schedule();
+}
+
+bool View::is_new_content(ContentKey key) {
+    const std::scoped_lock lock(mutex_);
+    if (key == content_) return false;
+    content_ = std::move(key);
+    return true;
+}
+
+} // namespace ciel::session

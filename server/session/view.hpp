@@ -1,0 +1,84 @@
+// A stream of frames of one session to one connection: which scene is drawn next, and when.
+#pragma once
+
+#include "session/mailbox.hpp"
+#include "session/services.hpp"
+#include "session/session.hpp"
+
+#include <memory>
+#include <stop_token>
+
+namespace ciel::session {
+
+enum class Stream { image, geometry };
+
+struct ViewSize {
+    std::uint32_t width = 0, height = 0;
+};
+
+// What a worker is asked to show.
+struct FrameRequest {
+    std::shared_ptr<const SceneVersion> version;
+    ViewSize size;
+    Stream stream = Stream::image;
+    bool still = false;
+    std::stop_token stop;
+    Clock::time_point started;
+};
+
+// What identifies the content of a geometry frame: a camera change alone sends none.
+using ContentKey = std::string;
+
+// Thread-safe. The newest scene waits in a mailbox until a worker is free and at most one frame less than the limit is
+// unacknowledged. When nothing newer has come for a moment, the shown picture is followed by its still.
+class View : public std::enable_shared_from_this<View> {
+public:
+    View(std::uint32_t id, std::shared_ptr<Session> session, std::shared_ptr<Connection> connection,
+         const Services& services, ViewSize size, Stream stream);
+
+    [[nodiscard]] std::uint32_t id() const { return id_; }
+    [[nodiscard]] std::uint64_t connection_id() const { return connection_->id; }
+    [[nodiscard]] Session& session() const { return *session_; }
+
+    void offer(std::shared_ptr<const SceneVersion> version);
+    void resize(ViewSize size);
+    void set_stream(Stream stream);
+    void acknowledge(std::uint32_t frame); // and all before it
+    void close();
+
+    // For the frame loop, which follows a take() that returned something by exactly one of the other three.
+    [[nodiscard]] std::optional<FrameRequest> take(bool still);
+    // `messages` in order; their headers get the frame number. Empty: nothing new to see.
+    void deliver(const FrameRequest& request, std::vector<std::vector<std::uint8_t>> messages, const FrameTimes& times);
+    void give_up(); // superseded
+    void fail(const FrameRequest& request, const std::string& sentence);
+
+    // True, and remembered, when it differs from the last geometry frame's.
+    [[nodiscard]] bool is_new_content(ContentKey key);
+
+private:
+    void again();  // REQUIRES: the lock; the same scene, because size or stream changed
+    void finish(); // REQUIRES: the lock
+    void schedule();
+    [[nodiscard]] bool has_room() const { return sent_ - acknowledged_ < services_.limits.unacknowledged_frames; }
+
+    const std::uint32_t id_;
+    const std::shared_ptr<Session> session_;
+    const std::shared_ptr<Connection> connection_;
+    const Services& services_;
+
+    std::mutex mutex_;
+    ViewSize size_;
+    Stream stream_;
+    Mailbox<std::shared_ptr<const SceneVersion>> mailbox_;
+    std::shared_ptr<const SceneVersion> newest_;       // last offered
+    std::shared_ptr<const SceneVersion> still_wanted_; // shown, and no still of it yet
+    std::stop_source stop_;                            // of the work under way
+    Clock::time_point started_, quiet_until_;
+    bool queued_ = false, working_ = false, working_on_still_ = false, still_queued_ = false, closed_ = false;
+    bool gave_up_ = false; // the last interactive frame: the next is not cancelled, or a steady drag would show nothing
+    std::uint32_t sent_ = 0, acknowledged_ = 0;
+    ContentKey content_;
+};
+
+} // namespace ciel::session
