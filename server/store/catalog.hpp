@@ -5,7 +5,6 @@
 #include "store/loaded.hpp"
 
 #include <functional>
-#include <mutex>
 
 namespace ciel::store {
 
@@ -19,7 +18,8 @@ struct CatalogEntry {
 class Catalog {
 public:
     // Each path is a NAME.ciel directory or a folder that holds some (those are found again on every list()).
-    explicit Catalog(std::vector<std::filesystem::path> paths);
+    // Throws Error for a path that does not exist or is a file. A name that comes twice gets a number.
+    explicit Catalog(std::vector<std::filesystem::path> paths, std::size_t field_budget_bytes = std::size_t{4} << 30);
     ~Catalog();
 
     [[nodiscard]] std::vector<CatalogEntry> list() const;
@@ -27,7 +27,8 @@ public:
     [[nodiscard]] std::shared_ptr<LoadedDataset> open(const std::string& name);
 
     // Looks for steps appended by other processes, about once a second, and calls on_change(dataset name) from a thread
-    // of its own. Ends when the returned handle is destroyed.
+    // of its own; also when a dataset was replaced by another (open() then gives the new one). Ends when the returned
+    // handle is destroyed, which must happen before the catalog is, and never from within on_change.
     [[nodiscard]] std::shared_ptr<void> watch(std::function<void(const std::string&)> on_change);
 
 private:

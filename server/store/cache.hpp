@@ -1,0 +1,52 @@
+// Least recently used, by bytes. Thread-safe.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <list>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <unordered_map>
+
+namespace ciel::store {
+
+class Cache {
+public:
+    struct Made {
+        std::shared_ptr<const void> value;
+        std::size_t bytes = 0;
+    };
+
+    explicit Cache(std::size_t budget_bytes) : budget_(budget_bytes) {}
+
+    // What is kept under `key`, else what `make` returns: called once even when several threads ask, and outside any
+    // lock that another key needs. What somebody still uses lives on after it was dropped from here.
+    template <typename T>
+    [[nodiscard]] std::shared_ptr<const T> get(const std::string& key, const std::function<Made()>& make) {
+        return std::static_pointer_cast<const T>(get_erased(key, make));
+    }
+    [[nodiscard]] std::size_t bytes() const;
+
+private:
+    struct Slot {
+        std::mutex making;
+        Made made;
+    };
+    struct Entry {
+        std::shared_ptr<Slot> slot;
+        std::list<std::string>::iterator age;
+        std::size_t bytes = 0;
+    };
+
+    [[nodiscard]] std::shared_ptr<const void> get_erased(const std::string& key, const std::function<Made()>& make);
+    [[nodiscard]] std::shared_ptr<Slot> slot(const std::string& key);
+    void account(const std::string& key, const Slot& slot);
+
+    mutable std::mutex mutex_;
+    std::size_t budget_, bytes_ = 0;
+    std::list<std::string> ages_; // newest first
+    std::unordered_map<std::string, Entry> entries_;
+};
+
+} // namespace ciel::store

@@ -1,0 +1,209 @@
+#include "store/catalog.hpp"
+
+#include "store/documents.hpp"
+#include "store/files.hpp"
+#include "store/layout.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <condition_variable>
+#include <mutex>
+#include <sys/stat.h>
+#include <thread>
+#include <tuple>
+
+namespace ciel::store {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Changes whenever the commit marker is replaced.
+using Stamp = std::tuple<ino_t, off_t, std::int64_t, std::int64_t>;
+
+Stamp stamp_of(const fs::path& dataset) {
+    struct stat status {};
+    if (::stat((dataset / layout::commit_marker).c_str(), &status) != 0) return {};
+    return {status.st_ino, status.st_size, status.st_mtim.tv_sec, status.st_mtim.tv_nsec};
+}
+
+bool looks_like_dataset(const fs::path& path) {
+    std::error_code error;
+    if (path.filename().string().starts_with(".") || !fs::is_directory(path, error)) return false;
+    return path.extension() == ".ciel" || fs::exists(path / layout::commit_marker, error);
+}
+
+std::string plain_name(const fs::path& dataset) {
+    return dataset.extension() == ".ciel" ? dataset.stem().string() : dataset.filename().string();
+}
+
+struct Known {
+    fs::path directory;
+    std::string problem;
+    Stamp examined{}; // the marker that `problem` is about
+    std::shared_ptr<LoadedDataset> loaded;
+    Stamp loaded_stamp{};
+    std::shared_ptr<std::mutex> opening = std::make_shared<std::mutex>();
+};
+
+} // namespace
+
+struct Catalog::State {
+    std::vector<fs::path> roots;
+    std::size_t field_budget = 0;
+    mutable std::mutex mutex;
+    std::map<std::string, Known> known; // by name
+
+    void learn(const fs::path& directory) {
+        for (const auto& [name, each] : known)
+            if (each.directory == directory) return;
+        const std::string plain = plain_name(directory);
+        std::string name = plain;
+        for (int number = 2; known.count(name) > 0; ++number) name = plain + "-" + std::to_string(number);
+        known[name].directory = directory;
+    }
+
+    // A name once given stays with its directory as long as that exists.
+    void scan() {
+        std::erase_if(known, [](const auto& entry) { return !looks_like_dataset(entry.second.directory); });
+        for (const fs::path& root : roots) {
+            if (looks_like_dataset(root)) {
+                learn(root);
+                continue;
+            }
+            std::error_code error;
+            std::vector<fs::path> found;
+            for (const auto& entry : fs::directory_iterator(root, error))
+                if (looks_like_dataset(entry.path())) found.push_back(entry.path());
+            std::sort(found.begin(), found.end());
+            for (const fs::path& path : found) learn(path);
+        }
+    }
+
+    static void examine(Known& entry) {
+        const Stamp now = stamp_of(entry.directory);
+        if (entry.loaded || (now == entry.examined && now != Stamp{})) return;
+        entry.examined = now;
+        try {
+            (void)read_documents(entry.directory);
+            entry.problem.clear();
+        } catch (const std::exception& error) {
+            entry.problem = error.what();
+        }
+    }
+
+    [[nodiscard]] std::string names() const {
+        std::string text;
+        for (const auto& [name, entry] : known) text += (text.empty() ? "" : ", ") + name;
+        return text.empty() ? "none" : text;
+    }
+
+    void poll(const std::function<void(const std::string&)>& on_change);
+};
+
+Catalog::Catalog(std::vector<fs::path> paths, std::size_t field_budget_bytes) : state_(std::make_unique<State>()) {
+    for (fs::path& path : paths) {
+        path = fs::absolute(path).lexically_normal();
+        if (!path.has_filename()) path = path.parent_path();
+        std::error_code error;
+        if (!fs::exists(path, error)) refuse(path, "does not exist");
+        if (!fs::is_directory(path, error)) refuse(path, "is a file; turn it into a dataset with 'ciel import'");
+    }
+    state_->roots = std::move(paths);
+    state_->field_budget = field_budget_bytes;
+    state_->scan();
+}
+
+Catalog::~Catalog() = default;
+
+std::vector<CatalogEntry> Catalog::list() const {
+    const std::lock_guard lock(state_->mutex);
+    state_->scan();
+    std::vector<CatalogEntry> entries;
+    for (auto& [name, entry] : state_->known) {
+        State::examine(entry);
+        entries.push_back({name, entry.directory, entry.problem});
+    }
+    return entries;
+}
+
+std::shared_ptr<LoadedDataset> Catalog::open(const std::string& name) {
+    fs::path directory;
+    std::shared_ptr<std::mutex> opening;
+    {
+        const std::lock_guard lock(state_->mutex);
+        if (state_->known.count(name) == 0) state_->scan();
+        const auto found = state_->known.find(name);
+        if (found == state_->known.end())
+            throw Error("there is no dataset '" + name + "'; there are: " + state_->names());
+        if (found->second.loaded) return found->second.loaded;
+        directory = found->second.directory;
+        opening = found->second.opening;
+    }
+    // Opening may take long: others are served meanwhile, and who wants the same waits for this one.
+    const std::lock_guard one_at_a_time(*opening);
+    {
+        const std::lock_guard lock(state_->mutex);
+        if (const auto found = state_->known.find(name); found != state_->known.end() && found->second.loaded)
+            return found->second.loaded;
+    }
+    const Stamp stamp = stamp_of(directory);
+    std::shared_ptr<LoadedDataset> loaded;
+    std::string problem;
+    std::exception_ptr failure;
+    try {
+        loaded = std::make_shared<LoadedDataset>(Dataset::open(directory), state_->field_budget);
+    } catch (const std::exception& error) {
+        problem = error.what();
+        failure = std::current_exception();
+    }
+    const std::lock_guard lock(state_->mutex);
+    if (const auto found = state_->known.find(name); found != state_->known.end()) {
+        Known& entry = found->second;
+        entry.loaded = loaded;
+        entry.problem = problem;
+        entry.examined = entry.loaded_stamp = stamp;
+    }
+    if (failure) std::rethrow_exception(failure);
+    return loaded;
+}
+
+void Catalog::State::poll(const std::function<void(const std::string&)>& on_change) {
+    std::vector<std::pair<std::string, std::shared_ptr<LoadedDataset>>> changed;
+    {
+        const std::lock_guard lock(mutex);
+        for (auto& [name, entry] : known) {
+            if (!entry.loaded) continue;
+            const Stamp now = stamp_of(entry.directory);
+            if (now == entry.loaded_stamp) continue;
+            entry.loaded_stamp = now;
+            changed.emplace_back(name, entry.loaded);
+        }
+    }
+    for (const auto& [name, loaded] : changed) {
+        bool tell = true;
+        try {
+            tell = loaded->refresh();
+        } catch (const std::exception&) { // replaced or damaged: the next open() says which
+            const std::lock_guard lock(mutex);
+            if (const auto found = known.find(name); found != known.end() && found->second.loaded == loaded) {
+                found->second.loaded = nullptr;
+                found->second.examined = {};
+            }
+        }
+        if (tell) on_change(name);
+    }
+}
+
+std::shared_ptr<void> Catalog::watch(std::function<void(const std::string&)> on_change) {
+    return std::make_shared<std::jthread>([this, on_change = std::move(on_change)](const std::stop_token& stop) {
+        std::mutex mutex;
+        std::condition_variable_any wake;
+        while (!stop.stop_requested()) {
+            state_->poll(on_change);
+            std::unique_lock lock(mutex);
+            wake.wait_for(lock, stop, std::chrono::seconds(1), [] { return false; });
+        }
+    });
+}
+
+} // namespace ciel::store

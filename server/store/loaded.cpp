@@ -1,0 +1,190 @@
+#include "store/loaded.hpp"
+
+#include "store/cache.hpp"
+
+#include <cmath>
+#include <mutex>
+#include <sstream>
+
+namespace ciel::store {
+namespace {
+
+// A Field refers to its topology, so it is kept together with it.
+struct KeptField {
+    std::shared_ptr<const Topology> topology;
+    Field field;
+};
+
+// Values in block order, with the block borders' duplicates, and the gradients that a picture with normals makes.
+std::size_t field_bytes(std::uint64_t vertices) { return vertices * (2 * sizeof(float) + sizeof(Vec3f)); }
+
+std::vector<float> one_scalar(std::span<const float> values, std::size_t components, const ScalarName& scalar) {
+    std::vector<float> result(values.size() / components);
+    for (std::size_t i = 0; i < result.size(); ++i) {
+        const auto tuple = values.subspan(i * components, components);
+        if (scalar.magnitude) {
+            double squares = 0;
+            for (const float v : tuple) squares += double{v} * v;
+            result[i] = static_cast<float>(std::sqrt(squares));
+        } else {
+            result[i] = tuple[static_cast<std::size_t>(scalar.component.value_or(0))];
+        }
+    }
+    return result;
+}
+
+std::string step_key(const char* kind, const std::string& name, std::size_t step) {
+    return std::string(kind) + "/" + std::to_string(step) + "/" + name;
+}
+
+std::string times_written(const Dataset& dataset, const std::string& array) {
+    constexpr std::size_t most = 5;
+    std::ostringstream text;
+    std::size_t found = 0;
+    for (const Step& step : dataset.steps())
+        if (step.arrays.count(array) > 0 && ++found <= most) text << (found > 1 ? ", " : "") << step.time;
+    if (found > most) text << " and " << found - most << " more";
+    return text.str();
+}
+
+} // namespace
+
+struct LoadedDataset::State {
+    State(std::shared_ptr<Dataset> first, std::size_t budget) : dataset(std::move(first)), fields(budget) {}
+
+    struct MeshSlot {
+        std::mutex making;
+        std::shared_ptr<const Topology> topology;
+    };
+
+    [[nodiscard]] std::shared_ptr<Dataset> current() const {
+        const std::lock_guard lock(mutex);
+        return dataset;
+    }
+
+    [[nodiscard]] std::shared_ptr<MeshSlot> slot(std::size_t mesh) {
+        const std::lock_guard lock(mutex);
+        auto& found = meshes[mesh];
+        if (!found) found = std::make_shared<MeshSlot>();
+        return found;
+    }
+
+    // The values of a point array at a step; throws when there are none.
+    [[nodiscard]] static std::span<const float> written(const Dataset& dataset, const std::string& array,
+                                                        std::size_t step) {
+        if (dataset.find(array)->association == Association::cell)
+            throw Error("'" + array + "' is an array on cells; choose an array on points");
+        const auto values = dataset.values(array, step);
+        if (values.empty()) {
+            std::ostringstream time;
+            time << dataset.steps()[step].time;
+            throw Error("'" + array + "' was not written at time " + time.str() + "; it was at " +
+                        times_written(dataset, array));
+        }
+        return values;
+    }
+
+    [[nodiscard]] static const Step& step_of(const Dataset& dataset, std::size_t step) {
+        if (step >= dataset.steps().size())
+            throw Error("dataset '" + dataset.info().name + "' has no step " + std::to_string(step) + "; it has " +
+                        std::to_string(dataset.steps().size()));
+        return dataset.steps()[step];
+    }
+
+    [[nodiscard]] ScalarField field(const std::shared_ptr<Dataset>& of, std::size_t step, const std::string& key,
+                                    const std::shared_ptr<const Topology>& topology,
+                                    const std::function<std::shared_ptr<const std::vector<float>>()>& make_values,
+                                    std::span<const float> mapped) {
+        const Step& at = of->steps()[step];
+        const FaceMeshView mesh = of->mesh(at.mesh, at.coordinates);
+        const auto kept = fields.get<KeptField>(key, [&]() -> Cache::Made {
+            if (!mapped.empty())
+                return {std::make_shared<KeptField>(KeptField{topology, Field(*topology, mapped, of)}),
+                        field_bytes(mesh.vertex_count())};
+            const auto made = make_values();
+            return {std::make_shared<KeptField>(KeptField{topology, Field(*topology, *made, made)}),
+                    field_bytes(mesh.vertex_count()) + made->size() * sizeof(float)};
+        });
+        // The field's own topology: a key may have been filled by an earlier refresh of the dataset.
+        return {kept->topology, {kept, &kept->field}, mesh, of};
+    }
+
+    mutable std::mutex mutex;
+    std::shared_ptr<Dataset> dataset;
+    std::map<std::size_t, std::shared_ptr<MeshSlot>> meshes;
+    std::mutex refreshing;
+    Cache fields;
+};
+
+LoadedDataset::LoadedDataset(std::shared_ptr<Dataset> dataset, std::size_t field_budget_bytes)
+    : state_(std::make_unique<State>(std::move(dataset), field_budget_bytes)) {}
+
+LoadedDataset::~LoadedDataset() = default;
+
+std::shared_ptr<Dataset> LoadedDataset::dataset() const { return state_->current(); }
+
+bool LoadedDataset::refresh() {
+    const std::lock_guard one_at_a_time(state_->refreshing);
+    auto now = state_->current()->refreshed();
+    if (!now) return false;
+    const std::lock_guard lock(state_->mutex);
+    state_->dataset = std::move(now);
+    return true;
+}
+
+std::shared_ptr<const Topology> LoadedDataset::topology(std::size_t mesh) {
+    const auto slot = state_->slot(mesh);
+    const std::lock_guard making(slot->making);
+    if (!slot->topology) slot->topology = std::make_shared<const Topology>(state_->current()->mesh(mesh, 0));
+    return slot->topology;
+}
+
+ScalarField LoadedDataset::scalar(const std::string& name, std::size_t step) {
+    const auto of = state_->current();
+    const Step& at = State::step_of(*of, step);
+    const ScalarName scalar = parse_scalar(*of, name);
+    const auto values = State::written(*of, scalar.array, step);
+    const bool as_it_is = !scalar.magnitude && !scalar.component;
+    return state_->field(
+        of, step, step_key("field", name, step), topology(at.mesh), [&] { return scalar_values(name, step); },
+        as_it_is ? values : std::span<const float>());
+}
+
+std::shared_ptr<const std::vector<float>> LoadedDataset::scalar_values(const std::string& name, std::size_t step) {
+    const auto of = state_->current();
+    (void)State::step_of(*of, step);
+    const ScalarName scalar = parse_scalar(*of, name);
+    const auto values = State::written(*of, scalar.array, step);
+    return state_->fields.get<std::vector<float>>(step_key("values", name, step), [&]() -> Cache::Made {
+        const auto components = static_cast<std::size_t>(of->find(scalar.array)->components);
+        return {std::make_shared<std::vector<float>>(one_scalar(values, components, scalar)),
+                values.size_bytes() / components};
+    });
+}
+
+ScalarField LoadedDataset::plane(std::size_t step, Vec3d origin, Vec3d normal) {
+    const auto of = state_->current();
+    const Step& at = State::step_of(*of, step);
+    std::ostringstream key; // the same plane at another step of the same mesh is the same field
+    key << "plane/" << at.mesh << '/' << at.coordinates << std::hexfloat;
+    for (const double x : {origin[0], origin[1], origin[2], normal[0], normal[1], normal[2]}) key << '/' << x;
+    return state_->field(of, step, key.str(), topology(at.mesh),
+                         [&] {
+                             return std::make_shared<const std::vector<float>>(
+                                 plane_distance(of->mesh(at.mesh, at.coordinates), origin, normal));
+                         },
+                         {});
+}
+
+std::size_t LoadedDataset::memory_bytes() const {
+    std::size_t bytes = state_->fields.bytes();
+    const std::lock_guard lock(state_->mutex);
+    for (const auto& [index, slot] : state_->meshes) {
+        // try_lock: a topology under construction is not waited for.
+        const std::unique_lock made(slot->making, std::try_to_lock);
+        if (made && slot->topology) bytes += slot->topology->memory_bytes();
+    }
+    return bytes;
+}
+
+} // namespace ciel::store
