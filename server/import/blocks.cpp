@@ -1,0 +1,137 @@
+#include "import/blocks.hpp"
+
+#include <algorithm>
+#include <map>
+#include <vtkCellType.h>
+#include <vtkCellTypes.h>
+#include <vtkCompositeDataSet.h>
+#include <vtkGenericCell.h>
+#include <vtkImageData.h>
+#include <vtkInformation.h>
+#include <vtkMultiBlockDataSet.h>
+#include <vtkNew.h>
+#include <vtkPartitionedDataSet.h>
+#include <vtkPartitionedDataSetCollection.h>
+#include <vtkPolyData.h>
+#include <vtkRectilinearGrid.h>
+#include <vtkStructuredGrid.h>
+#include <vtkUnstructuredGrid.h>
+
+namespace ciel::importer {
+
+namespace {
+
+struct Leaf {
+    std::vector<std::string> path;
+    vtkSmartPointer<vtkDataSet> data;
+    int dimension = 0;
+};
+
+int dimension_of(vtkUnstructuredGrid* grid) {
+    vtkNew<vtkGenericCell> cell;
+    vtkNew<vtkCellTypes> types;
+    grid->GetCellTypes(types);
+    int dimension = 0;
+    for (vtkIdType i = 0; i < types->GetNumberOfTypes(); ++i) {
+        const int type = types->GetCellType(i);
+        if (type == VTK_EMPTY_CELL) continue;
+        if (type == VTK_CONVEX_POINT_SET) return 3;
+        cell->SetCellType(type);
+        dimension = std::max(dimension, cell->GetCellDimension());
+    }
+    return dimension;
+}
+
+template <typename Grid>
+int dimension_of_grid(Grid* grid) {
+    int dims[3];
+    grid->GetDimensions(dims);
+    return static_cast<int>(std::count_if(dims, dims + 3, [](int n) { return n > 1; }));
+}
+
+int dimension_of(vtkDataSet* data) {
+    if (data->GetNumberOfCells() == 0) return 0;
+    if (auto* grid = vtkUnstructuredGrid::SafeDownCast(data)) return dimension_of(grid);
+    if (auto* grid = vtkStructuredGrid::SafeDownCast(data)) return dimension_of_grid(grid);
+    if (auto* grid = vtkRectilinearGrid::SafeDownCast(data)) return dimension_of_grid(grid);
+    if (auto* grid = vtkImageData::SafeDownCast(data)) return dimension_of_grid(grid);
+    if (auto* surface = vtkPolyData::SafeDownCast(data)) return surface->GetNumberOfPolys() > 0 ? 2 : 1;
+    return 0;
+}
+
+void walk(vtkDataObject* data, std::vector<std::string>& path, std::vector<Leaf>& leaves);
+
+void walk_child(vtkDataObject* child, vtkInformation* information, unsigned index, std::vector<std::string>& path,
+                std::vector<Leaf>& leaves) {
+    if (child == nullptr) return;
+    const bool named = information != nullptr && information->Has(vtkCompositeDataSet::NAME()) != 0;
+    const char* name = named ? information->Get(vtkCompositeDataSet::NAME()) : nullptr;
+    path.emplace_back(name != nullptr && *name != '\0' ? std::string(name) : std::to_string(index));
+    walk(child, path, leaves);
+    path.pop_back();
+}
+
+void walk(vtkDataObject* data, std::vector<std::string>& path, std::vector<Leaf>& leaves) {
+    if (auto* set = vtkDataSet::SafeDownCast(data)) {
+        leaves.push_back({path, set, dimension_of(set)});
+    } else if (auto* blocks = vtkMultiBlockDataSet::SafeDownCast(data)) {
+        for (unsigned i = 0; i < blocks->GetNumberOfBlocks(); ++i)
+            walk_child(blocks->GetBlock(i), blocks->HasMetaData(i) != 0 ? blocks->GetMetaData(i) : nullptr, i, path,
+                       leaves);
+    } else if (auto* collection = vtkPartitionedDataSetCollection::SafeDownCast(data)) {
+        for (unsigned i = 0; i < collection->GetNumberOfPartitionedDataSets(); ++i)
+            walk_child(collection->GetPartitionedDataSet(i),
+                       collection->HasMetaData(i) != 0 ? collection->GetMetaData(i) : nullptr, i, path, leaves);
+    } else if (auto* pieces = vtkPartitionedDataSet::SafeDownCast(data)) { // multi-piece data sets too
+        for (unsigned i = 0; i < pieces->GetNumberOfPartitions(); ++i)
+            walk_child(pieces->GetPartitionAsDataObject(i),
+                       pieces->HasMetaData(i) != 0 ? pieces->GetMetaData(i) : nullptr, i, path, leaves);
+    }
+}
+
+std::string name_with_parents(const Leaf& leaf, std::size_t depth) {
+    std::string name;
+    const std::size_t first = leaf.path.size() - std::min(depth, leaf.path.size());
+    for (std::size_t i = first; i < leaf.path.size(); ++i) {
+        if (!name.empty()) name += '/';
+        name += leaf.path[i];
+    }
+    return name;
+}
+
+std::vector<Block> named(const std::vector<const Leaf*>& leaves) {
+    std::size_t deepest = 1;
+    for (const Leaf* leaf : leaves) deepest = std::max(deepest, leaf->path.size());
+    std::vector<Block> blocks;
+    std::map<std::string, int> used;
+    for (const Leaf* leaf : leaves) {
+        std::size_t depth = 1;
+        const auto taken = [&] {
+            const std::string name = name_with_parents(*leaf, depth);
+            return std::count_if(leaves.begin(), leaves.end(),
+                                 [&](const Leaf* other) { return name_with_parents(*other, depth) == name; }) > 1;
+        };
+        while (depth < deepest && leaves.size() < 1000 && taken()) ++depth;
+        std::string name = name_with_parents(*leaf, depth);
+        if (const int earlier = used[name]++; earlier > 0) name.append(" ").append(std::to_string(earlier + 1));
+        blocks.push_back({std::move(name), leaf->data});
+    }
+    return blocks;
+}
+
+} // namespace
+
+Blocks collect_blocks(vtkDataObject* data) {
+    std::vector<Leaf> leaves;
+    std::vector<std::string> path;
+    walk(data, path, leaves);
+    std::vector<const Leaf*> volumes;
+    std::vector<const Leaf*> surfaces;
+    for (const Leaf& leaf : leaves) {
+        if (leaf.dimension == 3) volumes.push_back(&leaf);
+        if (leaf.dimension == 2) surfaces.push_back(&leaf);
+    }
+    return {named(volumes), named(surfaces)};
+}
+
+} // namespace ciel::importer

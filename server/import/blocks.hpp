@@ -1,0 +1,26 @@
+// What a reader gave, flattened: the data sets that hold cells, with names.
+#pragma once
+
+#include <string>
+#include <vector>
+#include <vtkDataObject.h>
+#include <vtkDataSet.h>
+#include <vtkSmartPointer.h>
+
+namespace ciel::importer {
+
+struct Block {
+    std::string name;
+    vtkSmartPointer<vtkDataSet> data;
+};
+
+struct Blocks {
+    std::vector<Block> volumes;  // hold at least one cell of dimension 3 (and maybe others)
+    std::vector<Block> surfaces; // only cells of dimension 2: patches, side sets
+};
+
+// Empty data sets and those of points and lines are left out. Names are unique: a data set's own name, with its
+// parents' where that is not enough.
+[[nodiscard]] Blocks collect_blocks(vtkDataObject* data);
+
+} // namespace ciel::importer

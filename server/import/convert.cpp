@@ -1,0 +1,129 @@
+#include "import/convert.hpp"
+
+#include "import/fingerprint.hpp"
+#include "import/progress.hpp"
+#include "import/step_arrays.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <optional>
+#include <set>
+
+namespace ciel::importer {
+
+namespace {
+
+class Converter {
+public:
+    Converter(Source& source, const Options& options)
+        : source_(source), options_(options), arrays_(options.arrays, source.units()) {}
+
+    ConvertResult run() {
+        const std::vector<double>& times = source_.times();
+        for (step_ = 0; step_ < times.size(); ++step_) add_step(times[step_]);
+        arrays_.check_selection();
+        tell(1.0, "finishing");
+        writer_->finish();
+        return std::move(result_);
+    }
+
+private:
+    // `phase_share`: how much of this step is done.
+    void tell(double phase_share, const std::string& what) const {
+        const auto steps = static_cast<double>(source_.times().size());
+        const double done = std::min((static_cast<double>(step_) + phase_share) / steps, 1.0);
+        std::string phase = what;
+        if (steps > 1 && static_cast<double>(step_) < steps)
+            phase.append(", step ")
+                .append(std::to_string(step_ + 1))
+                .append(" of ")
+                .append(std::to_string(source_.times().size()));
+        progress(0.98 * done, phase);
+    }
+
+    void add_step(double time) {
+        if (!std::isfinite(time)) throw Error("time " + std::to_string(step_) + " of the input is not a finite number");
+        if (last_time_ && time <= *last_time_) {
+            note("A second step at time " + std::to_string(time) + " was left out.");
+            return;
+        }
+        last_time_ = time;
+        const auto data = source_.read(step_, [this](double share) { tell(0.5 * share, "reading"); });
+        const Blocks blocks = collect_blocks(data);
+        const Fingerprint print = fingerprint(blocks);
+        if (!writer_ || print.cells != print_.cells)
+            new_mesh(blocks);
+        else
+            same_mesh(blocks, print.positions != print_.positions);
+        print_ = print;
+        tell(0.8, "making arrays");
+        const auto& arrays = arrays_.make(mesh_, blocks, point_maker_);
+        tell(0.9, "writing");
+        writer_->add_step(time, mesh_index_, coordinates_index_, arrays);
+    }
+
+    void new_mesh(const Blocks& blocks) {
+        tell(0.5, "building the mesh");
+        point_maker_.reset();
+        mesh_ = build_step_mesh(blocks, options_.weld);
+        result_.cells += mesh_.input_cells;
+        result_.bad_cells += mesh_.bad_cells;
+        if (!writer_) make_writer();
+        for (const std::string& sentence : mesh_.notes) note(sentence);
+        tell(0.7, "writing the mesh");
+        mesh_index_ = writer_->add_mesh(mesh_.assembled.mesh, mesh_.point_of_vertex, mesh_.cell_of_cell, mesh_.groups);
+        coordinates_index_ = 0;
+    }
+
+    void same_mesh(const Blocks& blocks, bool moved) {
+        update_step_mesh(mesh_, blocks, moved);
+        if (!moved) return;
+        point_maker_.reset();
+        coordinates_index_ = writer_->add_coordinates(mesh_index_, mesh_.assembled.mesh.positions);
+    }
+
+    void make_writer() {
+        store::DatasetHeader header;
+        header.source = source_.format() + ":";
+        for (const std::string& input : options_.inputs) {
+            auto path = std::filesystem::absolute(input).lexically_normal();
+            if (!path.has_filename()) path = path.parent_path();
+            header.source.append(" ").append(path.filename().string());
+        }
+        header.length_units = source_.length_units();
+        header.input_vertices = mesh_.input_vertices;
+        header.input_edges = mesh_.input_edges;
+        header.input_cells = mesh_.input_cells;
+        writer_.emplace(options_.output, header, options_.force);
+        for (const std::string& sentence : source_.notes()) note(sentence);
+    }
+
+    void note(const std::string& sentence) {
+        if (!noted_.insert(sentence).second) return;
+        result_.notes.push_back(sentence);
+        if (writer_) writer_->add_note(sentence);
+    }
+
+    Source& source_;
+    const Options& options_;
+    StepArrays arrays_;
+    std::optional<store::Writer> writer_;
+    StepMesh mesh_;
+    std::unique_ptr<PointMaker> point_maker_;
+    Fingerprint print_;
+    std::size_t step_ = 0, mesh_index_ = 0, coordinates_index_ = 0;
+    std::optional<double> last_time_;
+    std::set<std::string> noted_;
+    ConvertResult result_;
+};
+
+} // namespace
+
+ConvertResult convert(Source& source, const Options& options) {
+    if (!options.force && std::filesystem::exists(options.output))
+        throw Error(options.output + ": exists already; --force replaces it");
+    return Converter(source, options).run();
+}
+
+} // namespace ciel::importer

@@ -1,0 +1,20 @@
+// From an opened input to a dataset on disk.
+#pragma once
+
+#include "import/options.hpp"
+
+namespace ciel::importer {
+
+struct ConvertResult {
+    std::vector<std::string> notes;
+    std::uint64_t cells = 0;
+    std::uint64_t bad_cells = 0;
+};
+
+// Writes options.output. Throws Error; nothing is left then.
+[[nodiscard]] ConvertResult convert(Source& source, const Options& options);
+
+// Prints what the input holds: format, steps, blocks, arrays. Reads the first step only.
+void print_listing(Source& source, const Options& options);
+
+} // namespace ciel::importer

@@ -1,0 +1,84 @@
+// PVD and .series: each time is one file or several, read by the reader of its own format.
+#include "ciel/types.hpp"
+#include "import/formats.hpp"
+#include "import/parsers/index_entry.hpp"
+
+#include <fstream>
+#include <iterator>
+#include <vtkCompositeDataSet.h>
+#include <vtkInformation.h>
+#include <vtkMultiBlockDataSet.h>
+#include <vtkNew.h>
+
+namespace ciel::importer {
+
+namespace {
+
+constexpr std::uintmax_t max_index_bytes = 256U << 20;
+
+class IndexSource : public Source {
+public:
+    IndexSource(std::string file, std::string format, std::vector<IndexEntry> entries, SourceOptions options)
+        : file_(std::move(file)), format_(std::move(format)), options_(std::move(options)) {
+        const auto directory = std::filesystem::path(file_).parent_path();
+        for (IndexEntry& entry : entries) {
+            entry.file = (directory / entry.file).string(); // an absolute name replaces the directory
+            check(entry.file);
+            if (times_.empty() || times_.back() != entry.time) {
+                times_.push_back(entry.time);
+                steps_.emplace_back();
+            }
+            steps_.back().push_back(std::move(entry));
+        }
+    }
+
+    [[nodiscard]] std::string format() const override { return format_; }
+    [[nodiscard]] const std::vector<double>& times() const override { return times_; }
+
+    [[nodiscard]] vtkSmartPointer<vtkDataObject> read(std::size_t step, const ReadProgress& progress) override {
+        const std::vector<IndexEntry>& parts = steps_[step];
+        if (parts.size() == 1) return read_part(parts.front(), progress);
+        vtkNew<vtkMultiBlockDataSet> joined;
+        for (std::size_t i = 0; i < parts.size(); ++i) {
+            const auto data = read_part(parts[i], [&](double share) {
+                progress((static_cast<double>(i) + share) / static_cast<double>(parts.size()));
+            });
+            joined->SetBlock(static_cast<unsigned>(i), data);
+            const std::string name = parts[i].part.empty() ? "part " + std::to_string(i) : parts[i].part;
+            joined->GetMetaData(static_cast<unsigned>(i))->Set(vtkCompositeDataSet::NAME(), name.c_str());
+        }
+        return joined.Get();
+    }
+
+private:
+    void check(const std::string& file) const {
+        if (!std::filesystem::exists(file)) throw Error(file_ + ": names " + file + ", which does not exist");
+        if (find_format(file).open == open_index)
+            throw Error(file_ + ": names " + file + ", which is an index itself; name the data files directly");
+    }
+
+    vtkSmartPointer<vtkDataObject> read_part(const IndexEntry& entry, const ReadProgress& progress) const {
+        const auto source = open_source({entry.file}, options_);
+        return source->read(0, progress);
+    }
+
+    std::string file_;
+    std::string format_;
+    SourceOptions options_;
+    std::vector<double> times_;
+    std::vector<std::vector<IndexEntry>> steps_;
+};
+
+} // namespace
+
+std::unique_ptr<Source> open_index(const Inputs& inputs, const SourceOptions& options) {
+    const std::string& file = inputs.front();
+    if (std::filesystem::file_size(file) > max_index_bytes) throw Error(file + ": is too large for an index file");
+    std::ifstream stream(file, std::ios::binary);
+    const std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+    if (std::filesystem::path(file).extension() == ".series")
+        return std::make_unique<IndexSource>(file, "file series", parse_series(text, file), options);
+    return std::make_unique<IndexSource>(file, "PVD collection", parse_pvd(text, file), options);
+}
+
+} // namespace ciel::importer

@@ -1,0 +1,53 @@
+#include "import/convert.hpp"
+#include "import/fields.hpp"
+#include "import/progress.hpp"
+
+#include <cstdio>
+
+namespace ciel::importer {
+
+namespace {
+
+void print_steps(const std::vector<double>& times) {
+    std::printf("steps   %zu:", times.size());
+    constexpr std::size_t shown = 8;
+    for (std::size_t i = 0; i < times.size(); ++i) {
+        if (times.size() > shown && i == shown - 1) {
+            std::printf(" ... %g", times.back());
+            break;
+        }
+        std::printf(" %g", times[i]);
+    }
+    std::printf("\n");
+}
+
+void print_blocks(const char* title, const std::vector<Block>& blocks) {
+    for (const Block& block : blocks)
+        std::printf("%s %s: %lld points, %lld cells\n", title, block.name.c_str(),
+                    static_cast<long long>(block.data->GetNumberOfPoints()),
+                    static_cast<long long>(block.data->GetNumberOfCells()));
+}
+
+} // namespace
+
+void print_listing(Source& source, const Options& options) {
+    const auto data = source.read(0, [](double share) { progress(share, "reading the first step"); });
+    const Blocks blocks = collect_blocks(data);
+    if (blocks.volumes.empty()) throw Error(options.inputs.front() + ": holds no volume mesh");
+    std::printf("format  %s\n", source.format().c_str());
+    print_steps(source.times());
+    print_blocks("block  ", blocks.volumes);
+    print_blocks("surface", blocks.surfaces);
+    std::vector<JoinedMesh::Part> parts;
+    for (const Block& block : blocks.volumes) parts.push_back({block.name, block.data, 0, 0, 0, 0});
+    const auto units = source.units();
+    for (const FieldName& field : field_names(parts)) {
+        const auto unit = units.find(field.name);
+        const bool known = unit != units.end() && !unit->second.empty();
+        std::printf("array   %s: %s, %d component%s%s%s\n", field.name.c_str(),
+                    field.of == FieldOf::points ? "points" : "cells", field.components,
+                    field.components == 1 ? "" : "s", known ? ", " : "", known ? unit->second.c_str() : "");
+    }
+}
+
+} // namespace ciel::importer

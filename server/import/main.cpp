@@ -1,0 +1,111 @@
+// ciel-import: VTK's readers -> NAME.ciel. Started by `ciel`, which watches over it; every file that is not ours is
+// read here. Standard output: "progress SHARE PHASE" and "note SENTENCE" lines, or a listing. Standard error: one
+// sentence.
+#include "ciel/types.hpp"
+#include "import/convert.hpp"
+#include "import/progress.hpp"
+#include "import/vtk_errors.hpp"
+#include "store/import_options.hpp"
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <exception>
+#include <filesystem>
+#include <iostream>
+#include <new>
+
+namespace {
+
+using ciel::importer::Options;
+
+enum ExitCode : int { done = 0, failed = 1, wrong_usage = 2, cells_left_out = 3 };
+constexpr double most_bad_cells = 0.001; // of all
+
+// The options are declared once, in store/import_options.hpp, for `ciel import` and for this program.
+void add_options(CLI::App& app, ciel::store::ImportValues& values) {
+    for (const ciel::store::ImportOption& option : ciel::store::import_options) {
+        auto& given = values[std::string(option.name)];
+        if (option.value.empty())
+            app.add_flag_callback(
+                std::string(option.names), [&given] { given = {"yes"}; }, std::string(option.help));
+        else
+            app.add_option(std::string(option.names), given, std::string(option.help))
+                ->required(option.required)
+                ->type_name(std::string(option.value));
+    }
+}
+
+Options options_from(ciel::store::ImportValues& values) {
+    const auto flag = [&](const char* name) { return !values[name].empty(); };
+    Options options;
+    options.inputs = values["inputs"];
+    if (!values["output"].empty()) options.output = values["output"].back();
+    options.arrays = values["array"];
+    options.list = flag("list");
+    options.allow_bad = flag("allow-bad");
+    options.force = flag("force");
+    if (!values["plot3d"].empty()) options.source.plot3d = values["plot3d"].back();
+    if (flag("weld") && flag("no-weld")) throw CLI::ValidationError("--weld and --no-weld exclude each other");
+    if (!options.list && options.output.empty()) throw CLI::RequiredError("-o NAME.ciel");
+    if (!options.list && !options.output.ends_with(".ciel"))
+        throw CLI::ValidationError("-o " + options.output + ": the name of a dataset ends in .ciel");
+    if (flag("weld")) options.weld = ciel::importer::Weld::all;
+    if (flag("no-weld")) options.weld = ciel::importer::Weld::none;
+    return options;
+}
+
+int run(const Options& options) {
+    using namespace ciel::importer;
+    install_cancel_handlers();
+    capture_vtk_errors();
+    if (!options.list && !options.force && std::filesystem::exists(options.output))
+        throw ciel::Error(options.output + ": exists already; --force replaces it");
+    const auto source = open_source(options.inputs, options.source);
+    if (options.list) {
+        print_listing(*source, options);
+        return done;
+    }
+    const ConvertResult result = convert(*source, options);
+    for (const std::string& note : result.notes) std::printf("note %s\n", note.c_str());
+    progress(1.0, "done");
+    const bool many_bad = static_cast<double>(result.bad_cells) > most_bad_cells * static_cast<double>(result.cells);
+    if (!many_bad || options.allow_bad) return done;
+    std::fprintf(stderr,
+                 "%s: %llu of %llu cells were left out; the dataset was written without them (--allow-bad accepts "
+                 "that)\n",
+                 options.inputs.front().c_str(), static_cast<unsigned long long>(result.bad_cells),
+                 static_cast<unsigned long long>(result.cells));
+    return cells_left_out;
+}
+
+int run_and_report(const Options& options) {
+    const std::string& input = options.inputs.front();
+    try {
+        return run(options);
+    } catch (const ciel::importer::Cancelled&) {
+        std::cerr << "cancelled\n";
+    } catch (const std::bad_alloc&) {
+        std::cerr << input << ": needs more memory than --memory-limit allows\n";
+    } catch (const ciel::Error& error) {
+        std::cerr << error.what() << '\n';
+    } catch (const std::exception& error) {
+        std::cerr << input << ": cannot be imported: " << error.what() << '\n';
+    }
+    return failed;
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    CLI::App app{"Reads a simulation result and writes a CIEL dataset.", "ciel-import"};
+    ciel::store::ImportValues values;
+    add_options(app, values);
+    Options options;
+    try {
+        app.parse(argc, argv);
+        options = options_from(values);
+    } catch (const CLI::ParseError& error) {
+        return app.exit(error) == 0 ? done : wrong_usage;
+    }
+    return run_and_report(options);
+}

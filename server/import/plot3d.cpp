@@ -1,0 +1,133 @@
+// PLOT3D: a grid and its solutions (one per time step). How the files are laid out is found by plot3d_layout.
+#include "ciel/types.hpp"
+#include "import/formats.hpp"
+#include "import/parsers/plot3d_layout.hpp"
+#include "import/vtk_errors.hpp"
+
+#include <algorithm>
+#include <cstring>
+#include <fstream>
+#include <vtkCommand.h>
+#include <vtkMultiBlockDataSet.h>
+#include <vtkMultiBlockPLOT3DReader.h>
+#include <vtkNew.h>
+
+namespace ciel::importer {
+
+namespace {
+
+constexpr int pressure = 110;
+constexpr int velocity = 200;
+
+std::string read_start(const std::string& file, std::size_t most) {
+    std::ifstream stream(file, std::ios::binary);
+    std::string head(most, '\0');
+    stream.read(head.data(), static_cast<std::streamsize>(head.size()));
+    head.resize(static_cast<std::size_t>(stream.gcount()));
+    return head;
+}
+
+bool is_text(std::string_view head) {
+    return !head.empty() && head.find_first_not_of("0123456789+-.eEdD, \t\r\n") == std::string_view::npos;
+}
+
+std::uint64_t count_numbers(const std::string& file) {
+    std::ifstream stream(file, std::ios::binary);
+    std::uint64_t count = 0;
+    bool inside = false;
+    std::vector<char> buffer(1U << 16);
+    while (stream.read(buffer.data(), static_cast<std::streamsize>(buffer.size())) || stream.gcount() > 0)
+        for (std::streamsize i = 0; i < stream.gcount(); ++i) {
+            const bool space = std::strchr(" \t\r\n,", buffer[static_cast<std::size_t>(i)]) != nullptr;
+            count += !space && !inside ? 1 : 0;
+            inside = !space;
+        }
+    return count;
+}
+
+std::vector<Plot3dLayout> layouts_of(const std::string& file, Plot3dKind kind) {
+    const std::string head = read_start(file, plot3d_head_bytes);
+    if (is_text(head)) return plot3d_text_layouts(head, count_numbers(file), kind);
+    return plot3d_binary_layouts(std::as_bytes(std::span(head)), std::filesystem::file_size(file), kind);
+}
+
+class Plot3dSource : public Source {
+public:
+    Plot3dSource(const Inputs& inputs, const Plot3dLayout& layout) : inputs_(inputs) {
+        reader_->AutoDetectFormatOff();
+        reader_->SetBinaryFile(layout.text ? 0 : 1);
+        reader_->SetByteOrder(layout.big_endian ? vtkMultiBlockPLOT3DReader::FILE_BIG_ENDIAN
+                                                : vtkMultiBlockPLOT3DReader::FILE_LITTLE_ENDIAN);
+        reader_->SetMultiGrid(layout.multi_grid);
+        reader_->SetHasByteCount(layout.byte_counts);
+        reader_->SetDoublePrecision(layout.double_precision);
+        reader_->SetIBlanking(layout.iblank);
+        reader_->SetXYZFileName(inputs[0].c_str());
+        reader_->SetScalarFunctionNumber(-1);
+        reader_->SetVectorFunctionNumber(-1);
+        if (inputs.size() > 1)
+            for (const int function : {pressure, velocity}) reader_->AddFunction(function);
+        for (std::size_t i = 0; i + 1 < std::max<std::size_t>(inputs.size(), 2); ++i)
+            times_.push_back(static_cast<double>(i));
+    }
+
+    [[nodiscard]] std::string format() const override { return "PLOT3D"; }
+    [[nodiscard]] const std::vector<double>& times() const override { return times_; }
+    [[nodiscard]] vtkSmartPointer<vtkDataObject> read(std::size_t step, const ReadProgress& progress) override {
+        progress(0);
+        if (inputs_.size() > 1) reader_->SetQFileName(inputs_[step + 1].c_str());
+        reader_->Update();
+        throw_vtk_errors(inputs_[0]);
+        vtkNew<vtkMultiBlockDataSet> copy;
+        copy->RecursiveShallowCopy(reader_->GetOutput());
+        progress(1);
+        return copy.Get();
+    }
+
+private:
+    Inputs inputs_;
+    vtkNew<vtkMultiBlockPLOT3DReader> reader_;
+    std::vector<double> times_;
+};
+
+// The first grid layout that every solution agrees with.
+Plot3dLayout choose_layout(const Inputs& inputs, const std::string& words) {
+    std::vector<Plot3dLayout> grids = plot3d_restrict(layouts_of(inputs[0], Plot3dKind::grid), words);
+    if (grids.empty())
+        throw Error(inputs[0] + ": is not a PLOT3D grid" + (words.empty() ? "" : " of the layout --plot3d " + words) +
+                    ": its size does not fit its dimensions");
+    for (std::size_t i = 1; i < inputs.size(); ++i) {
+        const std::vector<Plot3dLayout> solutions = layouts_of(inputs[i], Plot3dKind::solution);
+        if (solutions.empty())
+            throw Error(inputs[i] + ": is not a PLOT3D solution (q): its size does not fit its dimensions");
+        std::erase_if(grids, [&](const Plot3dLayout& grid) {
+            return std::none_of(solutions.begin(), solutions.end(),
+                                [&](const Plot3dLayout& solution) { return plot3d_match(grid, solution); });
+        });
+        if (grids.empty())
+            throw Error(inputs[i] + ": does not belong to the grid " + inputs[0] + ": dimensions or byte order differ");
+    }
+    return grids.front();
+}
+
+} // namespace
+
+bool is_plot3d(const Head& head) {
+    if (head.directory) return false;
+    const std::string file = head.path.string();
+    return !layouts_of(file, Plot3dKind::grid).empty() || !layouts_of(file, Plot3dKind::solution).empty();
+}
+
+std::unique_ptr<Source> open_plot3d(const Inputs& inputs, const SourceOptions& options) {
+    Inputs ordered = inputs;
+    for (const std::string& input : inputs)
+        if (!std::filesystem::is_regular_file(input)) throw Error(input + ": there is no such file");
+    // The grid first, in whatever order they were named.
+    std::stable_partition(ordered.begin(), ordered.end(),
+                          [](const std::string& file) { return !layouts_of(file, Plot3dKind::grid).empty(); });
+    if (layouts_of(ordered[0], Plot3dKind::grid).empty())
+        throw Error(ordered[0] + ": is a PLOT3D solution; name its grid (xyz) too");
+    return std::make_unique<Plot3dSource>(ordered, choose_layout(ordered, options.plot3d));
+}
+
+} // namespace ciel::importer

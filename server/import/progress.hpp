@@ -1,0 +1,17 @@
+// Progress and cancelling: one line on standard output per percent or phase, in the form the supervisor parses.
+#pragma once
+
+#include <string>
+
+namespace ciel::importer {
+
+// Thrown from progress() after SIGINT or SIGTERM: unwinding removes what was written aside.
+struct Cancelled {};
+
+// From now on SIGINT and SIGTERM make progress() throw.
+void install_cancel_handlers();
+
+// Prints "progress SHARE PHASE" when it has advanced. SHARE in [0, 1].
+void progress(double share, const std::string& phase);
+
+} // namespace ciel::importer

@@ -1,0 +1,58 @@
+#include "import/source.hpp"
+
+#include "ciel/types.hpp"
+#include "import/formats.hpp"
+
+#include <vtkCompositeDataSet.h>
+#include <vtkInformation.h>
+#include <vtkMultiBlockDataSet.h>
+#include <vtkNew.h>
+
+namespace ciel::importer {
+
+namespace {
+
+// Several inputs of one mesh: their blocks side by side, their steps in parallel.
+class PartsSource : public Source {
+public:
+    PartsSource(std::vector<std::unique_ptr<Source>> parts, const std::vector<std::string>& inputs)
+        : parts_(std::move(parts)), inputs_(inputs) {
+        for (std::size_t i = 1; i < parts_.size(); ++i)
+            if (parts_[i]->times() != parts_[0]->times())
+                throw Error(inputs[i] + ": its times differ from those of " + inputs[0] +
+                            "; several inputs are parts of one mesh (a .pvd or .series lists the steps of a series)");
+    }
+
+    [[nodiscard]] std::string format() const override { return parts_[0]->format(); }
+    [[nodiscard]] const std::vector<double>& times() const override { return parts_[0]->times(); }
+    [[nodiscard]] vtkSmartPointer<vtkDataObject> read(std::size_t step, const ReadProgress& progress) override {
+        vtkNew<vtkMultiBlockDataSet> joined;
+        for (std::size_t i = 0; i < parts_.size(); ++i) {
+            const auto data = parts_[i]->read(step, [&](double share) {
+                progress((static_cast<double>(i) + share) / static_cast<double>(parts_.size()));
+            });
+            joined->SetBlock(static_cast<unsigned>(i), data);
+            const std::string name = std::filesystem::path(inputs_[i]).stem().string();
+            joined->GetMetaData(static_cast<unsigned>(i))->Set(vtkCompositeDataSet::NAME(), name.c_str());
+        }
+        return joined.Get();
+    }
+    [[nodiscard]] std::map<std::string, std::string> units() const override { return parts_[0]->units(); }
+    [[nodiscard]] std::string length_units() const override { return parts_[0]->length_units(); }
+
+private:
+    std::vector<std::unique_ptr<Source>> parts_;
+    std::vector<std::string> inputs_;
+};
+
+} // namespace
+
+std::unique_ptr<Source> open_source(const std::vector<std::string>& inputs, const SourceOptions& options) {
+    const Format& format = find_format(inputs.at(0));
+    if (format.several_inputs || inputs.size() == 1) return format.open(inputs, options);
+    std::vector<std::unique_ptr<Source>> parts;
+    for (const std::string& input : inputs) parts.push_back(open_source({input}, options));
+    return std::make_unique<PartsSource>(std::move(parts), inputs);
+}
+
+} // namespace ciel::importer

@@ -1,0 +1,39 @@
+// An input as a series of steps, whatever its format.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+#include <vtkDataObject.h>
+#include <vtkSmartPointer.h>
+
+namespace ciel::importer {
+
+struct SourceOptions {
+    std::string plot3d; // words for plot3d_restrict()
+};
+
+// What a long read tells: a share in [0, 1]. May throw to cancel.
+using ReadProgress = std::function<void(double share)>;
+
+class Source {
+public:
+    virtual ~Source() = default;
+
+    [[nodiscard]] virtual std::string format() const = 0;               // "OpenFOAM case"
+    [[nodiscard]] virtual const std::vector<double>& times() const = 0; // ascending, at least one
+    // The data of one step; the caller keeps it as long as it likes. Throws Error naming the file.
+    [[nodiscard]] virtual vtkSmartPointer<vtkDataObject> read(std::size_t step, const ReadProgress& progress) = 0;
+
+    [[nodiscard]] virtual std::map<std::string, std::string> units() const { return {}; } // by array name
+    [[nodiscard]] virtual std::string length_units() const { return ""; }
+    [[nodiscard]] virtual std::vector<std::string> notes() const { return {}; }
+};
+
+// Finds the reader (formats.cpp has the table). One input, or several: parts of one mesh, except for PLOT3D where they
+// are the grid and its solution. Throws Error when an input is missing, of no known format, or cannot be read.
+[[nodiscard]] std::unique_ptr<Source> open_source(const std::vector<std::string>& inputs, const SourceOptions& options);
+
+} // namespace ciel::importer

@@ -1,0 +1,111 @@
+#include "import/step_arrays.hpp"
+
+#include <algorithm>
+
+namespace ciel::importer {
+
+namespace {
+
+// Patches at rest in a flow that moves: zero on every face, in a vector that is not zero everywhere.
+std::vector<bool> find_no_slip(const StepMesh& mesh, const Blocks& blocks, const std::vector<FieldName>& fields) {
+    std::vector<bool> no_slip(mesh.patches.size(), false);
+    for (const FieldName& field : fields) {
+        if (field.of != FieldOf::cells || field.components != 3) continue;
+        if (holds_only_zero(gather_field(mesh.parts, field))) continue;
+        for (std::size_t i = 0; i < mesh.patches.size(); ++i)
+            if (mesh.patches[i].surface != Patch::none_of_them &&
+                holds_only_zero(array_values(blocks.surfaces[mesh.patches[i].surface].data, field)))
+                no_slip[i] = true;
+    }
+    return no_slip;
+}
+
+std::vector<PatchValues> patch_values(const StepMesh& mesh, const Blocks& blocks, const FieldName& field) {
+    std::vector<PatchValues> values(mesh.patches.size());
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        if (mesh.patches[i].surface == Patch::none_of_them) continue;
+        std::vector<float> own = array_values(blocks.surfaces[mesh.patches[i].surface].data, field);
+        if (!own.empty()) values[i] = std::move(own);
+    }
+    return values;
+}
+
+} // namespace
+
+std::string stored_name(const std::string& name) {
+    std::string stored = name;
+    std::replace(stored.begin(), stored.end(), ':', '_');
+    return stored;
+}
+
+bool StepArrays::wanted(const std::string& field, bool cell_only) const {
+    const auto selects = [&](const std::string& name) {
+        return name == field || stored_name(name) == field || (cell_only && name == "cell:" + field);
+    };
+    return selected_.empty() || std::any_of(selected_.begin(), selected_.end(), selects);
+}
+
+void StepArrays::add(const FieldName& field, const std::string& name, store::Association association,
+                     std::vector<float> values) {
+    const auto units = units_.find(field.name);
+    values_.push_back(std::move(values));
+    store::ArrayValues array;
+    array.info.name = name;
+    array.info.association = association;
+    array.info.components = field.components;
+    if (units != units_.end()) array.info.units = units->second;
+    array.values = values_.back();
+    arrays_.push_back(array);
+}
+
+void StepArrays::add_cell_field(const StepMesh& mesh, const Blocks& blocks, const FieldName& field,
+                                bool point_field_exists, std::unique_ptr<PointMaker>& maker) {
+    const std::string name = stored_name(field.name);
+    std::vector<float> cells = to_stored(gather_field(mesh.parts, field), mesh.cell_of_cell, field.components);
+    if (!point_field_exists && wanted(name, false)) {
+        if (!maker)
+            maker = std::make_unique<PointMaker>(
+                PointMaker{PointInterpolation(mesh.view()), WallValues(mesh.view(), mesh.patches)});
+        std::vector<float> points = maker->interpolation.apply(cells, field.components);
+        maker->walls.overlay(patch_values(mesh, blocks, field), no_slip_, field.components, points);
+        add(field, name, store::Association::point, std::move(points));
+    }
+    add(field, "cell:" + name, store::Association::cell, std::move(cells));
+}
+
+const std::vector<store::ArrayValues>& StepArrays::make(const StepMesh& mesh, const Blocks& blocks,
+                                                        std::unique_ptr<PointMaker>& maker) {
+    arrays_.clear();
+    values_.clear();
+    const std::vector<FieldName> fields = field_names(mesh.parts);
+    no_slip_ = find_no_slip(mesh, blocks, fields);
+    const auto has_points = [&](const std::string& name) {
+        return std::any_of(fields.begin(), fields.end(), [&](const FieldName& field) {
+            return field.of == FieldOf::points && stored_name(field.name) == name;
+        });
+    };
+    std::set<std::string> taken; // two names of the file may become one here: the first is kept
+    for (const FieldName& field : fields) {
+        const std::string name = stored_name(field.name);
+        const bool cell = field.of == FieldOf::cells;
+        seen_.insert(cell ? "cell:" + name : name);
+        if (cell) seen_.insert(name);
+        if (!wanted(name, cell) || !taken.insert((cell ? "cell:" : "") + name).second) continue;
+        if (cell)
+            add_cell_field(mesh, blocks, field, has_points(name), maker);
+        else
+            add(field, name, store::Association::point,
+                to_stored(gather_field(mesh.parts, field), mesh.point_of_vertex, field.components));
+    }
+    return arrays_;
+}
+
+void StepArrays::check_selection() const {
+    std::string names;
+    for (const std::string& name : seen_) names += (names.empty() ? "" : ", ") + name;
+    for (const std::string& name : selected_)
+        if (!seen_.contains(name) && !seen_.contains(stored_name(name)))
+            throw Error("there is no array \"" + name + "\"; there are: " + (names.empty() ? "none" : names));
+}
+
+} // namespace ciel::importer

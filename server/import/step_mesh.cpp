@@ -1,0 +1,147 @@
+#include "import/step_mesh.hpp"
+
+#include "import/welds.hpp"
+
+#include <algorithm>
+
+namespace ciel::importer {
+
+namespace {
+
+std::string plural(std::uint64_t count, const std::string& one, const std::string& many) {
+    return std::to_string(count) + " " + (count == 1 ? one : many);
+}
+
+const char* reason_text(BadCells::Reason reason) {
+    using Reason = BadCells::Reason;
+    static const std::map<Reason, const char*> texts{
+        {Reason::open, "not closed"},
+        {Reason::inconsistent_winding, "faces that cannot be wound consistently"},
+        {Reason::inside_out_unresolved, "no inside and outside that can be told apart"},
+        {Reason::index_out_of_range, "a vertex that does not exist"},
+        {Reason::too_few_faces, "too few faces"},
+    };
+    return texts.at(reason);
+}
+
+std::string id_list(const std::vector<Index>& ids, const std::vector<Index>& source_cell) {
+    std::string text;
+    for (const Index id : ids) text += (text.empty() ? "" : ", ") + std::to_string(source_cell[id]);
+    return text;
+}
+
+void describe_assembly(const JoinedMesh& joined, const AssembleReport& report, StepMesh& mesh) {
+    for (const BadCells& bad : report.bad_cells) {
+        mesh.bad_cells += bad.count;
+        mesh.notes.push_back(plural(bad.count, "cell was", "cells were") + " left out: " + reason_text(bad.reason) +
+                             " (first ids: " + id_list(bad.first_ids, joined.source_cell) + ").");
+    }
+    if (report.reversed_cells > 0)
+        mesh.notes.push_back(plural(report.reversed_cells, "cell was", "cells were") + " wound inwards and turned.");
+    if (report.reversed_faces > 0)
+        mesh.notes.push_back(plural(report.reversed_faces, "face was", "faces were") +
+                             " turned to agree with the cell.");
+    if (report.internal_boundaries > 0)
+        mesh.notes.push_back(plural(report.internal_boundaries, "face is", "faces are") +
+                             " claimed by three or more cells and stay internal boundary.");
+    if (report.inverted_cells > 0)
+        mesh.notes.push_back(
+            plural(report.inverted_cells, "cell has", "cells have") +
+            " negative volume and were kept (first ids: " + id_list(report.first_inverted, joined.source_cell) + ").");
+}
+
+void describe_joining(const JoinedMesh& joined, StepMesh& mesh) {
+    if (joined.parts.size() > 1)
+        mesh.notes.push_back(std::to_string(joined.parts.size()) +
+                             " blocks were joined; vertex and cell ids run through "
+                             "them in order.");
+    for (const auto& [what, count] : joined.reduced_cells)
+        mesh.notes.push_back(std::to_string(count) + " " + what + " keep their corners; mid-side nodes were dropped.");
+    if (joined.blanked_cells > 0)
+        mesh.notes.push_back(plural(joined.blanked_cells, "cell is", "cells are") +
+                             " blanked or a ghost, and left out.");
+    if (joined.ignored_cells > 0)
+        mesh.notes.push_back(plural(joined.ignored_cells, "cell", "cells") +
+                             " without volume or surface were ignored.");
+}
+
+void name_patches(const std::vector<Patch>& patches, StepMesh& mesh) {
+    for (const Patch& patch : patches) {
+        if (patch.unmatched > 0)
+            mesh.notes.push_back(plural(patch.unmatched, "face", "faces") + " of surface \"" + patch.name +
+                                 "\" are no boundary faces of the mesh and were ignored.");
+        if (patch.faces.empty()) continue;
+        std::vector<Index> faces = patch.faces;
+        std::sort(faces.begin(), faces.end());
+        mesh.groups.push_back({store::Group::Of::faces, patch.name, std::move(faces)});
+    }
+}
+
+// Blocks become zones when there are several.
+void name_zones(const JoinedMesh& joined, StepMesh& mesh) {
+    if (joined.parts.size() < 2) return;
+    const std::vector<Index>& original = mesh.assembled.original_cell;
+    std::vector<Index> stored(joined.cell_types.size(), none);
+    for (Index cell = 0; cell < original.size(); ++cell) stored[original[cell]] = cell;
+    for (const JoinedMesh::Part& part : joined.parts) {
+        store::NamedGroup zone{store::Group::Of::cells, part.name, {}};
+        for (Index cell = part.mesh_cell_begin; cell < part.mesh_cell_end; ++cell)
+            if (stored[cell] != none) zone.ids.push_back(stored[cell]);
+        std::sort(zone.ids.begin(), zone.ids.end());
+        if (!zone.ids.empty()) mesh.groups.push_back(std::move(zone));
+    }
+}
+
+} // namespace
+
+StepMesh build_step_mesh(const Blocks& blocks, Weld weld) {
+    if (blocks.volumes.empty())
+        throw Error(blocks.surfaces.empty() ? "it holds no cells" : "it holds only surfaces; a volume mesh is needed");
+    JoinedMesh joined = join_blocks(blocks.volumes);
+    if (joined.cell_types.empty()) throw Error("it holds no volume cells");
+
+    StepMesh mesh;
+    mesh.input_vertices = joined.point_count;
+    mesh.input_cells = joined.cell_types.size();
+    mesh.input_edges = count_edges(joined);
+    mesh.point_count = joined.point_count;
+    describe_joining(joined, mesh);
+
+    const Welds welds = find_welds(joined, weld);
+    mesh.notes.insert(mesh.notes.end(), welds.notes.begin(), welds.notes.end());
+    if (!welds.representative.empty())
+        for (Index& vertex : joined.face_vertex) vertex = welds.representative[vertex];
+
+    mesh.assembled = assemble(joined.view());
+    describe_assembly(joined, mesh.assembled.report, mesh);
+    if (mesh.assembled.mesh.cell_types.empty())
+        throw Error("none of its " + std::to_string(mesh.input_cells) +
+                    " cells can be used: " + reason_text(mesh.assembled.report.bad_cells.at(0).reason));
+    mesh.patches = match_patches(mesh.view(), joined, blocks.surfaces);
+    name_patches(mesh.patches, mesh);
+    name_zones(joined, mesh);
+
+    mesh.point_of_vertex = mesh.assembled.original_vertex;
+    mesh.cell_of_cell.reserve(mesh.assembled.original_cell.size());
+    for (const Index cell : mesh.assembled.original_cell) mesh.cell_of_cell.push_back(joined.source_cell[cell]);
+    mesh.parts = std::move(joined.parts);
+    return mesh;
+}
+
+void update_step_mesh(StepMesh& mesh, const Blocks& blocks, bool moved) {
+    for (std::size_t i = 0; i < mesh.parts.size(); ++i) mesh.parts[i].data = blocks.volumes[i].data;
+    if (!moved) return;
+    const std::vector<float> offsets = point_offsets(mesh.parts, mesh.point_count, mesh.assembled.mesh.origin);
+    mesh.assembled.mesh.positions = to_stored(offsets, mesh.point_of_vertex, 3);
+}
+
+std::vector<float> to_stored(std::span<const float> running, std::span<const Index> stored_to_running, int components) {
+    const auto width = static_cast<std::size_t>(components);
+    std::vector<float> stored(stored_to_running.size() * width);
+    for (std::size_t i = 0; i < stored_to_running.size(); ++i)
+        std::copy_n(running.begin() + static_cast<std::ptrdiff_t>(stored_to_running[i] * width), width,
+                    stored.begin() + static_cast<std::ptrdiff_t>(i * width));
+    return stored;
+}
+
+} // namespace ciel::importer

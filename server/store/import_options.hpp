@@ -1,0 +1,36 @@
+// The options of an import, declared once: `ciel import` shows and forwards them, ciel-import obeys them.
+#pragma once
+
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace ciel::store {
+
+struct ImportOption {
+    std::string_view name;  // the key in ImportValues
+    std::string_view names; // as on the command line
+    std::string_view value; // what it takes; empty: a flag
+    bool required;
+    std::string_view help;
+};
+
+inline constexpr ImportOption import_options[] = {
+    {"inputs", "inputs", "INPUT...", true,
+     "Files or OpenFOAM case directories. Several are parts of one mesh; for PLOT3D the grid and its solutions."},
+    {"output", "-o,--output", "NAME.ciel", false, "The dataset to write."},
+    {"list", "--list", "", false, "Print format, steps, blocks and arrays; convert nothing."},
+    {"array", "-a,--array", "NAME", false, "Import this array only; may be repeated."},
+    {"weld", "--weld", "", false, "Make one of all points that coincide, also between blocks, faults and baffles."},
+    {"no-weld", "--no-weld", "", false, "Weld nothing, not even the seam of a structured block closed onto itself."},
+    {"allow-bad", "--allow-bad", "", false, "Succeed even when more than 0.1 % of the cells had to be left out."},
+    {"force", "--force", "", false, "Replace the dataset when it exists."},
+    {"plot3d", "--plot3d", "WORDS", false,
+     "How PLOT3D files are laid out where that cannot be told from their size, separated by commas: big, little, "
+     "multi, single, records, stream, iblank, no-iblank, float32, float64, text."},
+};
+
+using ImportValues = std::map<std::string, std::vector<std::string>>; // by name; a given flag has one value
+
+} // namespace ciel::store
