@@ -15,12 +15,20 @@ struct EdgePoint {
     float t;    // 0 at a, 1 at b
 };
 
-// An indexed polygon surface. Vertices are shared across blocks and unique per active edge; polygons are in storage
-// order of their cells, wound so that the right-hand normal points to higher values. The same bits for any block size,
-// thread count, engine and history of calls.
+[[nodiscard]] inline float lerp(float a, float b, float t) {
+    return static_cast<float>(a + static_cast<double>(t) * (static_cast<double>(b) - a));
+}
+
+// An indexed polygon surface. Vertices are shared across blocks, unique per active edge and in the order of edge ids;
+// polygons are in storage order of their cells, wound so that the right-hand normal points to higher values. A cell
+// that the surface crosses in several places has several polygons. On a face with more than one way to join its points,
+// the high side is cut off corner by corner. Polygons of fewer than three distinct points (collapsed cells) are left
+// out, polygons without area are not. Every vertex belongs to a polygon. The same bits for any block size, thread
+// count, engine and history of calls (`chunks` alone tells the blocks).
 struct Surface {
     std::vector<Vec3f> positions; // offsets from the mesh's origin
-    std::vector<Vec3f> normals;   // unit, along the field's gradient (towards higher values); empty if not asked for
+    std::vector<Vec3f> normals; // unit, along the field's gradient (towards higher values), or along the polygons where
+                                // that is zero; empty if not asked for
     std::vector<EdgePoint> points;
     std::vector<Index> polygon_offset{0}; // polygons + 1
     std::vector<Index> polygon_vertex;
@@ -50,8 +58,10 @@ public:
     // call of set_field.
     void set_field(const Field& field);
 
-    // High means value >= nu. Replaces `out`. `normals` asks for gradients at the ends of the active edges. Returns
-    // false, leaving `out` unspecified, when `stop` was requested. Uses all threads of the parallel loop.
+    // High means value >= nu; cells that touch a vertex without a value are not cut (field.hpp). Replaces `out`; its
+    // buffers are used again. `normals` asks for gradients at the ends of the active edges. Returns
+    // false, leaving `out` unspecified, when `stop` was requested; the Query stays usable. Uses all threads of the
+    // parallel loop.
     bool extract(double nu, bool normals, Surface& out, std::stop_token stop = {});
 
     [[nodiscard]] std::size_t memory_bytes() const;
@@ -62,15 +72,17 @@ private:
 };
 
 // Algorithm 1 / 3: a series is one call. `sink` gets each value's surface in the given order; it may be kept by moving.
+// False when stopped.
 bool extract_series(Query& query, std::span<const double> values, bool normals,
                     const std::function<void(double nu, Surface&&)>& sink, std::stop_token stop = {});
 
-// values: `components` per mesh vertex, interpolated at each point of the surface.
+// values: `components` per mesh vertex, interpolated at each point of the surface into `out`, interleaved too. Throws
+// Error when `out` has another size.
 void interpolate(std::span<const EdgePoint> points, std::span<const float> values, int components,
                  std::span<float> out);
 
-// Fan triangulation from each polygon's best corner, with zero-area and repeated-vertex triangles left out: three
-// indices per triangle.
+// Fan triangulation from the first good corner of each polygon (the best one where none is good), with zero-area and
+// repeated-vertex triangles left out: three indices per triangle.
 [[nodiscard]] std::vector<Index> triangulate(const Surface& surface);
 
 } // namespace ciel

@@ -6,14 +6,17 @@
 
 #include <memory>
 #include <span>
+#include <vector>
 
 namespace ciel {
 
-// Shared by sessions; immutable but for the lazily made gradients, which are made under a lock of its own. Keeps the
-// values alive through `keep_alive` and the topology by reference: it must not outlive the topology.
+// Shared by sessions; immutable but for what is made on demand under locks of its own: the sorted extrema and the
+// gradients (so a field is used with one set of positions). Keeps the values alive through `keep_alive` and the
+// topology by reference: it must not outlive the topology. Any thread may use it.
 class Field {
 public:
-    // values: one per stored vertex. NaN means "no value here": a polygon is never drawn through a NaN vertex.
+    // values: one per stored vertex; throws Error on another length. NaN and infinities mean "no value here": a cell
+    // that touches such a vertex is not cut, and adds nothing to gradients.
     Field(const Topology& topology, std::span<const float> values, std::shared_ptr<const void> keep_alive);
     ~Field();
     Field(Field&&) noexcept;
@@ -22,7 +25,8 @@ public:
     [[nodiscard]] std::span<const float> values() const;
     [[nodiscard]] std::array<float, 2> range() const; // finite values only; {0, 0} when there are none
 
-    // Strict local minima under the order (value, vertex id), sorted (paper, section 2.2).
+    // Strict local minima under the order (value, vertex id), sorted by it (paper, section 2.2). Vertices without a
+    // value are neither minima nor neighbours.
     [[nodiscard]] std::span<const Index> sorted_minima() const;
 
     struct Blocks;
@@ -32,14 +36,16 @@ private:
     std::unique_ptr<Blocks> blocks_;
 };
 
-// nu = dot(normal, position): box-aligned and free slices (paper, section 2.1).
+// nu = dot(normal, position - origin), origin in world coordinates like the positions: box-aligned and free slices
+// (paper, section 2.1).
 [[nodiscard]] std::vector<float> plane_distance(const FaceMeshView& mesh, Vec3d origin, Vec3d normal);
 
 // Least-squares gradient per polyhedron, volume-weighted average at the vertices (paper, section 3); centred, in
-// double.
+// double. Zero where no cell around a vertex spans a volume or has all its values.
 [[nodiscard]] std::vector<Vec3f> vertex_gradients(const FaceMeshView& mesh, std::span<const float> values);
 
-// Faces with more than one local maximum around them (paper, section 4; whatever nu).
+// Faces with more than one local maximum around them under the order (value, vertex id) (paper, section 4; whatever
+// nu). Faces that touch a vertex without a value do not count.
 [[nodiscard]] std::uint64_t count_ambiguous_faces(const FaceMeshView& mesh, std::span<const float> values);
 
 } // namespace ciel

@@ -1,0 +1,34 @@
+// The two engines behind Query: each finds out which blocks a surface crosses and cuts them.
+#pragma once
+
+#include "ciel/cut_block.hpp"
+#include "ciel/extract.hpp"
+
+namespace ciel {
+
+class Cutter {
+public:
+    explicit Cutter(const Topology& topology) : topology_(topology), cut_(topology.block_count()) {}
+    virtual ~Cutter() = default;
+
+    virtual void set_field(const Field& field) = 0;
+    // Brings `active` and their cuts to nu. False when stopped; the next update starts from what is known.
+    virtual bool update(double nu, const std::stop_token& stop) = 0;
+
+    [[nodiscard]] std::span<const Index> active() const { return active_; } // crossed blocks, ascending
+    [[nodiscard]] std::span<CutBlock> cut() { return cut_; }                // by block
+    [[nodiscard]] virtual std::size_t memory_bytes() const;
+
+protected:
+    const Topology& topology_;
+    std::vector<CutBlock> cut_;
+    std::vector<Index> active_;
+};
+
+// Design: each block's vertices are classified against nu; a block whose classification has not changed keeps its cut.
+// The same for a step up or down, a jump, a new field; blocks in parallel.
+[[nodiscard]] std::unique_ptr<Cutter> make_signature_cutter(const Topology& topology);
+// The paper's Algorithm 2: the active edges are propagated from one nu to the next, from sorted extrema. Serial.
+[[nodiscard]] std::unique_ptr<Cutter> make_propagation_cutter(const Topology& topology);
+
+} // namespace ciel

@@ -1,0 +1,73 @@
+#include "ciel/field.hpp"
+
+#include "ciel/blocks.hpp"
+#include "ciel/field_blocks.hpp"
+#include "ciel/parallel.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace ciel {
+
+namespace {
+
+constexpr float infinity = std::numeric_limits<float>::infinity();
+
+void gather_block(const Block& block, Index b, Field::Blocks& out) {
+    float low = infinity, high = -infinity;
+    bool gaps = false;
+    float* to = out.local.data() + block.vertex_begin;
+    for (const Index v : block.vertex) {
+        float value = out.values[v];
+        if (std::isfinite(value)) {
+            low = std::min(low, value);
+            high = std::max(high, value);
+        } else {
+            value = std::numeric_limits<float>::quiet_NaN();
+            gaps = true;
+        }
+        *to++ = value;
+    }
+    out.low[b] = low;
+    out.high[b] = high;
+    out.gaps[b] = gaps ? 1 : 0;
+}
+
+} // namespace
+
+Field::Field(const Topology& topology, std::span<const float> values, std::shared_ptr<const void> keep_alive)
+    : blocks_(std::make_unique<Blocks>()) {
+    if (values.size() != topology.counts().vertices)
+        throw Error("a field must hold one value per vertex (" + std::to_string(topology.counts().vertices) +
+                    "), not " + std::to_string(values.size()));
+    const std::vector<Block>& all = topology.blocks().block;
+    Blocks& out = *blocks_;
+    out.topology = &topology;
+    out.values = values;
+    out.keep_alive = std::move(keep_alive);
+    out.local.resize(all.empty() ? 0 : all.back().vertex_begin + all.back().vertex.size());
+    out.low.resize(all.size());
+    out.high.resize(all.size());
+    out.gaps.resize(all.size());
+    parallel_for(all.size(), 32, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t b = begin; b < end; ++b) gather_block(all[b], static_cast<Index>(b), out);
+    });
+    const float low = all.empty() ? infinity : *std::ranges::min_element(out.low);
+    const float high = all.empty() ? -infinity : *std::ranges::max_element(out.high);
+    if (low <= high) out.range = {low, high};
+}
+
+Field::~Field() = default;
+Field::Field(Field&&) noexcept = default;
+Field& Field::operator=(Field&&) noexcept = default;
+
+std::span<const float> Field::values() const { return blocks_->values; }
+std::array<float, 2> Field::range() const { return blocks_->range; }
+
+std::span<const Index> Field::sorted_minima() const {
+    blocks_->make_extrema();
+    return blocks_->minima;
+}
+
+} // namespace ciel

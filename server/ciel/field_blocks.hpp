@@ -1,0 +1,31 @@
+// The layout behind Field, for the kernel's own files.
+#pragma once
+
+#include "ciel/field.hpp"
+#include "ciel/gradient.hpp"
+
+#include <mutex>
+
+namespace ciel {
+
+struct Field::Blocks {
+    const Topology* topology = nullptr;
+    std::span<const float> values;
+    std::shared_ptr<const void> keep_alive;
+    std::vector<float> local;       // values in block order (Block::vertex_begin); NaN where there is none
+    std::vector<float> low, high;   // per block, finite values only; low > high where there are none
+    std::vector<std::uint8_t> gaps; // per block: some vertex has no value
+    std::array<float, 2> range{};
+
+    mutable std::once_flag extrema_made;
+    mutable std::vector<Index> minima, maxima; // sorted by (value, id), upwards and downwards
+    mutable GradientCache gradients;
+
+    [[nodiscard]] std::span<const float> of_block(Index block) const {
+        const Block& b = topology->blocks().block[block];
+        return std::span(local).subspan(b.vertex_begin, b.vertex.size());
+    }
+    void make_extrema() const; // once
+};
+
+} // namespace ciel

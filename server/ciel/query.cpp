@@ -1,0 +1,58 @@
+// Algorithms 1 and 3 of the paper: bring the active edges to nu, intersect them, draw the cells around them.
+#include "ciel/surface_writer.hpp"
+
+namespace ciel {
+
+struct Query::State {
+    const Topology* topology;
+    FaceMeshView mesh;
+    std::unique_ptr<Cutter> cutter;
+    const Field::Blocks* field = nullptr;
+};
+
+void Surface::clear() { *this = Surface{}; }
+
+Query::Query(const Topology& topology, const FaceMeshView& mesh, Engine engine)
+    : state_(std::make_unique<State>(
+          State{&topology, mesh,
+                engine == Engine::signatures ? make_signature_cutter(topology) : make_propagation_cutter(topology)})) {
+    if (mesh.vertex_count() != topology.counts().vertices || mesh.cell_count() != topology.counts().cells)
+        throw Error("the mesh is not the one that the topology was built from");
+}
+
+Query::~Query() = default;
+Query::Query(Query&&) noexcept = default;
+Query& Query::operator=(Query&&) noexcept = default;
+
+void Query::set_field(const Field& field) {
+    if (field.blocks().topology != state_->topology) throw Error("the field belongs to another topology");
+    state_->field = &field.blocks();
+    state_->cutter->set_field(field);
+}
+
+bool Query::extract(double nu, bool normals, Surface& out, std::stop_token stop) {
+    if (state_->field == nullptr) throw Error("choose a field before extracting a surface");
+    if (!state_->cutter->update(nu, stop)) return false;
+    write_surface(*state_->topology, state_->mesh, *state_->field, *state_->cutter, nu, out);
+    if (stop.stop_requested()) return false;
+    if (normals)
+        write_normals(state_->mesh, *state_->field, out);
+    else
+        out.normals.clear();
+    return !stop.stop_requested();
+}
+
+std::size_t Query::memory_bytes() const { return sizeof(State) + state_->cutter->memory_bytes(); }
+
+bool extract_series(Query& query, std::span<const double> values, bool normals,
+                    const std::function<void(double nu, Surface&&)>& sink, std::stop_token stop) {
+    Surface surface;
+    for (const double nu : values) {
+        if (!query.extract(nu, normals, surface, stop)) return false;
+        sink(nu, std::move(surface));
+        // What the sink left is as good as new: extract replaces it.
+    }
+    return true;
+}
+
+} // namespace ciel

@@ -1,0 +1,52 @@
+#include "ciel/parallel.hpp"
+#include "ciel/polygon.hpp"
+#include "ciel/surface_writer.hpp"
+
+#include <cmath>
+
+namespace ciel {
+
+namespace {
+
+// Zero stays zero. In double: the squares of small gradients vanish in float.
+Vec3f normalised(const Vec3d& v) {
+    const double length = std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+    if (!(length > 0) || !std::isfinite(length)) return {};
+    return {static_cast<float>(v[0] / length), static_cast<float>(v[1] / length), static_cast<float>(v[2] / length)};
+}
+
+bool is_zero(const Vec3f& v) { return v == Vec3f{}; }
+
+void fill_from_polygons(Surface& surface) {
+    std::vector<Vec3d> sum(surface.points.size());
+    for (std::size_t i = 0; i < surface.polygon_cell.size(); ++i) {
+        const std::span<const Index> loop = polygon(surface, i);
+        const Vec3d area = area_vector(surface.positions, loop);
+        for (const Index p : loop)
+            if (is_zero(surface.normals[p]))
+                for (std::size_t axis = 0; axis < 3; ++axis) sum[p][axis] += area[axis];
+    }
+    for (std::size_t p = 0; p < sum.size(); ++p)
+        if (is_zero(surface.normals[p])) surface.normals[p] = normalised(sum[p]);
+}
+
+} // namespace
+
+void write_normals(const FaceMeshView& mesh, const Field::Blocks& field, Surface& out) {
+    const std::span<const Vec3f> gradients = field.gradients.at(mesh, field, out.points);
+    out.normals.resize(out.points.size());
+    parallel_for(out.points.size(), 8192, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            const EdgePoint& point = out.points[i];
+            const Vec3f &a = gradients[point.a], &b = gradients[point.b];
+            Vec3d between{};
+            for (std::size_t axis = 0; axis < 3; ++axis)
+                between[axis] = a[axis] + static_cast<double>(point.t) * (static_cast<double>(b[axis]) - a[axis]);
+            out.normals[i] = normalised(between);
+        }
+    });
+    for (const Vec3f& normal : out.normals)
+        if (is_zero(normal)) return fill_from_polygons(out);
+}
+
+} // namespace ciel
