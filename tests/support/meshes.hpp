@@ -33,6 +33,8 @@ hanging_nodes(const Box& box); // random cubes in eight; their neighbours are po
 [[nodiscard]] Polyhedra o_grid(int rings, int sectors,
                                int layers); // hexahedra around an axis; the innermost are collapsed
 [[nodiscard]] Polyhedra hexagonal_prisms(int columns, int rows, int layers);
+// One cell with n x n quads on each of its six sides, and a layer of n x n hexahedra on top.
+[[nodiscard]] Polyhedra giant_cell(int n);
 [[nodiscard]] Polyhedra voronoi(int cells, std::uint64_t seed); // of random points in the unit cube
 
 struct NamedMesh {

@@ -158,6 +158,39 @@ Polyhedra o_grid(int rings, int sectors, int layers) {
     return mesh;
 }
 
+Polyhedra giant_cell(int n) {
+    Polyhedra mesh;
+    std::map<Node, Id> vertices;
+    const auto vertex = [&](Node at) {
+        const auto [entry, is_new] = vertices.emplace(at, 0);
+        if (is_new) entry->second = mesh.add_vertex({double(at[0]), double(at[1]), double(at[2])});
+        return entry->second;
+    };
+    const auto side_of = [&](Cube cube, int side) {
+        Loop loop;
+        for (int corner : cube_sides[side]) {
+            loop.push_back(vertex({cube[0] + (corner & 1), cube[1] + (corner >> 1 & 1), cube[2] + (corner >> 2)}));
+        }
+        return loop;
+    };
+    std::vector<Loop> outside;
+    for (int side = 0; side < 6; ++side) {
+        Cube range{n, n, n};
+        range[side / 2] = 1;
+        for_each_cube(range, [&](Cube cube) {
+            cube[side / 2] = side % 2 ? n - 1 : 0;
+            outside.push_back(side_of(cube, side));
+        });
+    }
+    for_each_cube({n, n, 1}, [&](Cube cube) {
+        std::vector<Loop> loops;
+        for (int side = 0; side < 6; ++side) loops.push_back(side_of({cube[0], cube[1], n}, side));
+        mesh.add_cell(hexahedron, loops);
+        if (cube[0] == n / 2 && cube[1] == n / 2) mesh.add_cell(polyhedron, outside);
+    });
+    return mesh;
+}
+
 Polyhedra hexagonal_prisms(int columns, int rows, int layers) {
     Polyhedra mesh;
     std::map<std::array<long, 3>, Id> vertices;

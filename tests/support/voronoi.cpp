@@ -14,7 +14,10 @@ class Welder {
 public:
     explicit Welder(Polyhedra& mesh) : mesh_(mesh) {}
 
-    Id vertex(const Point& p) {
+    Id vertex(Point p) {
+        for (double& x : p) { // the box's own sides are exact
+            if (std::abs(x - std::round(x)) < tolerance) x = std::round(x);
+        }
         std::array<long, 3> home;
         for (int d = 0; d < 3; ++d) home[d] = std::lround(p[d] / tolerance);
         for (int i = 0; i < 27; ++i) {

@@ -25,13 +25,13 @@ struct CutPolygon {
 [[nodiscard]] bool make_canonical(CutPolygon& polygon);
 
 struct Cut {
-    std::set<CutEdge> active_edges;   // all edges with one end >= nu and the other not; a NaN end is not active
+    std::set<CutEdge> active_edges;   // that polygons run through: one end >= nu, the other below
     std::vector<CutPolygon> polygons; // sorted
     friend bool operator==(const Cut&, const Cut&) = default;
 };
 
-// Faces must be wound outwards. High means value >= nu. On every face the high side is isolated. No polygon runs
-// through an edge with a NaN end.
+// Faces must be wound outwards. High means value >= nu. On every face the high side is isolated. A cell that touches a
+// vertex without a finite value is not cut.
 [[nodiscard]] Cut cut_every_cell(const Polyhedra& mesh, std::span<const float> values, double nu);
 
 // Empty when equal; otherwise one line that names the first difference.
@@ -40,7 +40,9 @@ struct Cut {
 // How often each directed segment between two surface vertices occurs.
 using Segments = std::map<std::pair<CutEdge, CutEdge>, int>;
 [[nodiscard]] Segments polygon_segments(const std::vector<CutPolygon>& polygons);
-// The segments that the surface leaves on faces which not exactly two cells claim.
+// Adds the segments that the surface leaves on one face, wound outwards.
+void add_face_segments(std::span<const Id> loop, std::span<const float> values, double nu, Segments& segments);
+// The segments that the surface leaves on faces which not exactly two of the cells that are cut claim.
 [[nodiscard]] Segments boundary_segments(const Polyhedra& mesh, std::span<const float> values, double nu);
 
 // Empty when every polygon edge that does not lie on the boundary is matched by one in the opposite direction.

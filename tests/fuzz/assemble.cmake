@@ -1,0 +1,1 @@
+ciel_fuzz(assemble LINKS ciel PACKAGES oracle_twin test_support)

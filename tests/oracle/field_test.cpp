@@ -1,0 +1,191 @@
+// Fields: ranges, minima, ambiguous faces, gradients, slices.
+#include "oracle/kernel_mesh.hpp"
+#include "support/fields.hpp"
+#include "support/meshes.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace ciel::test {
+namespace {
+
+class Fields : public testing::TestWithParam<NamedMesh> {
+protected:
+    Polyhedra input = GetParam().make();
+    const KernelMesh mesh{input, {16}};
+
+    std::vector<std::set<Index>> neighbours() const {
+        std::vector<std::set<Index>> result(mesh.mesh().vertex_count());
+        for (Index f = 0; f < mesh.mesh().face_count(); ++f) {
+            const auto loop = mesh.mesh().loop(f);
+            for (std::size_t i = 0; i < loop.size(); ++i) {
+                const Index a = loop[i], b = loop[(i + 1) % loop.size()];
+                if (a == b) continue;
+                result[a].insert(b);
+                result[b].insert(a);
+            }
+        }
+        return result;
+    }
+};
+
+TEST_P(Fields, MinimaAreThoseOfTheOrderByValueAndId) {
+    const auto around = neighbours();
+    for (const NamedField& named : all_fields()) {
+        const std::vector<float> values = mesh.stored(named.make(input));
+        const auto less = [&](Index a, Index b) { return std::pair(values[a], a) < std::pair(values[b], b); };
+        std::vector<Index> expected;
+        for (Index v = 0; v < values.size(); ++v) {
+            if (std::all_of(around[v].begin(), around[v].end(), [&](Index n) { return less(v, n); }))
+                expected.push_back(v);
+        }
+        std::sort(expected.begin(), expected.end(), less);
+        const Field field = make_field(mesh.topology, values);
+        const auto minima = field.sorted_minima();
+        EXPECT_EQ(std::vector<Index>(minima.begin(), minima.end()), expected) << named.name;
+    }
+}
+
+TEST_P(Fields, RangeIsOfFiniteValues) {
+    std::vector<float> values = mesh.stored(random_field(input.vertex_count(), 121));
+    if (values.empty()) {
+        EXPECT_EQ(make_field(mesh.topology, values).range(), (std::array{0.0F, 0.0F}));
+        return;
+    }
+    const auto [low, high] = std::minmax_element(values.begin(), values.end());
+    EXPECT_EQ(make_field(mesh.topology, values).range(), (std::array{*low, *high}));
+    const float infinity = std::numeric_limits<float>::infinity();
+    for (float bad : {std::nanf(""), infinity, -infinity}) {
+        std::vector<float> holed = values;
+        holed[0] = bad;
+        const auto [l, h] = std::minmax_element(values.begin() + 1, values.end());
+        EXPECT_EQ(make_field(mesh.topology, holed).range(), (std::array{*l, *h})) << bad;
+        EXPECT_EQ(make_field(mesh.topology, std::vector<float>(values.size(), bad)).range(), (std::array{0.0F, 0.0F}));
+    }
+}
+
+TEST_P(Fields, AmbiguousFacesHaveSeveralMaximaAroundThem) {
+    for (const NamedField& named : all_fields()) {
+        const std::vector<float> values = mesh.stored(named.make(input));
+        const auto above = [&](Index a, Index b) { return std::pair(values[a], a) > std::pair(values[b], b); };
+        std::uint64_t expected = 0;
+        for (Index f = 0; f < mesh.mesh().face_count(); ++f) {
+            Loop loop(mesh.mesh().loop(f).begin(), mesh.mesh().loop(f).end());
+            loop.erase(std::unique(loop.begin(), loop.end()), loop.end());
+            while (loop.size() > 1 && loop.front() == loop.back()) loop.pop_back();
+            const std::size_t n = loop.size();
+            int maxima = 0;
+            for (std::size_t i = 0; n > 1 && i < n; ++i) {
+                maxima += above(loop[i], loop[(i + 1) % n]) && above(loop[i], loop[(i + n - 1) % n]) ? 1 : 0;
+            }
+            expected += maxima > 1 ? 1 : 0;
+        }
+        EXPECT_EQ(count_ambiguous_faces(mesh.mesh(), values), expected) << named.name;
+    }
+}
+
+TEST_P(Fields, GradientsOfLinearFieldsAreExact) {
+    for (const Point& gradient : {Point{1, 0, 0}, Point{0, -3, 0}, Point{0.25, 2, -1}}) {
+        const std::vector<float> values = mesh.stored(linear_field(input, {gradient, 0.5}));
+        const std::vector<Vec3f> found = vertex_gradients(mesh.mesh(), values);
+        ASSERT_EQ(found.size(), values.size());
+        for (const Vec3f& g : found) {
+            for (std::size_t d = 0; d < 3; ++d) ASSERT_NEAR(g[d], gradient[d], 2e-4);
+        }
+    }
+}
+
+TEST_P(Fields, GradientsOfAConstantAreZero) {
+    for (const Vec3f& g : vertex_gradients(mesh.mesh(), std::vector<float>(mesh.mesh().vertex_count(), 7.0F))) {
+        EXPECT_EQ(g, (Vec3f{0, 0, 0}));
+    }
+}
+
+TEST_P(Fields, GradientsStayFiniteBesideNaN) {
+    std::vector<float> values = mesh.stored(random_field(input.vertex_count(), 122));
+    for (std::size_t v = 0; v < values.size(); v += 5) values[v] = std::nanf("");
+    for (std::size_t v = 0; v < values.size(); ++v) {
+        if (std::isnan(values[v])) continue;
+        const Vec3f g = vertex_gradients(mesh.mesh(), values)[v];
+        ASSERT_TRUE(std::isfinite(g[0] + g[1] + g[2])) << v;
+        if (v > 40) break;
+    }
+}
+
+TEST_P(Fields, PlaneDistanceIsTheScalarProduct) {
+    const Vec3d origin{0.5, -1, 2}, normal{0.6, 0, 0.8};
+    const std::vector<float> distance = plane_distance(mesh.mesh(), origin, normal);
+    ASSERT_EQ(distance.size(), mesh.mesh().vertex_count());
+    for (Index v = 0; v < distance.size(); ++v) {
+        double expected = 0;
+        for (std::size_t d = 0; d < 3; ++d) {
+            expected += normal[d] * (input.position(mesh.assembled.original_vertex[v])[d] - origin[d]);
+        }
+        EXPECT_NEAR(distance[v], expected, 1e-5);
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(All, Fields, testing::ValuesIn(all_meshes()),
+                         [](const auto& test) { return test.param.name; });
+
+// As a map projection gives them: cells of some metres, coordinates of millions.
+Polyhedra far_away(const Polyhedra& mesh, bool as_origin) {
+    const Point shift{500000, 4500000, -2500};
+    Polyhedra result = mesh;
+    if (as_origin) result.origin = shift;
+    for (Id v = 0; !as_origin && v < mesh.vertex_count(); ++v) {
+        for (std::size_t d = 0; d < 3; ++d) result.positions[3 * v + d] += static_cast<float>(shift[d]);
+    }
+    return result;
+}
+
+class FarAway : public testing::TestWithParam<bool> {};
+
+TEST_P(FarAway, GradientsOfLinearFieldsAreExact) {
+    for (const Polyhedra& near : {tetrahedra({{4, 4, 4}, 0.1, 123, 50}), hexahedra({{4, 4, 4}, 0.1, 124, 50}),
+                                  zoo({{4, 4, 4}, 0.1, 125, 50}), hanging_nodes({{3, 3, 3}, 0, 126, 50})}) {
+        const Polyhedra input = far_away(near, GetParam());
+        const KernelMesh mesh(input);
+        const Point gradient{0.25, -1, 0.5};
+        LinearField linear{gradient};
+        linear.constant = -linear.at(input.position(0)); // values of some hundreds, which floats hold well
+        const std::vector<float> values = mesh.stored(linear_field(input, linear));
+        for (const Vec3f& g : vertex_gradients(mesh.mesh(), values)) {
+            for (std::size_t d = 0; d < 3; ++d) ASSERT_NEAR(g[d], gradient[d], 1e-4);
+        }
+        const Field field = make_field(mesh.topology, values);
+        Query query = mesh.query();
+        query.set_field(field);
+        Surface surface;
+        ASSERT_TRUE(query.extract(3.0, true, surface));
+        ASSERT_FALSE(surface.normals.empty());
+        const double length = std::hypot(gradient[0], gradient[1], gradient[2]);
+        for (const Vec3f& n : surface.normals) {
+            for (std::size_t d = 0; d < 3; ++d) ASSERT_NEAR(n[d], gradient[d] / length, 1e-3);
+        }
+    }
+}
+
+TEST_P(FarAway, SlicesKeepTheirArea) {
+    const KernelMesh mesh(far_away(hexahedra({{4, 4, 4}, 0, 127, 64}), GetParam()));
+    const Field field =
+        make_field(mesh.topology, plane_distance(mesh.mesh(), {500000 + 96, 4500000, -2500}, {1, 0, 0}));
+    Query query = mesh.query();
+    query.set_field(field);
+    Surface surface;
+    ASSERT_TRUE(query.extract(0, false, surface));
+    double area = 0;
+    for (std::size_t p = 0; p < surface.polygon_cell.size(); ++p)
+        area += vector_area(surface.positions, polygon(surface, p))[0];
+    EXPECT_NEAR(area, 256.0 * 256, GetParam() ? 1e-2 : 10);
+}
+
+INSTANTIATE_TEST_SUITE_P(Origin, FarAway, testing::Bool(),
+                         [](const auto& test) { return test.param ? "in_double" : "in_the_floats"; });
+
+} // namespace
+} // namespace ciel::test
