@@ -374,10 +374,10 @@ ProbePointResult = ProbeResult
 class SurfaceExportParams(TypedDict):
     """surface.export: A layer's surface as a file."""
 
-    session: NotRequired[str]  # without it, `scene` is used and nothing is kept
-    scene: NotRequired[Scene]
     layer: str
     format: Literal["ply", "stl", "vtp"]
+    session: NotRequired[str]  # without it, `scene` is used and nothing is kept
+    scene: NotRequired[Scene]
     triangles: NotRequired[bool]
 
 

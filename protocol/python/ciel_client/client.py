@@ -1,0 +1,147 @@
+"""JSON-RPC 2.0 with a CIEL server: HTTP POST for scripts, a WebSocket for frames and notifications."""
+
+from __future__ import annotations
+
+import asyncio
+import itertools
+import json
+import urllib.error
+import urllib.request
+from collections.abc import AsyncIterator
+from typing import Any
+
+from .frames import Frame, read_frame
+
+
+class RpcError(Exception):
+    """The server's answer to a call that failed; `code` as in types.ERROR_CODES or JSON-RPC 2.0."""
+
+    def __init__(self, error: dict[str, Any]) -> None:
+        data = error.get("data") or {}
+        super().__init__(data.get("reason") or error["message"])
+        self.code: int = error["code"]
+        self.message: str = error["message"]
+        self.path: str | None = data.get("path")
+
+
+def _result(answer: dict[str, Any]) -> Any:
+    if "error" in answer:
+        raise RpcError(answer["error"])
+    return answer["result"]
+
+
+class Client:
+    """Calls over HTTP POST. `Client("http://127.0.0.1:8080").call("dataset.list")`."""
+
+    def __init__(self, url: str = "http://127.0.0.1:8080", token: str | None = None, timeout: float = 60) -> None:
+        self._url = url.rstrip("/") + "/rpc"
+        self._timeout = timeout
+        self._headers = {"Content-Type": "application/json"}
+        if token:
+            self._headers["Authorization"] = f"Bearer {token}"
+        self._ids = itertools.count(1)
+
+    def call(self, method: str, **params: Any) -> Any:
+        request = {"jsonrpc": "2.0", "id": next(self._ids), "method": method, "params": params}
+        return _result(self._post(request))
+
+    def batch(self, calls: list[tuple[str, dict[str, Any]]]) -> list[Any]:
+        """Results in the order of the calls; a failed one is its RpcError."""
+        requests = [
+            {"jsonrpc": "2.0", "id": i, "method": method, "params": params} for i, (method, params) in enumerate(calls)
+        ]
+        results: list[Any] = [None] * len(calls)
+        for answer in self._post(requests) if calls else []:
+            results[answer["id"]] = RpcError(answer["error"]) if "error" in answer else answer["result"]
+        return results
+
+    def _post(self, body: Any) -> Any:
+        request = urllib.request.Request(self._url, json.dumps(body).encode(), self._headers)
+        try:
+            with urllib.request.urlopen(request, timeout=self._timeout) as response:
+                return json.load(response)
+        except urllib.error.HTTPError as error:
+            raise ConnectionError(f"{self._url}: {error.code} {error.reason}") from None
+
+
+class Stream:
+    """Calls, notifications and frames over one WebSocket. Needs the package `websockets`.
+
+    async with Stream("ws://127.0.0.1:8080/ws") as stream:
+        session = await stream.call("session.open")
+        await stream.call("view.open", session=session["session"], width=640, height=360)
+        async for frame in stream.frames():  # each is acknowledged when the next one is asked for
+            ...
+    """
+
+    def __init__(self, url: str = "ws://127.0.0.1:8080/ws", token: str | None = None) -> None:
+        self._url = url
+        self._headers = {"Authorization": f"Bearer {token}"} if token else {}
+        self._ids = itertools.count(1)
+        self._waiting: dict[int, asyncio.Future[Any]] = {}
+        self._frames: asyncio.Queue[Frame | None] = asyncio.Queue()
+        self.notifications: asyncio.Queue[dict[str, Any]] = asyncio.Queue()
+
+    async def __aenter__(self) -> Stream:
+        import websockets
+
+        self._socket = await websockets.connect(
+            self._url, subprotocols=["ciel.v1"], extra_headers=self._headers, max_size=None
+        )
+        self._reader = asyncio.create_task(self._read())
+        return self
+
+    async def __aexit__(self, *_: object) -> None:
+        await self._socket.close()
+        await self._reader
+
+    async def call(self, method: str, **params: Any) -> Any:
+        number = next(self._ids)
+        self._waiting[number] = asyncio.get_running_loop().create_future()
+        await self._socket.send(json.dumps({"jsonrpc": "2.0", "id": number, "method": method, "params": params}))
+        return await self._waiting[number]
+
+    async def notify(self, method: str, **params: Any) -> None:
+        await self._socket.send(json.dumps({"jsonrpc": "2.0", "method": method, "params": params}))
+
+    async def next_frame(self) -> Frame:
+        """Not acknowledged: call `acknowledge` when it has been presented."""
+        frame = await self._frames.get()
+        if frame is None:
+            raise ConnectionError("the server has closed the connection")
+        return frame
+
+    async def acknowledge(self, frame: Frame) -> None:
+        if frame.is_last:
+            await self.notify("view.ack", view=frame.view, frame=frame.frame)
+
+    async def frames(self) -> AsyncIterator[Frame]:
+        while True:
+            frame = await self.next_frame()
+            yield frame
+            await self.acknowledge(frame)
+
+    async def _read(self) -> None:
+        try:
+            async for message in self._socket:
+                if isinstance(message, bytes):
+                    self._frames.put_nowait(read_frame(message))
+                else:
+                    self._answer(json.loads(message))
+        finally:
+            self._frames.put_nowait(None)
+            for waiting in self._waiting.values():
+                if not waiting.done():
+                    waiting.set_exception(ConnectionError("the server has closed the connection"))
+
+    def _answer(self, message: dict[str, Any]) -> None:
+        if "method" in message:
+            self.notifications.put_nowait(message)
+            return
+        waiting = self._waiting.pop(message["id"], None) if message["id"] is not None else None
+        if waiting is None or waiting.done():
+            return
+        if "error" in message:
+            waiting.set_exception(RpcError(message["error"]))
+        else:
+            waiting.set_result(message["result"])

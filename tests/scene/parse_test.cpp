@@ -1,0 +1,162 @@
+#include "scene/scene.hpp"
+#include "scene/schema.hpp"
+
+#include <fstream>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+namespace ciel::scene {
+namespace {
+
+using nlohmann::json;
+
+TEST(scene, defaults_are_those_of_the_contract) {
+    const Scene scene = parse({{"dataset", "d"},
+                               {"camera", {{"position", {1, 2, 3}}, {"target", {0, 0, 0}}}},
+                               {"layers", {{"i", {{"type", "iso"}, {"array", "p"}, {"values", json::array()}}}}}});
+    const json& schemas = contract()["components"]["schemas"];
+    const auto fallback = [&](const char* schema, const char* name) {
+        return schemas[schema]["properties"][name]["default"];
+    };
+    EXPECT_EQ(scene.background, fallback("Scene", "background"));
+    EXPECT_EQ(scene.legend, fallback("Scene", "legend"));
+    EXPECT_EQ(scene.camera->fov, fallback("Camera", "fov"));
+    EXPECT_EQ(scene.camera->parallel, fallback("Camera", "parallel"));
+    const Layer& layer = scene.layers.at(0);
+    EXPECT_EQ(layer.visible, fallback("IsoLayer", "visible"));
+    EXPECT_EQ(layer.opacity, fallback("IsoLayer", "opacity"));
+    const auto& iso = std::get<IsoLayer>(layer.kind);
+    EXPECT_EQ(iso.smooth, fallback("IsoLayer", "smooth"));
+    EXPECT_EQ(iso.color.map, fallback("Coloring", "map"));
+    EXPECT_EQ(fallback("Coloring", "solid"), "#cccccc");
+    EXPECT_FLOAT_EQ(iso.color.solid[0], 0xcc / 255.0F);
+    EXPECT_FALSE(iso.color.range);
+}
+
+TEST(scene, every_member_is_read) {
+    const Scene scene = parse(json::parse(R"({
+        "dataset": "d", "time": 2.5, "background": "#102030", "legend": false,
+        "camera": {"position": [1, 2, 3], "target": [4, 5, 6], "up": [0, 1, 0], "fov": 45, "parallel": true, "parallel_height": 7},
+        "layers": {
+            "i": {"type": "iso", "order": 4, "visible": false, "opacity": 0.5, "array": "U:x", "values": [1, 2], "smooth": false,
+                  "color": {"array": "p", "map": "gray", "range": [3, 4], "solid": "#ff0080"}},
+            "z": {"type": "slice", "order": 3, "axis": "z", "value": -2},
+            "n": {"type": "slice", "order": 2, "origin": [1, 1, 1], "normal": [0, 3, 4]},
+            "b": {"type": "surface", "order": 1, "groups": ["wall", "inlet"]},
+            "o": {"type": "outline", "order": 1, "color": {"solid": "#000000"}}}})"));
+    EXPECT_EQ(scene.time, 2.5);
+    EXPECT_EQ(scene.background, "#102030");
+    EXPECT_FALSE(scene.legend);
+    EXPECT_EQ(scene.camera->target, (std::array<double, 3>{4, 5, 6}));
+    EXPECT_EQ(scene.camera->up, (std::array<double, 3>{0, 1, 0}));
+    EXPECT_EQ(scene.camera->parallel_height, 7);
+
+    ASSERT_EQ(scene.layers.size(), 5U);
+    std::string order;
+    for (const Layer& layer : scene.layers) order += layer.id;
+    EXPECT_EQ(order, "bonzi"); // by (order, id)
+    EXPECT_EQ(std::get<SurfaceLayer>(scene.layers[0].kind).groups, (std::vector<std::string>{"wall", "inlet"}));
+    EXPECT_EQ(std::get<OutlineLayer>(scene.layers[1].kind).color.solid[0], 0);
+    EXPECT_EQ(std::get<SliceLayer>(scene.layers[2].kind).normal, (std::array<double, 3>{0, 0.6, 0.8}));
+    const auto& z = std::get<SliceLayer>(scene.layers[3].kind);
+    EXPECT_EQ(z.normal, (std::array<double, 3>{0, 0, 1}));
+    EXPECT_EQ(z.origin, (std::array<double, 3>{0, 0, -2}));
+    const auto& iso = std::get<IsoLayer>(scene.layers[4].kind);
+    EXPECT_FALSE(scene.layers[4].visible);
+    EXPECT_EQ(scene.layers[4].opacity, 0.5F);
+    EXPECT_EQ(iso.values, (std::vector<double>{1, 2}));
+    EXPECT_FALSE(iso.smooth);
+    EXPECT_EQ(iso.color.range, (std::array<double, 2>{3, 4}));
+    EXPECT_EQ(iso.color.solid[0], 1.0F);
+    EXPECT_EQ(iso.color.solid[1], 0.0F);
+}
+
+struct Malformed {
+    const char *name, *json, *path, *message;
+};
+constexpr Malformed table[] = {
+    {"not_an_object", R"([])", "", "the scene must be an object"},
+    {"no_dataset", R"({})", "/dataset", "/dataset is missing"},
+    {"empty_dataset", R"({"dataset": ""})", "/dataset", "/dataset has fewer characters than 1"},
+    {"unknown_member", R"({"dataset": "d", "colour": 1})", "/colour", "/colour is not known here"},
+    {"time_is_text", R"({"dataset": "d", "time": "1"})", "/time", "/time must be a number"},
+    {"background", R"({"dataset": "d", "background": "pink"})", "/background",
+     "/background must be one of \"dark\", \"light\", or must match ^#[0-9a-fA-F]{6}$"},
+    {"legend", R"({"dataset": "d", "legend": 1})", "/legend", "/legend must be true or false"},
+    {"camera_without_target", R"({"dataset": "d", "camera": {"position": [0, 0, 1]}})", "/camera/target",
+     "/camera/target is missing"},
+    {"camera_of_two_numbers", R"({"dataset": "d", "camera": {"position": [0, 0], "target": [0, 0, 0]}})",
+     "/camera/position", "/camera/position has fewer items than 3"},
+    {"camera_in_its_target", R"({"dataset": "d", "camera": {"position": [0, 0, 0], "target": [0, 0, 0]}})",
+     "/camera/position", "the camera's position and target must differ"},
+    {"camera_without_up",
+     R"({"dataset": "d", "camera": {"position": [0, 0, 1], "target": [0, 0, 0], "up": [0, 0, 0]}})", "/camera/up",
+     "the camera's up direction must not be zero"},
+    {"camera_fov", R"({"dataset": "d", "camera": {"position": [0, 0, 1], "target": [0, 0, 0], "fov": 180}})",
+     "/camera/fov", "/camera/fov must be less than 180"},
+    {"parallel_without_height",
+     R"({"dataset": "d", "camera": {"position": [0, 0, 1], "target": [0, 0, 0], "parallel": true}})",
+     "/camera/parallel_height", "a parallel camera needs parallel_height, the height of the view"},
+    {"layers_are_a_list", R"({"dataset": "d", "layers": []})", "/layers", "/layers must be an object"},
+    {"layer_is_a_number", R"({"dataset": "d", "layers": {"a": 3}})", "/layers/a", "/layers/a must be an object"},
+    {"layer_without_type", R"({"dataset": "d", "layers": {"a": {}}})", "/layers/a/type",
+     "/layers/a/type must be one of \"iso\", \"slice\", \"surface\", \"outline\""},
+    {"layer_of_unknown_type", R"({"dataset": "d", "layers": {"a": {"type": "fog"}}})", "/layers/a/type",
+     "/layers/a/type must be one of \"iso\", \"slice\", \"surface\", \"outline\""},
+    {"iso_without_values", R"({"dataset": "d", "layers": {"a": {"type": "iso", "array": "p"}}})", "/layers/a/values",
+     "/layers/a/values is missing"},
+    {"iso_value_is_text", R"({"dataset": "d", "layers": {"a": {"type": "iso", "array": "p", "values": [1, "2"]}}})",
+     "/layers/a/values/1", "/layers/a/values/1 must be a number"},
+    {"opacity", R"({"dataset": "d", "layers": {"a": {"type": "outline", "opacity": 1.5}}})", "/layers/a/opacity",
+     "/layers/a/opacity must be at most 1"},
+    {"id_is_escaped", R"({"dataset": "d", "layers": {"a/b~c": {"type": "outline", "opacity": -1}}})",
+     "/layers/a~1b~0c/opacity", "/layers/a~1b~0c/opacity must be at least 0"},
+    {"member_of_another_kind", R"({"dataset": "d", "layers": {"a": {"type": "outline", "values": []}}})",
+     "/layers/a/values", "/layers/a/values is not known here"},
+    {"slice_of_nothing", R"({"dataset": "d", "layers": {"a": {"type": "slice"}}})", "/layers/a",
+     "a slice has either axis and value, or origin and normal"},
+    {"slice_of_both",
+     R"({"dataset": "d", "layers": {"a": {"type": "slice", "axis": "x", "value": 0, "normal": [1, 0, 0]}}})",
+     "/layers/a", "a slice has either axis and value, or origin and normal"},
+    {"slice_of_half", R"({"dataset": "d", "layers": {"a": {"type": "slice", "axis": "x"}}})", "/layers/a",
+     "a slice has either axis and value, or origin and normal"},
+    {"slice_axis", R"({"dataset": "d", "layers": {"a": {"type": "slice", "axis": "w", "value": 0}}})", "/layers/a/axis",
+     "/layers/a/axis must be one of \"x\", \"y\", \"z\""},
+    {"slice_without_direction",
+     R"({"dataset": "d", "layers": {"a": {"type": "slice", "origin": [0, 0, 0], "normal": [0, 0, 0]}}})",
+     "/layers/a/normal", "a slice's normal must not be zero"},
+    {"slice_normal_overflows",
+     R"({"dataset": "d", "layers": {"a": {"type": "slice", "origin": [0, 0, 0], "normal": [1.7e308, 1.7e308, 0]}}})",
+     "/layers/a/normal", "a slice's normal must not be zero"},
+    {"color_range", R"({"dataset": "d", "layers": {"a": {"type": "outline", "color": {"range": [2, 1]}}}})",
+     "/layers/a/color/range", "a range is [minimum, maximum]"},
+    {"color_range_of_text", R"({"dataset": "d", "layers": {"a": {"type": "outline", "color": {"range": "all"}}}})",
+     "/layers/a/color/range", "/layers/a/color/range must be an array, or must be null"},
+    {"color_solid", R"({"dataset": "d", "layers": {"a": {"type": "outline", "color": {"solid": "#12345"}}}})",
+     "/layers/a/color/solid", "/layers/a/color/solid must match ^#[0-9a-fA-F]{6}$"},
+    {"group_is_a_number", R"({"dataset": "d", "layers": {"a": {"type": "surface", "groups": [7]}}})",
+     "/layers/a/groups/0", "/layers/a/groups/0 must be a string"},
+};
+
+TEST(scene, malformed_documents_are_refused_with_their_path) {
+    for (const Malformed& row : table) {
+        try {
+            (void)parse(json::parse(row.json));
+            ADD_FAILURE() << row.name << " was accepted";
+        } catch (const Invalid& error) {
+            EXPECT_EQ(error.path, row.path) << row.name;
+            EXPECT_STREQ(error.what(), row.message) << row.name;
+        }
+    }
+}
+
+TEST(scene, more_layers_and_values_than_the_contract_allows) {
+    json scene{{"dataset", "d"}};
+    for (int i = 0; i < 65; ++i) scene["layers"][std::to_string(i)] = {{"type", "outline"}};
+    EXPECT_THROW((void)parse(scene), Invalid);
+    scene["layers"].erase("0");
+    EXPECT_EQ(parse(scene).layers.size(), 64U);
+}
+
+} // namespace
+} // namespace ciel::scene
