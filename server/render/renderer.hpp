@@ -11,6 +11,7 @@
 
 namespace ciel::render {
 
+// In the order in which `automatic` tries them; hardware devices come before software ones.
 enum class Backend { automatic, egl_device, egl_surfaceless, osmesa };
 
 struct Camera {
@@ -24,9 +25,10 @@ struct Camera {
 struct Mesh {
     std::span<const Vec3f> positions; // offsets from the frame's origin
     std::span<const Vec3f> normals;   // empty: flat shading from the triangle
-    std::span<const float> scalars;   // empty: solid colour
+    std::span<const float> scalars;   // empty: solid colour; NaN is drawn grey
     std::span<const Index> indices;   // 3 per triangle, 2 per line
     bool lines = false;
+    float line_width = 1.5F; // pixels
     std::string map = "viridis";
     std::array<float, 2> range{0, 1};
     std::array<float, 4> color{0.8F, 0.8F, 0.8F, 1}; // alpha is the opacity, also of mapped colours
@@ -41,8 +43,9 @@ struct Frame {
     Camera camera;
     Vec3d bounds_min{}, bounds_max{}; // for the depth range, in world coordinates
     std::array<float, 3> background_top{}, background_bottom{};
-    std::vector<Mesh> meshes; // drawn in this order, opaque ones first
-    int samples = 1;          // 4: multisampled, for stills
+    // Opaque triangles, then lines, then transparent triangles of all meshes sorted from the back to the front.
+    std::vector<Mesh> meshes;
+    int samples = 1; // 4: multisampled, for stills
 };
 
 // Rows from the top, RGB, 8 bits, no padding.
@@ -59,12 +62,18 @@ public:
     ~Renderer();
     Renderer(Renderer&&) noexcept;
 
+    // Throws Error when arrays of a mesh do not fit together, a colour map does not exist, the camera is not finite or
+    // the size is more than the GL can do; the next draw is not affected.
     void draw(const Frame& frame, Image& image);
     // World position under a pixel of the last drawn frame; false where there is only background.
     bool pick(int x, int y, Vec3d& position);
     [[nodiscard]] const std::string& gl_renderer() const; // GL_RENDERER
     [[nodiscard]] const std::string& gl_version() const;
     [[nodiscard]] Backend backend() const;
+    // For logs: the back end and device that were chosen, and why those before them were not.
+    [[nodiscard]] const std::string& selection() const;
+    // Takes the context away as a reset of the GPU does, for tests of what follows.
+    void simulate_context_loss();
 
 private:
     struct State;

@@ -1,0 +1,83 @@
+// OpenGL 3.3 core as one table of entry points, got from the context's own loader: nothing of GL is linked, so the
+// program starts where no GL is installed, and contexts of different libraries live side by side.
+#pragma once
+
+#include <GL/glcorearb.h>
+#include <functional>
+
+namespace ciel::render {
+
+// NAME, TYPE of its pointer
+#define CIEL_GL_FUNCTIONS(X)                                                                                           \
+    X(ActiveTexture, PFNGLACTIVETEXTUREPROC)                                                                           \
+    X(AttachShader, PFNGLATTACHSHADERPROC)                                                                             \
+    X(BindBuffer, PFNGLBINDBUFFERPROC)                                                                                 \
+    X(BindFramebuffer, PFNGLBINDFRAMEBUFFERPROC)                                                                       \
+    X(BindRenderbuffer, PFNGLBINDRENDERBUFFERPROC)                                                                     \
+    X(BindTexture, PFNGLBINDTEXTUREPROC)                                                                               \
+    X(BindVertexArray, PFNGLBINDVERTEXARRAYPROC)                                                                       \
+    X(BlendFuncSeparate, PFNGLBLENDFUNCSEPARATEPROC)                                                                   \
+    X(BlitFramebuffer, PFNGLBLITFRAMEBUFFERPROC)                                                                       \
+    X(BufferData, PFNGLBUFFERDATAPROC)                                                                                 \
+    X(CheckFramebufferStatus, PFNGLCHECKFRAMEBUFFERSTATUSPROC)                                                         \
+    X(Clear, PFNGLCLEARPROC)                                                                                           \
+    X(ClearColor, PFNGLCLEARCOLORPROC)                                                                                 \
+    X(ColorMask, PFNGLCOLORMASKPROC)                                                                                   \
+    X(CompileShader, PFNGLCOMPILESHADERPROC)                                                                           \
+    X(CreateProgram, PFNGLCREATEPROGRAMPROC)                                                                           \
+    X(CreateShader, PFNGLCREATESHADERPROC)                                                                             \
+    X(DepthFunc, PFNGLDEPTHFUNCPROC)                                                                                   \
+    X(DepthMask, PFNGLDEPTHMASKPROC)                                                                                   \
+    X(Disable, PFNGLDISABLEPROC)                                                                                       \
+    X(DisableVertexAttribArray, PFNGLDISABLEVERTEXATTRIBARRAYPROC)                                                     \
+    X(DrawArrays, PFNGLDRAWARRAYSPROC)                                                                                 \
+    X(DrawElements, PFNGLDRAWELEMENTSPROC)                                                                             \
+    X(Enable, PFNGLENABLEPROC)                                                                                         \
+    X(EnableVertexAttribArray, PFNGLENABLEVERTEXATTRIBARRAYPROC)                                                       \
+    X(FramebufferRenderbuffer, PFNGLFRAMEBUFFERRENDERBUFFERPROC)                                                       \
+    X(GenBuffers, PFNGLGENBUFFERSPROC)                                                                                 \
+    X(GenFramebuffers, PFNGLGENFRAMEBUFFERSPROC)                                                                       \
+    X(GenRenderbuffers, PFNGLGENRENDERBUFFERSPROC)                                                                     \
+    X(GenTextures, PFNGLGENTEXTURESPROC)                                                                               \
+    X(GenVertexArrays, PFNGLGENVERTEXARRAYSPROC)                                                                       \
+    X(GetError, PFNGLGETERRORPROC)                                                                                     \
+    X(GetIntegerv, PFNGLGETINTEGERVPROC)                                                                               \
+    X(GetProgramInfoLog, PFNGLGETPROGRAMINFOLOGPROC)                                                                   \
+    X(GetProgramiv, PFNGLGETPROGRAMIVPROC)                                                                             \
+    X(GetShaderInfoLog, PFNGLGETSHADERINFOLOGPROC)                                                                     \
+    X(GetShaderiv, PFNGLGETSHADERIVPROC)                                                                               \
+    X(GetString, PFNGLGETSTRINGPROC)                                                                                   \
+    X(GetUniformLocation, PFNGLGETUNIFORMLOCATIONPROC)                                                                 \
+    X(LinkProgram, PFNGLLINKPROGRAMPROC)                                                                               \
+    X(PixelStorei, PFNGLPIXELSTOREIPROC)                                                                               \
+    X(PolygonOffset, PFNGLPOLYGONOFFSETPROC)                                                                           \
+    X(ReadPixels, PFNGLREADPIXELSPROC)                                                                                 \
+    X(RenderbufferStorageMultisample, PFNGLRENDERBUFFERSTORAGEMULTISAMPLEPROC)                                         \
+    X(ShaderSource, PFNGLSHADERSOURCEPROC)                                                                             \
+    X(TexImage2D, PFNGLTEXIMAGE2DPROC)                                                                                 \
+    X(TexParameteri, PFNGLTEXPARAMETERIPROC)                                                                           \
+    X(Uniform1f, PFNGLUNIFORM1FPROC)                                                                                   \
+    X(Uniform1i, PFNGLUNIFORM1IPROC)                                                                                   \
+    X(Uniform2f, PFNGLUNIFORM2FPROC)                                                                                   \
+    X(Uniform3f, PFNGLUNIFORM3FPROC)                                                                                   \
+    X(UniformMatrix4fv, PFNGLUNIFORMMATRIX4FVPROC)                                                                     \
+    X(UseProgram, PFNGLUSEPROGRAMPROC)                                                                                 \
+    X(VertexAttrib1f, PFNGLVERTEXATTRIB1FPROC)                                                                         \
+    X(VertexAttrib2f, PFNGLVERTEXATTRIB2FPROC)                                                                         \
+    X(VertexAttrib3f, PFNGLVERTEXATTRIB3FPROC)                                                                         \
+    X(VertexAttrib4f, PFNGLVERTEXATTRIB4FPROC)                                                                         \
+    X(VertexAttribPointer, PFNGLVERTEXATTRIBPOINTERPROC)                                                               \
+    X(Viewport, PFNGLVIEWPORTPROC)
+
+struct Gl {
+#define CIEL_GL_MEMBER(name, type) type name = nullptr;
+    CIEL_GL_FUNCTIONS(CIEL_GL_MEMBER)
+#undef CIEL_GL_MEMBER
+    PFNGLGETGRAPHICSRESETSTATUSPROC GetGraphicsResetStatus = nullptr; // null where the context cannot tell
+
+    using Loader = std::function<void (*(const char* name))()>;
+    // Throws Error naming the first function that is missing.
+    [[nodiscard]] static Gl load(const Loader& loader);
+};
+
+} // namespace ciel::render

@@ -1,0 +1,23 @@
+// A shared library opened at run time.
+#pragma once
+
+#include <string>
+
+namespace ciel::render {
+
+// Never closed: Mesa and drivers leave thread-local data and exit handlers behind that must not point into the void.
+class Library {
+public:
+    explicit Library(const char* name); // throws Error with the loader's words
+    template <typename Function>
+    [[nodiscard]] Function get(const char* symbol) const {
+        return reinterpret_cast<Function>(address(symbol));
+    }
+
+private:
+    [[nodiscard]] void* address(const char* symbol) const; // throws Error when it is missing
+    std::string name_;
+    void* handle_;
+};
+
+} // namespace ciel::render

@@ -1,0 +1,78 @@
+#include "render/mesh_buffers.hpp"
+
+#include "render/color_map.hpp"
+#include "render/shaders.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ciel::render {
+
+std::array<float, 2> normalisation(const std::array<float, 2>& range) {
+    const double low = range[0];
+    const double width = static_cast<double>(range[1]) - low;
+    if (!std::isfinite(width) || width == 0) return {0, 0.5F};
+    return {static_cast<float>(1 / width), static_cast<float>(-low / width)};
+}
+
+float color_map_row(const Mesh& mesh) {
+    return mesh.scalars.empty() ? 255.0F : static_cast<float>(color_map_index(mesh.map));
+}
+
+void check_mesh(const Mesh& mesh) {
+    const std::size_t vertices = mesh.positions.size();
+    Index largest = 0;
+    for (const Index vertex : mesh.indices) largest = std::max(largest, vertex);
+    if ((!mesh.normals.empty() && mesh.normals.size() != vertices) ||
+        (!mesh.scalars.empty() && mesh.scalars.size() != vertices) || mesh.indices.size() % (mesh.lines ? 2 : 3) != 0 ||
+        (!mesh.indices.empty() && largest >= vertices)) {
+        throw Error("a mesh to draw has arrays that do not fit together: " + std::to_string(vertices) + " vertices, " +
+                    std::to_string(mesh.normals.size()) + " normals, " + std::to_string(mesh.scalars.size()) +
+                    " scalars, " + std::to_string(mesh.indices.size()) + " indices up to " + std::to_string(largest));
+    }
+}
+
+MeshBuffers::MeshBuffers(const Gl& gl) : gl_(gl) {
+    gl_.GenVertexArrays(1, &array_);
+    for (GLuint* buffer : {&positions_, &normals_, &scalars_, &indices_}) gl_.GenBuffers(1, buffer);
+}
+
+void MeshBuffers::upload(GLuint buffer, GLenum target, std::size_t bytes, const void* data) {
+    gl_.BindBuffer(target, buffer);
+    gl_.BufferData(target, static_cast<GLsizeiptr>(bytes), data, GL_STREAM_DRAW);
+}
+
+void MeshBuffers::attribute(GLuint index, GLuint buffer, int components, std::size_t bytes, const void* data) {
+    if (bytes == 0) {
+        gl_.DisableVertexAttribArray(index);
+        return;
+    }
+    upload(buffer, GL_ARRAY_BUFFER, bytes, data);
+    gl_.EnableVertexAttribArray(index);
+    gl_.VertexAttribPointer(index, components, GL_FLOAT, GL_FALSE, 0, nullptr);
+}
+
+void MeshBuffers::load(const Mesh& mesh, bool may_keep) {
+    gl_.BindVertexArray(array_);
+    if (!may_keep || mesh.revision == 0 || mesh.identity != identity_ || mesh.revision != revision_) {
+        check_mesh(mesh);
+        attribute(attribute_position, positions_, 3, mesh.positions.size_bytes(), mesh.positions.data());
+        attribute(attribute_normal, normals_, 3, mesh.normals.size_bytes(), mesh.normals.data());
+        attribute(attribute_scalar, scalars_, 1, mesh.scalars.size_bytes(), mesh.scalars.data());
+        upload(indices_, GL_ELEMENT_ARRAY_BUFFER, mesh.indices.size_bytes(), mesh.indices.data());
+        identity_ = mesh.identity;
+        revision_ = mesh.revision;
+        primitive_ = mesh.lines ? GL_LINES : GL_TRIANGLES;
+        count_ = static_cast<GLsizei>(mesh.indices.size());
+    }
+    const auto range = normalisation(mesh.range);
+    gl_.VertexAttrib3f(attribute_normal, 0, 0, 0);
+    gl_.VertexAttrib1f(attribute_scalar, 0);
+    gl_.VertexAttrib2f(attribute_range, range[0], range[1]);
+    gl_.VertexAttrib4f(attribute_color, mesh.color[0], mesh.color[1], mesh.color[2], mesh.color[3]);
+    gl_.VertexAttrib2f(attribute_style, color_map_row(mesh), mesh.lit ? 1.0F : 0.0F);
+}
+
+void MeshBuffers::draw() const { gl_.DrawElements(primitive_, count_, GL_UNSIGNED_INT, nullptr); }
+
+} // namespace ciel::render

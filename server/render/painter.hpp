@@ -1,0 +1,46 @@
+// Draws frames with the GL objects of one context, which all live and die with it.
+#pragma once
+
+#include "render/camera.hpp"
+#include "render/mesh_buffers.hpp"
+#include "render/shaders.hpp"
+#include "render/target.hpp"
+#include "render/transparency.hpp"
+
+#include <list>
+
+namespace ciel::render {
+
+class Painter {
+public:
+    explicit Painter(const Gl& gl); // the context is current, here and in every other call
+    Painter(const Painter&) = delete;
+    Painter& operator=(const Painter&) = delete;
+
+    void draw(const Frame& frame, Image& image);
+    bool pick(int x, int y, Vec3d& position);
+    [[nodiscard]] const std::string& renderer_name() const { return renderer_name_; }
+    [[nodiscard]] const std::string& version() const { return version_; }
+
+private:
+    void draw_background(const Frame& frame);
+    void draw_meshes(const Frame& frame, bool lines);
+    void draw_transparent(const Frame& frame);
+    void use(const Program& program, const Frame& frame);
+    [[nodiscard]] MeshBuffers& buffers(std::size_t slot);
+
+    Gl gl_;
+    std::string renderer_name_, version_;
+    bool is_software_ = false;
+    Program background_, triangles_, lines_;
+    GLuint color_maps_ = 0, no_array_ = 0;
+    Target target_;
+    std::list<MeshBuffers> buffers_; // one per mesh of the largest frame so far
+    TransparentTriangles transparent_;
+    ViewTransform transform_;
+    Vec3d origin_{};
+    int width_ = 0, height_ = 0;           // of the last frame, 0 before the first
+    bool transparent_depth_drawn_ = false; // transparent surfaces leave no depth while they are drawn
+};
+
+} // namespace ciel::render

@@ -1,0 +1,101 @@
+#include "render/context.hpp"
+#include "render/painter.hpp"
+
+#include <optional>
+
+namespace ciel::render {
+namespace {
+
+struct BackendName {
+    Backend backend;
+    const char* name;
+};
+constexpr BackendName backend_names[] = {
+    {Backend::automatic, "auto"},
+    {Backend::egl_device, "egl-device"},
+    {Backend::egl_surfaceless, "egl-surfaceless"},
+    {Backend::osmesa, "osmesa"},
+};
+
+} // namespace
+
+struct Renderer::State {
+    ChosenContext chosen;
+    Gl gl;
+    std::optional<Painter> painter;
+
+    explicit State(Backend backend) : chosen(make_context(backend)) { start(); }
+
+    void start() {
+        if (!make_current(*chosen.context)) throw Error("a new OpenGL context was lost at once");
+        gl = Gl::load(chosen.context->loader());
+        painter.emplace(gl);
+    }
+    [[nodiscard]] bool is_lost() {
+        return !make_current(*chosen.context) ||
+               (gl.GetGraphicsResetStatus != nullptr && gl.GetGraphicsResetStatus() != GL_NO_ERROR);
+    }
+    // The same back end as before: a server must not go on in software without anybody having been told.
+    void rebuild() {
+        const Backend backend = chosen.backend;
+        painter.reset();
+        chosen.context.reset();
+        chosen = make_context(backend);
+        start();
+    }
+};
+
+Renderer::Renderer(Backend backend) : state_(std::make_unique<State>(backend)) {}
+Renderer::~Renderer() = default;
+Renderer::Renderer(Renderer&&) noexcept = default;
+
+void Renderer::draw(const Frame& frame, Image& image) {
+    if (state_->is_lost()) state_->rebuild();
+    state_->painter->draw(frame, image);
+    if (state_->is_lost()) { // while drawing: what was read is no picture
+        state_->rebuild();
+        state_->painter->draw(frame, image);
+    }
+}
+
+bool Renderer::pick(int x, int y, Vec3d& position) {
+    return !state_->is_lost() && state_->painter->pick(x, y, position);
+}
+
+void Renderer::simulate_context_loss() { state_->chosen.context->lose(); }
+
+const std::string& Renderer::gl_renderer() const { return state_->painter->renderer_name(); }
+const std::string& Renderer::gl_version() const { return state_->painter->version(); }
+const std::string& Renderer::selection() const { return state_->chosen.selection; }
+Backend Renderer::backend() const { return state_->chosen.backend; }
+
+std::vector<Backend> available_backends() {
+    std::vector<Backend> available;
+    for (const BackendName& named : backend_names) {
+        if (named.backend == Backend::automatic) continue;
+        try {
+            const Renderer renderer(named.backend);
+            available.push_back(named.backend);
+        } catch (const Error&) {
+            continue; // asking whether it is there is what this is for
+        }
+    }
+    return available;
+}
+
+const char* name_of(Backend backend) {
+    for (const BackendName& named : backend_names)
+        if (named.backend == backend) return named.name;
+    return "unknown";
+}
+
+Backend backend_named(const std::string& name) {
+    std::string known;
+    for (const BackendName& named : backend_names) {
+        if (name == named.name) return named.backend;
+        known += (known.empty() ? "" : ", ") + std::string(named.name);
+    }
+    throw Error("there is no GL back end '" + name + "'; there are " + known);
+}
+
+} // namespace ciel::render

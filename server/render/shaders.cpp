@@ -1,0 +1,238 @@
+#include "render/shaders.hpp"
+
+#include "ciel/types.hpp"
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace ciel::render {
+namespace {
+
+constexpr const char* background_vertex = R"(#version 330 core
+void main() { // one triangle that covers the picture
+    vec2 corner = vec2((gl_VertexID << 1) & 2, gl_VertexID & 2);
+    gl_Position = vec4(corner * 2.0 - 1.0, 0.0, 1.0);
+}
+)";
+
+constexpr const char* background_fragment = R"(#version 330 core
+uniform vec3 top;
+uniform vec3 bottom;
+uniform float height;
+out vec4 picture;
+void main() { picture = vec4(mix(bottom, top, gl_FragCoord.y / height), 1.0); }
+)";
+
+constexpr const char* surface_vertex = R"(#version 330 core
+layout(location = 0) in vec3 position;
+layout(location = 1) in vec3 normal;
+layout(location = 2) in float scalar;
+layout(location = 3) in vec2 range;
+layout(location = 4) in vec4 color;
+layout(location = 5) in vec2 style;
+uniform mat4 view;
+uniform mat4 projection;
+uniform float scale;
+out Surface {
+    vec3 place; // in the eye's axes, in units of the bounds' diagonal: derivatives of small scenes must not underflow
+    vec3 normal;
+    float value;
+    flat vec4 color;
+    flat vec2 style;
+} surface;
+void main() {
+    vec4 place = view * vec4(position, 1.0);
+    gl_Position = projection * place;
+    surface.place = place.xyz * scale;
+    surface.normal = mat3(view) * normal;
+    surface.value = scalar * range.x + range.y;
+    surface.color = color;
+    surface.style = style;
+}
+)";
+
+// Missing values are told by their bits: compilers may assume that x != x never holds.
+constexpr const char* mapped_color = R"(
+uniform sampler2D maps;
+uniform float map_rows;
+vec3 base_color(float value, vec3 solid, float row) {
+    if (row > 254.5) return solid;
+    if ((floatBitsToUint(value) & 0x7fffffffu) > 0x7f800000u) return vec3(0.5);
+    return texture(maps, vec2((clamp(value, 0.0, 1.0) * 255.0 + 0.5) / 256.0, (row + 0.5) / map_rows)).rgb;
+}
+)";
+
+constexpr const char* triangle_fragment = R"(
+uniform float parallel;
+in Surface {
+    vec3 place;
+    vec3 normal;
+    float value;
+    flat vec4 color;
+    flat vec2 style;
+} surface;
+out vec4 picture;
+
+vec3 facing_normal(vec3 viewer) {
+    vec3 plane = cross(dFdx(surface.place), dFdy(surface.place));
+    float plane_length = length(plane);
+    float normal_length = length(surface.normal);
+    vec3 n = viewer; // a sliver without a plane of its own is lit as if it faced the viewer, never black
+    if (plane_length > 1e-30) n = plane / plane_length;
+    if (normal_length > 1e-6) n = surface.normal / normal_length;
+    return dot(n, viewer) < 0.0 ? -n : n;
+}
+
+void main() {
+    vec3 base = base_color(surface.value, surface.color.rgb, surface.style.x);
+    if (surface.style.y > 0.5) {
+        vec3 viewer = mix(normalize(-surface.place), vec3(0.0, 0.0, 1.0), parallel);
+        vec3 n = facing_normal(viewer);
+        vec3 key = normalize(vec3(-0.45, 0.65, 0.6)); // over the viewer's left shoulder
+        float head = dot(n, viewer);
+        float wrapped = 0.5 + 0.5 * dot(n, key);
+        float shine = pow(max(dot(n, normalize(key + viewer)), 0.0), 40.0);
+        base = base * (0.16 + 0.46 * head + 0.46 * wrapped * wrapped) + vec3(0.10 * shine);
+    }
+    picture = vec4(base, surface.color.a);
+}
+)";
+
+// A line becomes a rectangle of the asked width in pixels with soft edges: core profiles may refuse wide lines.
+constexpr const char* line_geometry = R"(#version 330 core
+layout(lines) in;
+layout(triangle_strip, max_vertices = 4) out;
+uniform vec2 viewport;
+uniform float half_width;
+in Surface {
+    vec3 place;
+    vec3 normal;
+    float value;
+    flat vec4 color;
+    flat vec2 style;
+} surface[];
+out Line {
+    float value;
+    noperspective float across;
+    flat vec4 color;
+    flat vec2 style;
+} line;
+
+void corner(vec4 end, float value, vec2 offset, float across) {
+    gl_Position = end + vec4(offset / viewport * 2.0 * end.w, 0.0, 0.0);
+    line.value = value;
+    line.across = across;
+    line.color = surface[0].color;
+    line.style = surface[0].style;
+    EmitVertex();
+}
+
+void main() {
+    vec4 a = gl_in[0].gl_Position;
+    vec4 b = gl_in[1].gl_Position;
+    float value_a = surface[0].value;
+    float value_b = surface[1].value;
+    float in_a = a.z + a.w; // behind the nearest plane when negative: cut there, a point behind the eye has no pixel
+    float in_b = b.z + b.w;
+    if (in_a < 0.0 && in_b < 0.0) return;
+    if (in_a < 0.0) {
+        float t = in_a / (in_a - in_b);
+        a = mix(a, b, t);
+        value_a = mix(value_a, value_b, t);
+    } else if (in_b < 0.0) {
+        float t = in_b / (in_b - in_a);
+        b = mix(b, a, t);
+        value_b = mix(value_b, value_a, t);
+    }
+    vec2 along = (b.xy / b.w - a.xy / a.w) * viewport * 0.5;
+    along = length(along) > 1e-6 ? normalize(along) : vec2(1.0, 0.0);
+    vec2 side = vec2(-along.y, along.x) * (half_width + 0.5);
+    vec2 cap = along * half_width * 0.5; // so that lines that meet leave no notch
+    corner(a, value_a, side - cap, half_width + 0.5);
+    corner(a, value_a, -side - cap, -half_width - 0.5);
+    corner(b, value_b, side + cap, half_width + 0.5);
+    corner(b, value_b, -side + cap, -half_width - 0.5);
+    EndPrimitive();
+}
+)";
+
+constexpr const char* line_fragment = R"(
+uniform float half_width;
+in Line {
+    float value;
+    noperspective float across;
+    flat vec4 color;
+    flat vec2 style;
+} line;
+out vec4 picture;
+void main() {
+    float cover = clamp(half_width + 0.5 - abs(line.across), 0.0, 1.0);
+    if (cover < 0.02) discard; // else an unseen edge would still hide what is behind it
+    picture = vec4(base_color(line.value, line.color.rgb, line.style.x), line.color.a * cover);
+}
+)";
+
+void add_shader(const Gl& gl, GLuint program, GLenum kind, const std::string& source) {
+    const GLuint shader = gl.CreateShader(kind);
+    const char* text = source.c_str();
+    gl.ShaderSource(shader, 1, &text, nullptr);
+    gl.CompileShader(shader);
+    GLint is_compiled = 0;
+    gl.GetShaderiv(shader, GL_COMPILE_STATUS, &is_compiled);
+    if (is_compiled == 0) {
+        std::vector<char> log(4096);
+        gl.GetShaderInfoLog(shader, static_cast<GLsizei>(log.size()), nullptr, log.data());
+        throw Error("the GL driver refuses a shader: " + std::string(log.data()));
+    }
+    gl.AttachShader(program, shader);
+}
+
+using Stage = std::pair<GLenum, std::string>;
+
+Program link(const Gl& gl, const std::vector<Stage>& stages) {
+    Program program;
+    program.id = gl.CreateProgram();
+    for (const auto& [kind, source] : stages) add_shader(gl, program.id, kind, source);
+    gl.LinkProgram(program.id);
+    GLint is_linked = 0;
+    gl.GetProgramiv(program.id, GL_LINK_STATUS, &is_linked);
+    if (is_linked == 0) {
+        std::vector<char> log(4096);
+        gl.GetProgramInfoLog(program.id, static_cast<GLsizei>(log.size()), nullptr, log.data());
+        throw Error("the GL driver refuses a program: " + std::string(log.data()));
+    }
+    const auto uniform = [&](const char* name) { return gl.GetUniformLocation(program.id, name); };
+    program.view = uniform("view");
+    program.projection = uniform("projection");
+    program.scale = uniform("scale");
+    program.parallel = uniform("parallel");
+    program.maps = uniform("maps");
+    program.map_rows = uniform("map_rows");
+    program.viewport = uniform("viewport");
+    program.half_width = uniform("half_width");
+    program.top = uniform("top");
+    program.bottom = uniform("bottom");
+    program.height = uniform("height");
+    return program;
+}
+
+std::string with_color_map(const char* body) { return std::string("#version 330 core\n") + mapped_color + body; }
+
+} // namespace
+
+Program make_background_program(const Gl& gl) {
+    return link(gl, {{GL_VERTEX_SHADER, background_vertex}, {GL_FRAGMENT_SHADER, background_fragment}});
+}
+
+Program make_triangle_program(const Gl& gl) {
+    return link(gl, {{GL_VERTEX_SHADER, surface_vertex}, {GL_FRAGMENT_SHADER, with_color_map(triangle_fragment)}});
+}
+
+Program make_line_program(const Gl& gl) {
+    return link(gl, {{GL_VERTEX_SHADER, surface_vertex},
+                     {GL_GEOMETRY_SHADER, line_geometry},
+                     {GL_FRAGMENT_SHADER, with_color_map(line_fragment)}});
+}
+
+} // namespace ciel::render

@@ -1,0 +1,31 @@
+// The three programs: background, triangles, lines.
+#pragma once
+
+#include "render/gl.hpp"
+
+namespace ciel::render {
+
+// Vertex attributes. What a mesh does not have per vertex is set once for all of it: in OpenGL an attribute without an
+// array has one value, so that one program draws every kind of mesh.
+enum Attribute : GLuint {
+    attribute_position = 0,
+    attribute_normal = 1, // zero: shaded by the triangle's own plane
+    attribute_scalar = 2,
+    attribute_range = 3, // (a, b): scalar * a + b runs from 0 to 1 over the range
+    attribute_color = 4, // RGB of a solid mesh, and the opacity
+    attribute_style = 5, // (row of the colour map's texture, or 255 for solid; 1 when lit)
+};
+
+struct Program {
+    GLuint id = 0;
+    GLint view = -1, projection = -1, scale = -1, parallel = -1, maps = -1, map_rows = -1; // triangles and lines
+    GLint viewport = -1, half_width = -1;                                                  // lines
+    GLint top = -1, bottom = -1, height = -1;                                              // background
+};
+
+// Each throws Error with the compiler's words.
+[[nodiscard]] Program make_background_program(const Gl& gl);
+[[nodiscard]] Program make_triangle_program(const Gl& gl);
+[[nodiscard]] Program make_line_program(const Gl& gl);
+
+} // namespace ciel::render

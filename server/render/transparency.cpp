@@ -1,0 +1,104 @@
+#include "render/transparency.hpp"
+
+#include "render/mesh_buffers.hpp"
+#include "render/shaders.hpp"
+
+#include <bit>
+#include <cstddef>
+
+namespace ciel::render {
+namespace {
+
+// Order of the floats as order of unsigned integers.
+std::uint32_t sortable(float value) {
+    const auto bits = std::bit_cast<std::uint32_t>(value);
+    return (bits & 0x80000000U) != 0 ? ~bits : bits | 0x80000000U;
+}
+
+} // namespace
+
+TransparentTriangles::TransparentTriangles(const Gl& gl) : gl_(gl) {
+    gl_.GenVertexArrays(1, &array_);
+    gl_.GenBuffers(1, &vertex_buffer_);
+    gl_.GenBuffers(1, &index_buffer_);
+    gl_.BindVertexArray(array_);
+    gl_.BindBuffer(GL_ARRAY_BUFFER, vertex_buffer_);
+    gl_.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, index_buffer_);
+    const auto attribute = [&](GLuint index, int components, std::size_t offset) {
+        gl_.EnableVertexAttribArray(index);
+        gl_.VertexAttribPointer(index, components, GL_FLOAT, GL_FALSE, sizeof(Vertex),
+                                reinterpret_cast<const void*>(offset));
+    };
+    attribute(attribute_position, 3, offsetof(Vertex, position));
+    attribute(attribute_normal, 3, offsetof(Vertex, normal));
+    attribute(attribute_scalar, 1, offsetof(Vertex, scalar));
+    attribute(attribute_color, 4, offsetof(Vertex, color));
+    attribute(attribute_style, 2, offsetof(Vertex, style));
+}
+
+void TransparentTriangles::begin(const glm::vec4& depth_row) {
+    depth_row_ = depth_row;
+    vertices_.clear();
+    sorted_.clear();
+}
+
+void TransparentTriangles::add(const Mesh& mesh) {
+    check_mesh(mesh);
+    const auto first = static_cast<Index>(vertices_.size());
+    const auto range = normalisation(mesh.range);
+    Vertex vertex{{}, {}, 0, mesh.color, {color_map_row(mesh), mesh.lit ? 1.0F : 0.0F}};
+    vertices_.reserve(vertices_.size() + mesh.positions.size());
+    for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+        vertex.position = mesh.positions[i];
+        if (!mesh.normals.empty()) vertex.normal = mesh.normals[i];
+        if (!mesh.scalars.empty()) vertex.scalar = mesh.scalars[i] * range[0] + range[1];
+        vertices_.push_back(vertex);
+    }
+    sorted_.reserve(sorted_.size() + mesh.indices.size() / 3);
+    const auto nearness = [&](Index corner) {
+        const Vec3f& p = mesh.positions[corner];
+        return depth_row_.x * p[0] + depth_row_.y * p[1] + depth_row_.z * p[2];
+    };
+    for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
+        const Index a = mesh.indices[i];
+        const Index b = mesh.indices[i + 1];
+        const Index c = mesh.indices[i + 2];
+        sorted_.push_back({sortable(nearness(a) + nearness(b) + nearness(c)), {first + a, first + b, first + c}});
+    }
+}
+
+void TransparentTriangles::radix_sort() {
+    constexpr unsigned bits = 11;
+    constexpr std::uint32_t mask = (1U << bits) - 1;
+    other_.resize(sorted_.size());
+    for (unsigned shift = 0; shift < 32; shift += bits) {
+        std::array<std::size_t, mask + 2> begin{};
+        for (const Triangle& triangle : sorted_) ++begin[((triangle.key >> shift) & mask) + 1];
+        for (std::size_t i = 1; i < begin.size(); ++i) begin[i] += begin[i - 1];
+        for (const Triangle& triangle : sorted_) other_[begin[(triangle.key >> shift) & mask]++] = triangle;
+        sorted_.swap(other_);
+    }
+}
+
+void TransparentTriangles::sort_and_upload() {
+    if (sorted_.empty()) return;
+    radix_sort();
+    indices_.clear();
+    indices_.reserve(3 * sorted_.size());
+    for (const Triangle& triangle : sorted_)
+        indices_.insert(indices_.end(), triangle.corners.begin(), triangle.corners.end());
+    gl_.BindVertexArray(array_);
+    gl_.BindBuffer(GL_ARRAY_BUFFER, vertex_buffer_);
+    gl_.BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(vertices_.size() * sizeof(Vertex)), vertices_.data(),
+                   GL_STREAM_DRAW);
+    gl_.BufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(indices_.size() * sizeof(Index)), indices_.data(),
+                   GL_STREAM_DRAW);
+}
+
+void TransparentTriangles::draw() const {
+    gl_.BindVertexArray(array_);
+    gl_.VertexAttrib2f(attribute_range, 1, 0);
+    gl_.DrawElements(GL_TRIANGLES, static_cast<GLsizei>(indices_.size()), GL_UNSIGNED_INT, nullptr);
+}
+
+} // namespace ciel::render
