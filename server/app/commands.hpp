@@ -14,4 +14,6 @@ namespace ciel::app {
 // left out.
 using Run = std::function<int()>;
 
+void add_import(CLI::App& app, Run& run);
+
 } // namespace ciel::app

@@ -25,13 +25,16 @@ constexpr double most_bad_cells = 0.001; // of all
 void add_options(CLI::App& app, ciel::store::ImportValues& values) {
     for (const ciel::store::ImportOption& option : ciel::store::import_options) {
         auto& given = values[std::string(option.name)];
-        if (option.value.empty())
+        const std::string names(option.names);
+        const std::string help(option.help);
+        if (option.value.empty()) {
             app.add_flag_callback(
-                std::string(option.names), [&given] { given = {"yes"}; }, std::string(option.help));
-        else
-            app.add_option(std::string(option.names), given, std::string(option.help))
-                ->required(option.required)
-                ->type_name(std::string(option.value));
+                names, [&given] { given = {"yes"}; }, help);
+            continue;
+        }
+        CLI::Option* added = app.add_option(names, given, help);
+        added->required(option.required)->type_name(std::string(option.value));
+        if (!option.several) added->expected(1);
     }
 }
 

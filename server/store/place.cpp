@@ -16,7 +16,10 @@ std::string temporary_prefix(const fs::path& target) {
     return std::string(".") + target.filename().string() + ".writing-";
 }
 
-void remove_left_behind(const fs::path& target) {
+} // namespace
+
+void remove_left_behind(const fs::path& given) {
+    const fs::path target = fs::absolute(given).lexically_normal();
     std::error_code error;
     for (const auto& entry : fs::directory_iterator(target.parent_path(), error)) {
         if (!entry.path().filename().string().starts_with(temporary_prefix(target)) || !entry.is_directory(error))
@@ -25,8 +28,6 @@ void remove_left_behind(const fs::path& target) {
         if (lock_directory(entry.path(), lock)) fs::remove_all(entry.path(), error);
     }
 }
-
-} // namespace
 
 Place::Place(const fs::path& target, bool overwrite)
     : target_(fs::absolute(target).lexically_normal()), overwrite_(overwrite) {

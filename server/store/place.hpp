@@ -5,6 +5,9 @@
 
 namespace ciel::store {
 
+// Removes the temporary directories of writers of `target` that died; those of living ones are locked and stay.
+void remove_left_behind(const std::filesystem::path& target);
+
 class Place {
 public:
     // Makes the temporary directory, and removes those that killed writers of the same target have left. Throws Error
