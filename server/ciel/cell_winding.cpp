@@ -74,27 +74,23 @@ bool CellWinding::balanced() {
 // Lists which faces meet at an edge that no third face of the cell touches. False when an edge is used an odd number
 // of times: the cell is open there.
 bool CellWinding::collect_edges() {
-    struct Use {
-        Index low, high, face;
-        bool upward;
-    };
-    std::vector<Use> uses;
+    uses_.clear();
     for (Index h = 0; h < from_.size(); ++h) {
         const Index a = from_[h], b = target(h);
-        uses.push_back({std::min(a, b), std::max(a, b), face_of_[h], a < b});
+        uses_.push_back({std::min(a, b), std::max(a, b), face_of_[h], a < b});
     }
-    std::ranges::sort(uses, [](const Use& x, const Use& y) {
+    std::ranges::sort(uses_, [](const Use& x, const Use& y) {
         return std::tie(x.low, x.high, x.face, x.upward) < std::tie(y.low, y.high, y.face, y.upward);
     });
     neighbours_.assign(faces_.size(), {});
-    for (std::size_t begin = 0, end; begin < uses.size(); begin = end) {
+    for (std::size_t begin = 0, end; begin < uses_.size(); begin = end) {
         std::vector<Use> edge; // without the pairs that cancel inside one collapsed face
-        for (end = begin; end < uses.size() && uses[end].low == uses[begin].low && uses[end].high == uses[begin].high;
-             ++end) {
-            if (!edge.empty() && edge.back().face == uses[end].face && edge.back().upward != uses[end].upward)
+        for (end = begin;
+             end < uses_.size() && uses_[end].low == uses_[begin].low && uses_[end].high == uses_[begin].high; ++end) {
+            if (!edge.empty() && edge.back().face == uses_[end].face && edge.back().upward != uses_[end].upward)
                 edge.pop_back();
             else
-                edge.push_back(uses[end]);
+                edge.push_back(uses_[end]);
         }
         if (edge.size() % 2 != 0) return false;
         if (edge.size() != 2 || edge[0].face == edge[1].face) continue;
@@ -105,24 +101,52 @@ bool CellWinding::collect_edges() {
     return true;
 }
 
-void CellWinding::spread_winding() {
-    std::vector<std::uint8_t> seen(faces_.size(), 0);
+// Turns the faces of each lobe to agree with its first one; returns the number of lobes.
+Index CellWinding::spread_winding() {
+    lobe_.assign(faces_.size(), none);
     std::vector<Index> queue;
+    Index lobes = 0;
     for (Index start = 0; start < faces_.size(); ++start) {
-        if (seen[start]) continue;
-        seen[start] = 1;
+        if (lobe_[start] != none) continue;
+        lobe_[start] = lobes;
         queue.assign(1, start);
         while (!queue.empty()) {
             const Index face = queue.back();
             queue.pop_back();
             for (const Neighbour& other : neighbours_[face]) {
-                if (seen[other.face]) continue;
-                seen[other.face] = 1;
+                if (lobe_[other.face] != none) continue;
+                lobe_[other.face] = lobes;
                 faces_[other.face].turned = faces_[face].turned != other.same_direction;
                 queue.push_back(other.face);
             }
         }
+        ++lobes;
     }
+    return lobes;
+}
+
+std::vector<Index> CellWinding::lobes(Index cell) {
+    std::vector<Index> out(input_.cell_offset[cell + 1] - input_.cell_offset[cell], 0);
+    if (gather(cell) && collect_edges() && spread_winding() > 1) {
+        out = lobe_;
+        // A lobe that is open by itself goes with those that close it.
+        for (std::size_t begin = 0, end; begin < uses_.size(); begin = end) {
+            for (end = begin;
+                 end < uses_.size() && uses_[end].low == uses_[begin].low && uses_[end].high == uses_[begin].high;)
+                ++end;
+            for (std::size_t i = begin; i < end; ++i) {
+                int balance = 0;
+                for (std::size_t j = begin; j < end; ++j)
+                    if (out[uses_[j].face] == out[uses_[i].face])
+                        balance += uses_[j].upward != faces_[uses_[j].face].turned ? 1 : -1;
+                if (balance == 0) continue;
+                for (std::size_t j = begin; j < end; ++j)
+                    std::ranges::replace(out, Index{out[uses_[j].face]}, Index{out[uses_[i].face]});
+            }
+        }
+    }
+    forget();
+    return out;
 }
 
 std::optional<Reason> CellWinding::make_agree() {

@@ -21,6 +21,10 @@ public:
     // `turn[f]` is set to 1 for each input face of the cell that has to be reversed, else 0.
     Verdict judge(Index cell, std::span<std::uint8_t> turn);
 
+    // The parts of a closed cell that could be turned one by one without opening it: where it touches itself along an
+    // edge, or around a cavity. One number per face of the cell, from 0.
+    [[nodiscard]] std::vector<Index> lobes(Index cell);
+
 private:
     struct Face {
         std::uint64_t id;
@@ -33,7 +37,7 @@ private:
     bool balanced();
     std::optional<BadCells::Reason> make_agree();
     bool collect_edges();
-    void spread_winding();
+    Index spread_winding();
     [[nodiscard]] Index target(Index half_edge) const;
     [[nodiscard]] Vec3d position(Index local) const;
     [[nodiscard]] Vec3d centre() const;
@@ -49,6 +53,12 @@ private:
     std::vector<Index> head_;     // local vertex -> first half-edge of its list
     std::vector<Index> next_;     // half-edge -> next of the same list
     std::vector<std::uint8_t> paired_;
+    std::vector<Index> lobe_; // face -> faces that hang together by edges of two faces
+    struct Use {
+        Index low, high, face;
+        bool upward;
+    };
+    std::vector<Use> uses_; // half-edges by edge
     struct Neighbour {
         Index face;
         bool same_direction;

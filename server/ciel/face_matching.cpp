@@ -1,5 +1,6 @@
 #include "ciel/face_matching.hpp"
 
+#include "ciel/cell_winding.hpp"
 #include "ciel/loop.hpp"
 #include "ciel/parallel.hpp"
 
@@ -80,7 +81,8 @@ private:
     bool wound_alike(Index a, Index b); // as they are turned now
     void match(Index a, Index b);
     void agree_across_faces();
-    void spread_from(Index start, const std::vector<std::vector<Index>>& matched_faces);
+    void divide_into_units(const std::vector<Index>& conflicts);
+    void spread_from(Index start);
     void settle_crowd(const std::vector<Index>& group);
 
     const PolyhedraView& input_;
@@ -88,7 +90,11 @@ private:
     MatchedFaces result_;
     std::vector<std::vector<Index>> crowds_; // faces with more than two claims
     std::vector<Index> loop_a_, loop_b_;
-    std::vector<std::uint8_t> parity_; // cell: 0 not seen, 1 keep, 2 turn
+    // What is turned as one: a cell, or a lobe of one. Units below the number of cells are cells or their first lobes.
+    std::vector<Index> unit_of_face_;
+    std::vector<Index> cell_of_unit_;
+    std::vector<std::uint8_t> divided_; // cell
+    std::vector<std::uint8_t> parity_;  // unit: 0 not seen, 1 keep, 2 turn
 };
 
 Matcher::Relation Matcher::compare(Index a, Index b) {
@@ -144,47 +150,82 @@ void Matcher::settle_equal(std::span<const Claim> claims) {
 }
 
 // Cells are wound outwards one by one. Where that makes two neighbours disagree (one of them is folded, or has no
-// volume to tell by), the topology needs agreement more than volume: the lesser part of each component gives in.
+// volume to tell by, or touches itself), the topology needs agreement more than volume: the lesser part gives in.
 void Matcher::agree_across_faces() {
     std::vector<Index> conflicts;
+    const auto disagree = [&](Index f) {
+        return result_.partner[f] != none && f < result_.partner[f] && wound_alike(f, result_.partner[f]);
+    };
     for (Index f = 0; f < result_.partner.size(); ++f)
-        if (result_.partner[f] != none && f < result_.partner[f] && wound_alike(f, result_.partner[f]))
-            conflicts.push_back(f);
+        if (disagree(f)) conflicts.push_back(f);
     if (conflicts.empty()) return;
-    std::vector<std::vector<Index>> matched_faces(faces_.volume.size());
-    for (Index f = 0; f < result_.partner.size(); ++f)
-        if (result_.partner[f] != none) matched_faces[faces_.cell[f]].push_back(f);
-    parity_.assign(faces_.volume.size(), 0);
+    divide_into_units(conflicts);
     for (const Index f : conflicts)
-        if (parity_[faces_.cell[f]] == 0) spread_from(faces_.cell[f], matched_faces);
+        if (parity_[unit_of_face_[f]] == 0) spread_from(unit_of_face_[f]);
     for (std::size_t f = 0; f < faces_.cell.size(); ++f)
-        if (faces_.cell[f] != none && parity_[faces_.cell[f]] == 2) faces_.turn[f] ^= 1;
+        if (faces_.cell[f] != none && parity_[unit_of_face_[f]] == 2) faces_.turn[f] ^= 1;
     for (const Index f : conflicts)
-        if (wound_alike(f, result_.partner[f])) { // a one-sided ring of cells: it has to be cut somewhere
+        if (disagree(f)) { // a one-sided ring of cells: it has to be cut somewhere
             result_.partner[result_.partner[f]] = none;
             result_.partner[f] = none;
             ++result_.internal_boundaries;
         }
 }
 
-void Matcher::spread_from(Index start, const std::vector<std::vector<Index>>& matched_faces) {
+void Matcher::divide_into_units(const std::vector<Index>& conflicts) {
+    unit_of_face_.assign(faces_.cell.begin(), faces_.cell.end());
+    cell_of_unit_.resize(faces_.volume.size());
+    for (Index c = 0; c < cell_of_unit_.size(); ++c) cell_of_unit_[c] = c;
+    std::vector<Index> cells;
+    for (const Index f : conflicts) {
+        cells.push_back(faces_.cell[f]);
+        cells.push_back(faces_.cell[result_.partner[f]]);
+    }
+    std::ranges::sort(cells);
+    cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
+    divided_.assign(faces_.volume.size(), 0);
+    CellWinding winding(input_);
+    for (const Index cell : cells) {
+        const std::vector<Index> lobes = winding.lobes(cell);
+        const auto first_new = static_cast<Index>(cell_of_unit_.size());
+        for (std::size_t i = 0; i < lobes.size(); ++i)
+            if (lobes[i] > 0) unit_of_face_[input_.cell_offset[cell] + i] = first_new + lobes[i] - 1;
+        cell_of_unit_.resize(first_new + *std::ranges::max_element(lobes), cell);
+        divided_[cell] = cell_of_unit_.size() > first_new ? 1 : 0;
+    }
+    parity_.assign(cell_of_unit_.size(), 0);
+}
+
+// Gives every unit that hangs together with `start` the parity that makes all faces between them agree, or none at all
+// where no parity does.
+void Matcher::spread_from(Index start) {
     std::vector<Index> component{start};
+    bool consistent = true;
     parity_[start] = 1;
     for (std::size_t next = 0; next < component.size(); ++next) {
-        const Index cell = component[next];
-        for (const Index f : matched_faces[cell]) {
-            const Index other = faces_.cell[result_.partner[f]];
-            if (parity_[other] != 0) continue;
-            parity_[other] =
-                wound_alike(f, result_.partner[f]) ? static_cast<std::uint8_t>(3 - parity_[cell]) : parity_[cell];
-            component.push_back(other);
+        const Index unit = component[next], cell = cell_of_unit_[unit];
+        for (std::uint64_t f = input_.cell_offset[cell]; f < input_.cell_offset[cell + 1]; ++f) {
+            if (unit_of_face_[f] != unit || result_.partner[f] == none) continue;
+            const Index other = unit_of_face_[result_.partner[f]];
+            const bool turn = wound_alike(static_cast<Index>(f), result_.partner[f]);
+            const auto parity = turn ? static_cast<std::uint8_t>(3 - parity_[unit]) : parity_[unit];
+            if (parity_[other] == 0) {
+                parity_[other] = parity;
+                component.push_back(other);
+            }
+            consistent = consistent && parity_[other] == parity;
         }
     }
     double balance = 0;
-    for (const Index cell : component) balance += parity_[cell] == 1 ? faces_.volume[cell] : -faces_.volume[cell];
-    for (const Index cell : component) {
-        if (balance < 0) parity_[cell] = static_cast<std::uint8_t>(3 - parity_[cell]);
-        if (parity_[cell] == 2 && faces_.volume[cell] > 0) result_.inverted_cells.push_back(cell);
+    for (const Index unit : component) {
+        const double volume = unit < faces_.volume.size() ? faces_.volume[unit] : 0;
+        balance += parity_[unit] == 1 ? volume : -volume;
+    }
+    for (const Index unit : component) {
+        if (balance < 0) parity_[unit] = static_cast<std::uint8_t>(3 - parity_[unit]);
+        if (!consistent) parity_[unit] = 1;
+        if (parity_[unit] == 2 && !divided_[cell_of_unit_[unit]] && faces_.volume[unit] > 0)
+            result_.inverted_cells.push_back(unit);
     }
 }
 

@@ -70,6 +70,8 @@ TEST(Assemble, MatchesTheFacesOfEveryKindOfMesh) {
         {"collapsed", collapsed_hexahedra(8), 16, 8 * (2 * 6 - 1 - 2), 8 * (5 + 1)},
         {"shared edge", cubes_that_share_an_edge(), 2, 12, 12},
         {"hollow", hollow_box(), 26, 108, 60},
+        {"pinched", pinched_cell(), 3, 20, 16},
+        {"cell around a cell", cell_around_a_cell(), 2, 60, 54},
     };
     for (const Row& row : rows) {
         SCOPED_TRACE(row.name);
@@ -84,17 +86,22 @@ TEST(Assemble, MatchesTheFacesOfEveryKindOfMesh) {
 
 TEST(Assemble, TurnsAnyWindingOutwards) {
     std::mt19937 random(7);
-    for (const Polyhedra& good : {hexahedra(3, 3, 3), tetrahedra(2, 2, 2), hexagonal_prisms(4, 3, 2), mixed_cells()}) {
-        Polyhedra mesh = good;
-        for (std::size_t f = 0; f + 1 < mesh.face_offset.size(); ++f)
-            if (random() % 2 != 0)
-                std::reverse(mesh.face_vertex.begin() + static_cast<std::ptrdiff_t>(mesh.face_offset[f]),
-                             mesh.face_vertex.begin() + static_cast<std::ptrdiff_t>(mesh.face_offset[f + 1]));
-        const Assembled out = mesh.assembled();
-        EXPECT_TRUE(out.report.bad_cells.empty());
-        EXPECT_GT(out.report.reversed_faces, 0U);
-        EXPECT_EQ(out.mesh.owner.size(), good.assembled().mesh.owner.size());
-        expect_sound(out.mesh);
+    for (const Polyhedra& good : {hexahedra(3, 3, 3), tetrahedra(2, 2, 2), hexagonal_prisms(4, 3, 2), mixed_cells(),
+                                  pinched_cell(), cell_around_a_cell()}) {
+        for (int round = 0; round < 10; ++round) {
+            Polyhedra mesh = good;
+            for (std::size_t f = 0; f + 1 < mesh.face_offset.size(); ++f)
+                if (random() % 2 != 0)
+                    std::reverse(mesh.face_vertex.begin() + static_cast<std::ptrdiff_t>(mesh.face_offset[f]),
+                                 mesh.face_vertex.begin() + static_cast<std::ptrdiff_t>(mesh.face_offset[f + 1]));
+            const Assembled out = mesh.assembled();
+            EXPECT_TRUE(out.report.bad_cells.empty());
+            EXPECT_GT(out.report.reversed_faces, 0U);
+            EXPECT_EQ(out.report.inverted_cells, 0U);
+            EXPECT_EQ(out.report.internal_boundaries, 0U);
+            EXPECT_EQ(out.mesh.owner.size(), good.assembled().mesh.owner.size());
+            expect_sound(out.mesh);
+        }
     }
 }
 

@@ -32,6 +32,8 @@ std::vector<NamedMesh> all_meshes() {
             {"collapsed", collapsed_hexahedra(7).assembled().mesh},
             {"shared edge", cubes_that_share_an_edge().assembled().mesh},
             {"hollow", hollow_box().assembled().mesh},
+            {"pinched", pinched_cell().assembled().mesh},
+            {"cell around a cell", cell_around_a_cell().assembled().mesh},
             {"nothing", FaceMesh{}}};
 }
 

@@ -2,6 +2,8 @@
 
 #include <cmath>
 #include <functional>
+#include <map>
+#include <set>
 
 namespace ciel::test {
 
@@ -164,6 +166,44 @@ Polyhedra hollow_box() {
     return grid(3, 3, 3, [](Polyhedra& mesh, const Corners& c, Index number) {
         if (number != 13) mesh.cell(CellType::hexahedron, {c.begin(), c.end()});
     });
+}
+
+namespace {
+
+// The faces of the cells for which `merged(number)` that no two of them share, as one polyhedron; the others as they
+// are.
+Polyhedra merge(const Polyhedra& cells, const std::function<bool(Index)>& merged) {
+    Polyhedra out;
+    out.positions = cells.positions;
+    std::map<std::set<Index>, std::vector<Index>> skin;
+    for (Index c = 0; c < cells.types.size(); ++c) {
+        std::vector<std::vector<Index>> faces;
+        for (std::uint64_t f = cells.cell_offset[c]; f < cells.cell_offset[c + 1]; ++f)
+            faces.emplace_back(cells.face_vertex.begin() + static_cast<std::ptrdiff_t>(cells.face_offset[f]),
+                               cells.face_vertex.begin() + static_cast<std::ptrdiff_t>(cells.face_offset[f + 1]));
+        if (!merged(c)) {
+            out.polyhedron(faces);
+            continue;
+        }
+        for (const auto& face : faces) {
+            const std::set<Index> key(face.begin(), face.end());
+            if (skin.erase(key) == 0) skin[key] = face;
+        }
+    }
+    std::vector<std::vector<Index>> faces;
+    for (const auto& [key, face] : skin) faces.push_back(face);
+    out.polyhedron(faces);
+    return out;
+}
+
+} // namespace
+
+Polyhedra pinched_cell() {
+    return merge(hexahedra(2, 2, 1), [](Index c) { return c == 0 || c == 3; });
+}
+
+Polyhedra cell_around_a_cell() {
+    return merge(hexahedra(3, 3, 3), [](Index c) { return c != 13; });
 }
 
 } // namespace ciel::test

@@ -30,5 +30,9 @@ Polyhedra mixed_cells();                                  // hexahedron, wedge, 
 Polyhedra collapsed_hexahedra(Index sectors); // an O-grid around an axis: the inner faces collapse to a line
 Polyhedra cubes_that_share_an_edge();
 Polyhedra hollow_box(); // 26 cubes around a void
+// Cells in whose boundary a part can be turned by itself: two cubes that touch along an edge as one cell between two
+// cubes, and a box around a cube that is a cell of its own.
+Polyhedra pinched_cell();
+Polyhedra cell_around_a_cell();
 
 } // namespace ciel::test
