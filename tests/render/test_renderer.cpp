@@ -4,11 +4,13 @@
 #include "scenes.hpp"
 #include "wire/png.hpp"
 
-#include <chrono>
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <limits>
 
 namespace ciel::render {
 namespace {
@@ -99,6 +101,316 @@ TEST_P(RendererTest, SphereIsLitAndHasNoBlackPatches) {
             EXPECT_GT(at(270, 180).brightness(), at(375, 300).brightness() + 25)
                 << "the key light is at the upper left";
             EXPECT_GT(center().brightness(), 170);
+        }
+    }
+}
+
+// The colour of the map at the pixel's own x: the picture is 4 units wide.
+TEST_P(RendererTest, UnlitSliceShowsTheColourMapExactly) {
+    const Shape shape = square(0);
+    for (const std::string& name : color_map_names()) {
+        Mesh mesh = shape.mesh();
+        mesh.map = name;
+        mesh.range = {-1, 1};
+        mesh.lit = false;
+        frame.meshes = {mesh};
+        draw();
+        for (const int x : {85, 120, 160, 200, 235}) {
+            const double value = ((x + 0.5) / 320 * 4 - 2) / 2 + 0.5;
+            const auto& expected = color_map(name)[static_cast<std::size_t>(std::lround(value * 255))];
+            const Pixel seen = at(x, 120);
+            EXPECT_NEAR(seen.r, expected[0], 4) << name << ' ' << x;
+            EXPECT_NEAR(seen.g, expected[1], 4) << name << ' ' << x;
+            EXPECT_NEAR(seen.b, expected[2], 4) << name << ' ' << x;
+        }
+    }
+}
+
+TEST_P(RendererTest, ValuesOutsideTheRangeTakeItsEndsAndNaNIsGrey) {
+    Shape shape = square(0);
+    for (std::size_t i = 0; i < shape.scalars.size(); ++i)
+        if (shape.positions[i][2] > 0.5F) shape.scalars[i] = std::numeric_limits<float>::quiet_NaN();
+    Mesh mesh = shape.mesh();
+    mesh.lit = false;
+    mesh.range = {-0.25F, 0.25F};
+    frame.meshes = {mesh};
+    draw();
+    const auto& viridis = color_map("viridis");
+    EXPECT_NEAR(at(90, 120).b, viridis[0][2], 2);
+    EXPECT_NEAR(at(230, 120).g, viridis[255][1], 2);
+    const Pixel grey = at(160, 60);
+    EXPECT_NEAR(grey.r, 128, 2);
+    EXPECT_NEAR(grey.g, 128, 2);
+    EXPECT_NEAR(grey.b, 128, 2);
+    mesh.range = {0, 0}; // of a constant field: the middle of the map
+    frame.meshes = {mesh};
+    draw();
+    EXPECT_NEAR(center().g, viridis[128][1], 3);
+}
+
+TEST_P(RendererTest, LinesHaveTheirWidthAndHideBehindSurfaces) {
+    const std::vector<Vec3f> ends{{-1.5F, 0, 0}, {1.5F, 0, 0}};
+    const std::vector<Index> indices{0, 1};
+    Mesh lines;
+    lines.positions = ends;
+    lines.indices = indices;
+    lines.lines = true;
+    lines.line_width = 8;
+    lines.color = {1, 1, 0, 1};
+    frame.meshes = {lines};
+    draw();
+    int lit = 0;
+    for (int y = 0; y < 240; ++y) lit += at(160, y).r > 128 ? 1 : 0;
+    EXPECT_NEAR(lit, 8, 1);
+    EXPECT_LT(at(20, 120).r, 60) << "the line ends";
+
+    const Shape shape = square(-0.5); // in front of the line
+    Mesh surface = shape.mesh();
+    surface.scalars = {};
+    surface.color = {0, 0, 1, 1};
+    frame.meshes = {lines, surface};
+    draw();
+    EXPECT_LT(center().r, 60);
+    EXPECT_GT(at(60, 120).r, 200) << "beside the surface the line is still seen";
+}
+
+TEST_P(RendererTest, LinesThroughTheEyeAreCutAtTheNearestPlane) {
+    frame.camera.parallel = false;
+    frame.camera.position = {0, 0, 0};
+    frame.camera.target = {0, 1, 0};
+    const std::vector<Vec3f> ends{{0.2F, -1, 0}, {0.2F, 1, 0}};
+    const std::vector<Index> indices{0, 1};
+    Mesh lines;
+    lines.positions = ends;
+    lines.indices = indices;
+    lines.lines = true;
+    lines.line_width = 4;
+    lines.color = {1, 1, 0, 1};
+    frame.meshes = {lines};
+    draw();
+    EXPECT_GT(at(300, 120).r, 200);
+    EXPECT_LT(at(20, 120).r, 60) << "what is behind the eye must not appear on the other side";
+}
+
+// Red behind, green before it, half covering each: the same whatever the order of the layers.
+TEST_P(RendererTest, TransparentSurfacesBlendFromTheBackToTheFront) {
+    const Shape near_shape = square(-0.5);
+    const Shape far_shape = square(0.5);
+    Mesh near_mesh = near_shape.mesh();
+    Mesh far_mesh = far_shape.mesh();
+    near_mesh.scalars = far_mesh.scalars = {};
+    near_mesh.lit = far_mesh.lit = false;
+    near_mesh.color = {0, 1, 0, 0.5F};
+    far_mesh.color = {1, 0, 0, 0.5F};
+    frame.background_top = frame.background_bottom = {0, 0, 0};
+    for (const bool near_first : {false, true}) {
+        frame.meshes = near_first ? std::vector{near_mesh, far_mesh} : std::vector{far_mesh, near_mesh};
+        draw();
+        EXPECT_NEAR(center().g, 128, 2);
+        EXPECT_NEAR(center().r, 64, 2);
+    }
+    near_mesh.color[3] = 0;
+    frame.meshes = {near_mesh};
+    draw();
+    EXPECT_EQ(center().brightness(), 0);
+}
+
+TEST_P(RendererTest, TransparentSurfaceIsHiddenByAnOpaqueOne) {
+    const Shape ball = sphere(0.5);
+    const Shape behind = square(0.9);
+    Mesh opaque = ball.mesh();
+    opaque.color = {0, 0, 1, 1};
+    Mesh transparent = behind.mesh();
+    transparent.scalars = {};
+    transparent.color = {1, 0, 0, 0.5F};
+    frame.meshes = {transparent, opaque};
+    draw();
+    EXPECT_LT(center().r, 80) << "only the highlight has red";
+    EXPECT_GT(center().b, 150);
+    EXPECT_GT(at(90, 120).r, 60);
+}
+
+TEST_P(RendererTest, PickFindsTheNearestSurfaceEvenATransparentOne) {
+    frame.camera.parallel = false;
+    frame.camera.position = {0.3, -6, 0.2};
+    frame.origin = {500000, 4000000, 100}; // far off: what float32 cannot hold
+    frame.camera.position = {500000.3, 3999994, 100.2};
+    frame.camera.target = {500000, 4000000, 100};
+    frame.bounds_min = {499999, 3999999, 99};
+    frame.bounds_max = {500001, 4000001, 101};
+    const Shape ball = sphere(1, {}, 256);
+    for (const int samples : {1, 4})
+        for (const float opacity : {1.0F, 0.4F}) {
+            frame.samples = samples;
+            Mesh mesh = ball.mesh();
+            mesh.color[3] = opacity;
+            frame.meshes = {mesh};
+            draw();
+            Vec3d found{};
+            EXPECT_FALSE(renderer.pick(2, 2, found));
+            EXPECT_FALSE(renderer.pick(-1, 500, found));
+            ASSERT_TRUE(renderer.pick(150, 110, found));
+            const double x = found[0] - 500000;
+            const double y = found[1] - 4000000;
+            const double z = found[2] - 100;
+            EXPECT_NEAR(std::hypot(x, y, z), 1, 0.003);
+            EXPECT_LT(y, 0) << "the side that is seen";
+        }
+}
+
+TEST_P(RendererTest, LostContextIsRebuiltByTheNextDraw) {
+    const Shape shape = sphere(1);
+    frame.meshes = {shape.mesh()};
+    draw();
+    const Image before = image;
+    renderer.simulate_context_loss();
+    Vec3d position{};
+    EXPECT_FALSE(renderer.pick(160, 120, position));
+    draw();
+    EXPECT_EQ(before.rgb, image.rgb);
+    EXPECT_TRUE(renderer.pick(160, 120, position));
+    EXPECT_EQ(renderer.backend(), GetParam());
+}
+
+TEST_P(RendererTest, BadFramesAreRefusedAndTheNextIsDrawn) {
+    const Shape shape = sphere(1);
+    const std::vector<Index> beyond{0, 1, 1000000};
+    struct Row {
+        const char* name;
+        std::function<void(Frame&)> spoil;
+        const char* error;
+    };
+    const std::vector<Row> rows{
+        {"no pixels", [](Frame& f) { f.width = 0; }, "cannot be drawn"},
+        {"too large", [](Frame& f) { f.height = 1 << 20; }, "cannot be drawn"},
+        {"index beyond", [&](Frame& f) { f.meshes[0].indices = beyond; }, "do not fit together"},
+        {"half a triangle", [](Frame& f) { f.meshes[0].indices = f.meshes[0].indices.first(4); }, "do not fit"},
+        {"normals missing", [](Frame& f) { f.meshes[0].normals = f.meshes[0].normals.first(3); }, "do not fit"},
+        {"unknown map",
+         [&](Frame& f) {
+             f.meshes[0].scalars = {&shape.positions[0][0], shape.positions.size()};
+             f.meshes[0].map = "rainbow";
+         },
+         "no colour map 'rainbow'"},
+        {"camera NaN", [](Frame& f) { f.camera.position[1] = std::nan(""); }, "camera"},
+        {"no field of view", [](Frame& f) { f.camera.fov_degrees = 0; }, "camera"},
+        {"flat parallel view", [](Frame& f) { f.camera.parallel_height = -1; }, "camera"},
+    };
+    frame.meshes = {shape.mesh()};
+    draw();
+    const Image good = image;
+    for (const Row& row : rows) {
+        for (const float opacity : {1.0F, 0.5F}) {
+            Frame bad = frame;
+            bad.meshes[0].color[3] = opacity;
+            row.spoil(bad);
+            try {
+                renderer.draw(bad, image);
+                ADD_FAILURE() << row.name << " was drawn";
+            } catch (const Error& error) {
+                EXPECT_THAT(error.what(), testing::HasSubstr(row.error)) << row.name;
+            }
+        }
+        draw();
+        EXPECT_EQ(good.rgb, image.rgb) << row.name;
+    }
+}
+
+TEST_P(RendererTest, DegenerateCamerasAndBoundsStillGiveAPicture) {
+    const Shape shape = sphere(1);
+    frame.meshes = {shape.mesh()};
+    frame.camera.target = frame.camera.position;
+    draw();
+    frame.camera.target = {0, 0, 0};
+    frame.camera.up = {0, 1, 0}; // along the view
+    draw();
+    EXPECT_GT(center().brightness(), 100);
+    frame.bounds_max = frame.bounds_min;
+    draw();
+}
+
+TEST_P(RendererTest, SizesAndSampleCountsMayChangeFromFrameToFrame) {
+    const Shape shape = sphere(1);
+    frame.meshes = {shape.mesh()};
+    for (const int samples : {1, 4, 1, 4, 64})
+        for (const int width : {320, 64, 333}) {
+            frame.samples = samples;
+            frame.width = width;
+            draw();
+            EXPECT_EQ(image.rgb.size(), static_cast<std::size_t>(3 * width * 240));
+            EXPECT_GT(center().brightness(), 150) << samples << ' ' << width;
+        }
+}
+
+TEST(Backends, OfThisMachineAreNamedAndTheRestSayWhyNot) {
+    const auto available = available_backends();
+    ASSERT_FALSE(available.empty()) << "this machine has no OpenGL at all";
+    for (const Backend backend : {Backend::egl_device, Backend::egl_surfaceless, Backend::osmesa}) {
+        EXPECT_EQ(backend_named(name_of(backend)), backend);
+        if (std::find(available.begin(), available.end(), backend) == available.end()) {
+            EXPECT_THROW(Renderer{backend}, Error);
+            continue;
+        }
+        const Renderer renderer(backend);
+        EXPECT_FALSE(renderer.gl_renderer().empty());
+        EXPECT_THAT(renderer.selection(), testing::StartsWith(name_of(backend)));
+    }
+    EXPECT_THROW(static_cast<void>(backend_named("glx")), Error);
+    EXPECT_EQ(Renderer(Backend::automatic).backend(), available.front());
+}
+
+TEST(Backends, TwoAliveInOneThreadDoNotDisturbEachOther) {
+    const Shape shape = sphere(1);
+    Frame frame = front_view();
+    frame.meshes = {shape.mesh()};
+    std::vector<std::unique_ptr<Renderer>> renderers;
+    for (const Backend backend : available_backends())
+        for (int i = 0; i < 2; ++i) renderers.push_back(std::make_unique<Renderer>(backend));
+    for (int round = 0; round < 2; ++round)
+        for (const auto& renderer : renderers) {
+            Image image;
+            renderer->draw(frame, image);
+            EXPECT_GT(image.rgb[3 * (120 * 320 + 160)], 150) << renderer->selection();
+        }
+}
+
+TEST(DefaultCamera, ShowsTheWholeBoxWithASmallMargin) {
+    Renderer renderer(Backend::automatic);
+    for (const Vec3d size :
+         {Vec3d{1, 1, 1}, Vec3d{10, 1, 1}, Vec3d{1, 1, 8}, Vec3d{1e-5, 2e-5, 1e-5}, Vec3d{1, 1, 0}}) {
+        for (const double aspect : {16.0 / 9, 0.5}) {
+            Frame frame = front_view(static_cast<int>(360 * aspect), 360);
+            frame.bounds_min = {1, 2, 3};
+            frame.bounds_max = {1 + size[0], 2 + size[1], 3 + size[2]};
+            frame.origin = {1, 2, 3};
+            frame.camera = default_camera(frame.bounds_min, frame.bounds_max, aspect);
+            frame.background_top = frame.background_bottom = {0, 0, 0};
+            Shape box;
+            for (unsigned corner = 0; corner < 8; ++corner)
+                box.positions.push_back({static_cast<float>((corner & 1U) != 0 ? size[0] : 0),
+                                         static_cast<float>((corner & 2U) != 0 ? size[1] : 0),
+                                         static_cast<float>((corner & 4U) != 0 ? size[2] : 0)});
+            box.indices = {0, 1, 3, 0, 3, 2, 4, 5, 7, 4, 7, 6, 0, 1, 5, 0, 5, 4,
+                           2, 3, 7, 2, 7, 6, 0, 2, 6, 0, 6, 4, 1, 3, 7, 1, 7, 5};
+            frame.meshes = {box.mesh()};
+            Image image;
+            renderer.draw(frame, image);
+            int left = image.width, right = -1, top = image.height, bottom = -1;
+            for (int y = 0; y < image.height; ++y)
+                for (int x = 0; x < image.width; ++x)
+                    if (image.rgb[3 * static_cast<std::size_t>(y * image.width + x)] > 0) {
+                        left = std::min(left, x);
+                        right = std::max(right, x);
+                        top = std::min(top, y);
+                        bottom = std::max(bottom, y);
+                    }
+            EXPECT_GT(left, 0);
+            EXPECT_GT(top, 0);
+            EXPECT_LT(right, image.width - 1);
+            EXPECT_LT(bottom, image.height - 1);
+            const double filled = std::max(static_cast<double>(right - left) / image.width,
+                                           static_cast<double>(bottom - top) / image.height);
+            EXPECT_GT(filled, 0.7) << size[0] << ' ' << size[1] << ' ' << size[2] << ' ' << aspect;
         }
     }
 }
