@@ -1,0 +1,197 @@
+// What a person can do, as changes of the scene.
+import { axisView, centre, complete, defaultView, withParallel } from "../camera/camera";
+import type { AxisView, Bounds, FullCamera } from "../camera/camera";
+import type { Coloring, Layer, Vec3 } from "../generated/protocol";
+import type { JsonObject } from "../protocol/merge_patch";
+import { clamp } from "../scene/numbers";
+import { freeId, nearestStep, topOrder } from "../scene/scalars";
+import type { App } from "./app";
+import { download } from "./download";
+import { openingScene } from "./first_scene";
+import { isDark, saveTheme } from "./preferences";
+import type { Theme } from "./state";
+
+export type ExportFormat = "ply" | "stl" | "vtp";
+
+export class Actions {
+  constructor(private readonly app: App) {}
+
+  /** The scene's camera, or the default view of the dataset's bounds. */
+  camera(): FullCamera | null {
+    const { scene } = this.app.editor;
+    if (scene === null) return null;
+    if (scene.camera) return complete(scene.camera);
+    const bounds = this.bounds();
+    return bounds === null ? null : defaultView(bounds, this.app.size.aspect);
+  }
+
+  setCamera(camera: FullCamera, gesture?: string): void {
+    this.app.editor.change({ camera }, gesture);
+  }
+
+  resetView(): void {
+    const bounds = this.bounds();
+    const now = this.camera();
+    if (bounds !== null) this.setCamera(defaultView(bounds, this.app.size.aspect, now?.fov, now?.parallel));
+  }
+
+  lookFrom(side: AxisView): void {
+    const bounds = this.bounds();
+    const now = this.camera();
+    if (bounds === null || now === null) return;
+    this.setCamera(axisView(side, bounds, this.app.size.aspect, now.fov, now.parallel));
+  }
+
+  toggleParallel(): void {
+    const camera = this.camera();
+    if (camera !== null) this.setCamera(withParallel(camera, !camera.parallel));
+  }
+
+  /** The values under a canvas position in CSS pixels. */
+  async probe(x: number, y: number): Promise<Vec3 | null> {
+    const { width, height } = this.app.size.pixels();
+    const ratio = width / this.app.size.css.width;
+    const session = this.app.sessionId;
+    try {
+      const result = await this.app.session.call("probe.point", {
+        session,
+        pixel: [x * ratio, y * ratio],
+        width,
+        height,
+      });
+      this.app.store.set({ probe: result.hit ? { result, time: this.app.store.get().readout.time } : null });
+      return result.position;
+    } catch (error) {
+      this.app.fail(error);
+      return null;
+    }
+  }
+
+  async centreOn(x: number, y: number): Promise<void> {
+    const point = await this.probe(x, y);
+    const camera = this.camera();
+    if (point !== null && camera !== null) this.setCamera(centre(camera, point));
+  }
+
+  setLayer(id: string, change: object, gesture?: string): void {
+    this.app.editor.change({ layers: { [id]: change } }, gesture);
+  }
+
+  removeLayer(id: string): void {
+    this.app.editor.change({ layers: { [id]: null } });
+  }
+
+  addLayer(prefix: string, layer: Layer): string | null {
+    const { scene } = this.app.editor;
+    if (scene === null) return null;
+    const id = freeId(scene, prefix);
+    this.app.editor.change({ layers: { [id]: { ...layer, order: topOrder(scene) } } });
+    return id;
+  }
+
+  /** One colouring for several layers, as one step. undefined members are taken away. */
+  setColoring(layers: string[], change: { [K in keyof Coloring]: Coloring[K] | undefined }, gesture?: string): void {
+    const color: JsonObject = {};
+    for (const [key, value] of Object.entries(change)) color[key] = value ?? null;
+    this.app.editor.change({ layers: Object.fromEntries(layers.map((id) => [id, { color }])) }, gesture);
+  }
+
+  setStep(step: number, gesture?: string): void {
+    const times = this.app.store.get().description?.times ?? [];
+    const time = times[clamp(step, 0, times.length - 1)];
+    if (time !== undefined) this.app.editor.change({ time }, gesture);
+  }
+
+  stepBy(steps: number): void {
+    const { description, scene } = this.app.store.get();
+    const times = description?.times ?? [];
+    this.app.player.stop();
+    this.setStep(nearestStep(times, scene?.time ?? times[0] ?? 0) + steps);
+  }
+
+  togglePlay(): void {
+    if (this.app.player.playing) this.app.player.stop();
+    else this.app.player.play();
+  }
+
+  undo(): void {
+    this.app.player.stop();
+    void this.app.editor.undo();
+  }
+
+  redo(): void {
+    this.app.player.stop();
+    void this.app.editor.redo();
+  }
+
+  async openDataset(name: string): Promise<void> {
+    const { app } = this;
+    app.player.stop();
+    app.store.set({ busy: `Opening ${name}` });
+    try {
+      const description = await app.session.call("dataset.describe", { dataset: name });
+      const scene = openingScene(description, app.size.aspect, this.themeBackground());
+      app.store.set({ description, probe: null });
+      if (app.editor.scene === null) await app.session.begin(scene);
+      else app.editor.replace(scene);
+    } catch (error) {
+      app.fail(error);
+    } finally {
+      app.store.set({ busy: null });
+    }
+  }
+
+  async screenshot(): Promise<void> {
+    const { app } = this;
+    app.store.set({ busy: "Drawing the picture" });
+    try {
+      const picture = await app.session.call("picture.render", { session: app.sessionId, ...app.size.pixels() });
+      download(`${app.editor.scene?.dataset ?? "ciel"}.png`, picture.mime, picture.data);
+    } catch (error) {
+      app.fail(error);
+    } finally {
+      app.store.set({ busy: null });
+    }
+  }
+
+  async exportSurface(layer: string, format: ExportFormat, triangles: boolean): Promise<void> {
+    const { app } = this;
+    app.store.set({ busy: "Writing the surface" });
+    try {
+      const file = await app.session.call("surface.export", { session: app.sessionId, layer, format, triangles });
+      download(file.name, file.mime, file.data);
+      app.toasts.show(`${file.name}: ${file.polygons} polygons, ${file.vertices} vertices`);
+    } catch (error) {
+      app.fail(error);
+    } finally {
+      app.store.set({ busy: null });
+    }
+  }
+
+  async copyLink(): Promise<void> {
+    const address = await this.app.links.address();
+    try {
+      await navigator.clipboard.writeText(address);
+      this.app.toasts.show("The link to this view is in the clipboard");
+    } catch {
+      history.replaceState(null, "", address); // no clipboard without a secure origin
+      this.app.toasts.show("The link to this view is in the address bar");
+    }
+  }
+
+  themeBackground(): "dark" | "light" {
+    return isDark(this.app.store.get().theme) ? "dark" : "light";
+  }
+
+  /** The scene's background goes along, unless it is a colour of its own. */
+  setTheme(theme: Theme): void {
+    saveTheme(theme);
+    this.app.store.set({ theme });
+    const background = this.app.editor.scene?.background ?? "dark";
+    if (!background.startsWith("#")) this.app.editor.change({ background: this.themeBackground() });
+  }
+
+  private bounds(): Bounds | null {
+    return this.app.store.get().description?.bounds ?? null;
+  }
+}

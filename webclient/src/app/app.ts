@@ -1,0 +1,159 @@
+// The page's parts, wired: what the server says goes into the store, what the hand does goes to the editor.
+import { decodeGeometry } from "../decoders/geometry";
+import { decodeImage } from "../decoders/image";
+import { backgroundColors } from "../display/background";
+import type { Look } from "../display/geometry_canvas";
+import { Presenter } from "../display/presenter";
+import { Viewport } from "../display/viewport";
+import type { FrameHeader } from "../protocol/frame_header";
+import { Disconnected } from "../protocol/rpc";
+import { SceneEditor } from "../scene/editor";
+import { openSocket, socketAddress } from "../session/browser_socket";
+import { Latency } from "../session/latency";
+import { Player } from "../session/player";
+import { Session, wordsFor } from "../session/session";
+import { Actions } from "./actions";
+import { CanvasSize } from "./canvas_size";
+import { describeDatasets } from "./datasets";
+import { Histograms } from "./histograms";
+import { Links } from "./links";
+import { playerHost } from "./player_host";
+import { savedStream, savedTheme, sessionId } from "./preferences";
+import { sessionHost } from "./session_host";
+import { initialState, type AppState } from "./state";
+import { Store } from "./store";
+import { Streams } from "./streams";
+import { Toasts } from "./toasts";
+
+const now = (): number => performance.now();
+const requestFrame = (callback: () => void): void => void requestAnimationFrame(callback);
+
+const clock = {
+  now: (): number => Date.now(),
+  random: (): number => Math.random(),
+  setTimeout: (callback: () => void, milliseconds: number): number => window.setTimeout(callback, milliseconds),
+  clearTimeout: (timer: number): void => window.clearTimeout(timer),
+};
+
+export class App {
+  readonly store = new Store<AppState>({ ...initialState, theme: savedTheme(), streamChoice: savedStream() });
+  readonly toasts = new Toasts(this.store);
+  readonly size = new CanvasSize();
+  readonly latency = new Latency();
+  readonly streams = new Streams(this);
+  readonly actions = new Actions(this);
+  readonly links = new Links(this);
+  readonly player = new Player(playerHost(this), now);
+  readonly sessionId = sessionId();
+  readonly editor: SceneEditor;
+  readonly session: Session;
+  readonly histograms: Histograms;
+  presenter: Presenter | null = null;
+  viewport: Viewport | null = null;
+
+  constructor() {
+    this.editor = new SceneEditor(
+      {
+        changed: () => this.sceneChanged(),
+        accepted: (revision, since) => this.latency.accepted(revision, since),
+        refused: (error) => this.fail(error),
+      },
+      { now, requestFrame },
+      Math.random().toString(36).slice(2, 10), // other pages of the session name their gestures otherwise
+    );
+    const address = socketAddress(document.baseURI);
+    this.session = new Session(this.sessionId, sessionHost(this), this.editor, () => openSocket(address), clock);
+    this.histograms = new Histograms(
+      (dataset, array, time) => this.session.call("dataset.histogram", { dataset, array, time, bins: 160 }),
+      () => this.store.set({ histogramsAt: now() }),
+    );
+  }
+
+  /** The canvases exist from here on. */
+  async start(imageCanvas: HTMLCanvasElement, geometryCanvas: HTMLCanvasElement): Promise<void> {
+    const viewport = new Viewport(
+      imageCanvas,
+      geometryCanvas,
+      () => this.look(),
+      () => this.size.pixels(),
+    );
+    this.viewport = viewport;
+    this.presenter = new Presenter(
+      viewport,
+      { image: decodeImage, geometry: decodeGeometry },
+      {
+        acknowledge: (view, frame) => this.session.acknowledge(view, frame),
+        presented: (header, bytes) => this.presented(header, bytes),
+        failed: (error) => this.fail(error),
+      },
+      requestFrame,
+    );
+    await this.links.readAddress();
+    this.session.start();
+    window.addEventListener("online", () => this.session.retryNow());
+    window.addEventListener("offline", () => this.session.networkLost());
+    window.addEventListener("hashchange", () => void this.links.follow());
+    setInterval(() => this.refreshRate(), 500);
+  }
+
+  resized(width: number, height: number, pixelRatio: number): void {
+    this.size.set(width, height, pixelRatio);
+    this.store.set({ canvasSize: this.size.css });
+    this.viewport?.redraw();
+    this.session.resize();
+  }
+
+  fail(error: unknown): void {
+    // The end of a connection has a notice of its own.
+    if (!(error instanceof Disconnected)) this.toasts.show(wordsFor(error as Error), "error");
+  }
+
+  private sceneChanged(): void {
+    const { editor, store } = this;
+    store.set({ scene: editor.scene, canUndo: editor.canUndo, canRedo: editor.canRedo });
+    this.viewport?.redraw();
+    this.links.sceneChanged();
+    void describeDatasets(this);
+  }
+
+  private look(): Look | null {
+    const { description, scene } = this.store.get();
+    const camera = this.actions.camera();
+    if (description === null || camera === null) return null;
+    const { top, bottom } = backgroundColors(scene?.background);
+    return { camera, bounds: description.bounds, backgroundTop: top, backgroundBottom: bottom };
+  }
+
+  private presented(header: FrameHeader, bytes: number): void {
+    const at = now();
+    this.latency.shown(header.revision, at);
+    const { readout } = this.store.get();
+    this.store.set({
+      readout: {
+        ...readout,
+        stream: this.viewport?.shown ?? "none",
+        still: header.still,
+        latencyMs: this.latency.last,
+        framesPerSecond: this.latency.framesPerSecond(at),
+        extractMs: header.extractMs,
+        drawMs: header.drawMs,
+        encodeMs: header.encodeMs,
+        triangles: header.triangles,
+        width: header.width,
+        height: header.height,
+        bytes,
+        time: header.time,
+        revision: header.revision,
+        frame: header.frame,
+      },
+    });
+    this.player.presented(header.time);
+    this.streams.reconsider();
+  }
+
+  private refreshRate(): void {
+    const { readout } = this.store.get();
+    const framesPerSecond = this.latency.framesPerSecond(now());
+    if (framesPerSecond !== readout.framesPerSecond) this.store.set({ readout: { ...readout, framesPerSecond } });
+  }
+}

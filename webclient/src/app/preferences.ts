@@ -1,0 +1,53 @@
+// What this browser remembers: the theme for good, the session for the tab's life.
+import type { Theme } from "./state";
+
+const THEME = "ciel.theme";
+const SESSION = "ciel.session";
+const STREAM = "ciel.stream";
+
+function read(storage: () => Storage, key: string): string | null {
+  try {
+    return storage().getItem(key);
+  } catch {
+    return null; // storage may be forbidden
+  }
+}
+
+function write(storage: () => Storage, key: string, value: string): void {
+  try {
+    storage().setItem(key, value);
+  } catch {
+    // Then it is forgotten with the page.
+  }
+}
+
+const local = (): Storage => localStorage;
+const tab = (): Storage => sessionStorage;
+
+export function savedTheme(): Theme {
+  const theme = read(local, THEME);
+  return theme === "dark" || theme === "light" ? theme : "system";
+}
+
+export const saveTheme = (theme: Theme): void => write(local, THEME, theme);
+
+export function savedStream(): "image" | "geometry" | "auto" {
+  const stream = read(local, STREAM);
+  return stream === "geometry" || stream === "auto" ? stream : "image";
+}
+
+export const saveStream = (stream: string): void => write(local, STREAM, stream);
+
+/** The tab's session; a fresh id the first time. */
+export function sessionId(): string {
+  const known = read(tab, SESSION);
+  if (known !== null && /^[A-Za-z0-9_-]{1,64}$/.test(known)) return known;
+  const bytes = crypto.getRandomValues(new Uint8Array(16));
+  const id = Array.from(bytes, (byte) => byte.toString(16).padStart(2, "0")).join("");
+  write(tab, SESSION, id);
+  return id;
+}
+
+export function isDark(theme: Theme): boolean {
+  return theme === "dark" || (theme === "system" && matchMedia("(prefers-color-scheme: dark)").matches);
+}

@@ -1,0 +1,74 @@
+// What the server's word does to the page.
+import type { Notifications } from "../generated/protocol";
+import type { SessionHost } from "../session/session";
+import type { App } from "./app";
+import { describeDatasets, listDatasets } from "./datasets";
+import { firstScene } from "./first_scene";
+
+type Handlers = { [N in keyof Notifications]: (params: Notifications[N]) => void };
+
+const NOTHING = "The server offers no dataset that can be opened. Start it with one: ciel serve NAME.ciel";
+
+export function sessionHost(app: App): SessionHost {
+  const handlers = notificationHandlers(app);
+  return {
+    firstScene: async (call) => {
+      const background = app.actions.themeBackground();
+      const { aspect } = app.size;
+      const scene = await firstScene(call, { session: app.sessionId, link: app.links.first, aspect, background });
+      app.store.set({ fatal: scene === null ? NOTHING : null });
+      return scene;
+    },
+    viewSize: () => app.size.pixels(),
+    stream: () => app.streams.current(),
+    viewOpened: (view) => app.presenter?.show(view),
+    opened: () => {
+      app.latency.reset();
+      app.histograms.clear();
+      app.store.set({ fatal: null });
+    },
+    connection: (connection) => {
+      app.store.set({ connection });
+      if (connection.kind === "waiting") app.player.stop();
+      if (connection.kind !== "open") return;
+      app.store.set({ draining: false, fatal: null });
+      void listDatasets(app);
+      void app.session.call("server.info", {}).then(
+        (server) => app.store.set({ server }),
+        (error: unknown) => app.fail(error),
+      );
+      void describeDatasets(app, true);
+    },
+    roundTrip: (roundTripMs) => app.store.set({ readout: { ...app.store.get().readout, roundTripMs } }),
+    binary: (message) => app.presenter?.receive(message),
+    notified: (name, params) => {
+      if (name in handlers) handlers[name](params as never);
+    },
+    failed: (error) => {
+      app.fail(error);
+      if (app.editor.scene === null || app.store.get().readout.stream === "none")
+        app.store.set({ fatal: error.message });
+    },
+  };
+}
+
+function notificationHandlers(app: App): Handlers {
+  return {
+    "dataset.changed": ({ dataset, times }) => {
+      const { description } = app.store.get();
+      if (description?.name !== dataset) return;
+      const more = times.length - description.times.length;
+      if (more > 0) app.toasts.show(`${more} more time ${more === 1 ? "step has" : "steps have"} arrived`);
+      app.histograms.clear();
+      void describeDatasets(app, true);
+    },
+    "scene.changed": ({ session, scene }) => {
+      if (session === app.sessionId) app.editor.adopt({ scene });
+    },
+    "view.failed": ({ message }) => {
+      app.player.stop();
+      app.toasts.show(message, "error");
+    },
+    "server.draining": () => app.store.set({ draining: true }),
+  };
+}

@@ -1,0 +1,117 @@
+// Everything that the panels show. Changed by session/ and app/ only, never by a panel itself.
+import type { Size } from "../camera/camera";
+import type { DatasetDescription, ProbeResult, Range, Scene } from "../generated/protocol";
+import type { ConnectionState } from "../protocol/connection";
+import type { Result } from "../protocol/rpc";
+
+export type StreamChoice = "image" | "geometry" | "auto";
+export type Theme = "system" | "dark" | "light";
+
+export interface Readout {
+  stream: "none" | "image" | "geometry";
+  still: boolean;
+  framesPerSecond: number;
+  /** From the hand's move to the picture of it. */
+  latencyMs: number | null;
+  roundTripMs: number | null;
+  extractMs: number;
+  drawMs: number;
+  encodeMs: number;
+  triangles: number;
+  width: number;
+  height: number;
+  bytes: number;
+  time: number;
+  revision: number;
+  frame: number;
+}
+
+export interface Toast {
+  id: number;
+  kind: "error" | "info";
+  text: string;
+}
+
+export interface Probe {
+  result: ProbeResult;
+  time: number;
+}
+
+export interface Histogram {
+  range: Range;
+  counts: number[];
+  invalid: number;
+}
+
+export interface AppState {
+  connection: ConnectionState;
+  draining: boolean;
+  /** A sentence that takes the canvas's place: nothing can be shown at all. */
+  fatal: string | null;
+  server: Result<"server.info"> | null;
+  datasets: Result<"dataset.list"> | null;
+  description: DatasetDescription | null;
+  opening: string | null;
+  scene: Scene | null;
+  canUndo: boolean;
+  canRedo: boolean;
+  streamChoice: StreamChoice;
+  readout: Readout;
+  probe: Probe | null;
+  playing: boolean;
+  playRate: number;
+  loop: boolean;
+  busy: string | null;
+  helpOpen: boolean;
+  panelOpen: boolean;
+  theme: Theme;
+  toasts: Toast[];
+  /** CSS pixels. */
+  canvasSize: Size;
+  /** When a histogram arrived last. */
+  histogramsAt: number;
+}
+
+export const emptyReadout: Readout = {
+  stream: "none",
+  still: false,
+  framesPerSecond: 0,
+  latencyMs: null,
+  roundTripMs: null,
+  extractMs: 0,
+  drawMs: 0,
+  encodeMs: 0,
+  triangles: 0,
+  width: 0,
+  height: 0,
+  bytes: 0,
+  time: 0,
+  revision: 0,
+  frame: 0,
+};
+
+export const initialState: AppState = {
+  connection: { kind: "connecting", attempt: 0 },
+  draining: false,
+  fatal: null,
+  server: null,
+  datasets: null,
+  description: null,
+  opening: null,
+  scene: null,
+  canUndo: false,
+  canRedo: false,
+  streamChoice: "image",
+  readout: emptyReadout,
+  probe: null,
+  playing: false,
+  playRate: 10,
+  loop: true,
+  busy: null,
+  helpOpen: false,
+  panelOpen: true,
+  theme: "system",
+  toasts: [],
+  canvasSize: { width: 960, height: 640 },
+  histogramsAt: 0,
+};

@@ -1,0 +1,41 @@
+// Which stream the view gets: the person's choice, or for `auto` what the scene and the line suggest.
+import { chooseStream, hasHardwareWebGL } from "../session/choose_stream";
+import type { App } from "./app";
+import { saveStream } from "./preferences";
+import type { StreamChoice } from "./state";
+
+export class Streams {
+  private hardware: boolean | null = null;
+  private asked: "image" | "geometry" | null = null;
+
+  constructor(private readonly app: App) {}
+
+  /** For a view that is about to be opened. */
+  current(): "image" | "geometry" {
+    this.asked = this.wanted();
+    return this.asked;
+  }
+
+  choose(choice: StreamChoice): void {
+    this.app.store.set({ streamChoice: choice });
+    saveStream(choice);
+    this.reconsider();
+  }
+
+  reconsider(): void {
+    const wanted = this.wanted();
+    if (wanted === this.asked) return;
+    this.asked = wanted;
+    this.app.session.setStream(wanted);
+  }
+
+  private wanted(): "image" | "geometry" {
+    const { streamChoice, readout } = this.app.store.get();
+    if (streamChoice !== "auto") return streamChoice;
+    this.hardware ??= hasHardwareWebGL();
+    const { triangles, roundTripMs } = readout;
+    const current = readout.stream === "geometry" ? "geometry" : "image";
+    if (readout.stream === "none") return "image"; // nothing is measured yet
+    return chooseStream({ current, triangles, roundTripMs, hardware: this.hardware });
+  }
+}

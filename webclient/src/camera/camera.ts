@@ -1,0 +1,160 @@
+// What the hand does to the scene's camera. Pure functions; pixels are of the canvas, y downwards.
+import type { Camera } from "../generated/protocol";
+import { add, cross, dot, length, normalize, rotate, scale, subtract, type Vec3 } from "./vector";
+
+export type Bounds = [number, number, number, number, number, number];
+export interface Size {
+  width: number;
+  height: number;
+}
+/** The camera with every default filled in, its `up` at right angles to the view. */
+export type FullCamera = Required<Camera>;
+
+export const DEFAULT_FOV = 30;
+const radians = (degrees: number): number => (degrees * Math.PI) / 180;
+
+export function complete(camera: Camera): FullCamera {
+  const fov = camera.fov ?? DEFAULT_FOV;
+  const distance = length(subtract(camera.position, camera.target));
+  const height = camera.parallel_height ?? 2 * distance * Math.tan(radians(fov) / 2);
+  const full = { fov, parallel: camera.parallel ?? false, parallel_height: height || 1, up: camera.up ?? [0, 0, 1] };
+  const result: FullCamera = { ...full, position: camera.position, target: camera.target };
+  return { ...result, up: frame(result).up };
+}
+
+export interface Axes {
+  right: Vec3;
+  up: Vec3;
+  forward: Vec3;
+}
+
+/** The camera's own axes, of length one; also right where `up` is parallel to the view. */
+export function frame(camera: FullCamera): Axes {
+  const forward = normalize(subtract(camera.target, camera.position), [0, 1, 0]);
+  let right = cross(forward, camera.up);
+  if (length(right) < 1e-9 * Math.max(1, length(camera.up))) {
+    right = cross(forward, Math.abs(forward[2]) < 0.9 ? [0, 0, 1] : [0, 1, 0]);
+  }
+  right = normalize(right);
+  return { right, up: cross(right, forward), forward };
+}
+
+export const distance = (camera: FullCamera): number => length(subtract(camera.target, camera.position));
+
+/** The height that the view spans at the target, in length units. */
+export function viewHeight(camera: FullCamera): number {
+  return camera.parallel ? camera.parallel_height : 2 * distance(camera) * Math.tan(radians(camera.fov) / 2);
+}
+
+/** Half a turn for a drag over the canvas's shorter side. Keeps the distance. */
+export function orbit(camera: FullCamera, dx: number, dy: number, size: Size): FullCamera {
+  const perPixel = Math.PI / Math.max(1, Math.min(size.width, size.height));
+  const { right, up } = frame(camera);
+  let arm = subtract(camera.position, camera.target);
+  arm = rotate(arm, up, -dx * perPixel);
+  const turnedRight = rotate(right, up, -dx * perPixel);
+  arm = rotate(arm, turnedRight, -dy * perPixel);
+  const turnedUp = rotate(up, turnedRight, -dy * perPixel);
+  return { ...camera, position: add(camera.target, arm), up: turnedUp };
+}
+
+/** Turns about the line of sight, in radians. */
+export function roll(camera: FullCamera, angle: number): FullCamera {
+  const { forward, up } = frame(camera);
+  return { ...camera, up: rotate(up, forward, angle) };
+}
+
+/** What lies at the target's depth stays under the hand. */
+export function pan(camera: FullCamera, dx: number, dy: number, size: Size): FullCamera {
+  const perPixel = viewHeight(camera) / Math.max(1, size.height);
+  const { right, up } = frame(camera);
+  const shift = add(scale(right, -dx * perPixel), scale(up, dy * perPixel));
+  return { ...camera, position: add(camera.position, shift), target: add(camera.target, shift) };
+}
+
+/** factor < 1 comes closer. The point under the cursor at the target's depth stays where it is. */
+export function zoom(camera: FullCamera, factor: number, x: number, y: number, size: Size): FullCamera {
+  const offsetX = x - size.width / 2;
+  const offsetY = y - size.height / 2;
+  const towards = pan(camera, -offsetX, -offsetY, size); // the cursor's point is the target now
+  const arm = scale(subtract(towards.position, towards.target), factor);
+  const closer = { ...towards, position: add(towards.target, arm), parallel_height: camera.parallel_height * factor };
+  return pan(closer, offsetX, offsetY, size);
+}
+
+/** Looks at a point from the same side and distance. */
+export function centre(camera: FullCamera, point: Vec3): FullCamera {
+  return { ...camera, position: add(camera.position, subtract(point, camera.target)), target: point };
+}
+
+/** Keeps what the view spans at the target. */
+export function withParallel(camera: FullCamera, parallel: boolean): FullCamera {
+  if (parallel === camera.parallel) return camera;
+  if (parallel) return { ...camera, parallel, parallel_height: viewHeight(camera) };
+  const away = camera.parallel_height / (2 * Math.tan(radians(camera.fov) / 2));
+  const arm = scale(normalize(subtract(camera.position, camera.target)), away);
+  return { ...camera, parallel, position: add(camera.target, arm) };
+}
+
+export const boundsCentre = (b: Bounds): Vec3 => [(b[0] + b[1]) / 2, (b[2] + b[3]) / 2, (b[4] + b[5]) / 2];
+export const boundsRadius = (b: Bounds): number => Math.hypot(b[1] - b[0], b[3] - b[2], b[5] - b[4]) / 2;
+
+export function corners(b: Bounds): Vec3[] {
+  const ends = (low: number, high: number): number[] => [low, high];
+  return ends(b[0], b[1]).flatMap((x) => ends(b[2], b[3]).flatMap((y) => ends(b[4], b[5]).map((z): Vec3 => [x, y, z])));
+}
+
+const MARGIN = 1.06;
+
+/** Shows the whole box, looking along `forward`. */
+export function fit(
+  bounds: Bounds,
+  forward: Vec3,
+  up: Vec3,
+  aspect: number,
+  fov = DEFAULT_FOV,
+  parallel = false,
+): FullCamera {
+  const target = boundsCentre(bounds);
+  const start = { position: subtract(target, forward), target, up, fov, parallel, parallel_height: 1 };
+  const axes = frame(start);
+  const tan = Math.tan(radians(fov) / 2);
+  let away = 0;
+  let height = 0;
+  for (const corner of corners(bounds)) {
+    const arm = subtract(corner, target);
+    const half = Math.max(Math.abs(dot(arm, axes.up)), Math.abs(dot(arm, axes.right)) / aspect);
+    away = Math.max(away, (half * MARGIN) / tan - dot(arm, axes.forward));
+    height = Math.max(height, 2 * half * MARGIN);
+  }
+  if (away <= 0) away = 1; // a single point
+  return { ...start, up: axes.up, position: subtract(target, scale(axes.forward, away)), parallel_height: height || 1 };
+}
+
+export type AxisView = "+x" | "-x" | "+y" | "-y" | "+z" | "-z";
+export const AXIS_VIEWS: readonly AxisView[] = ["+x", "-x", "+y", "-y", "+z", "-z"];
+
+/** From the named side: "+x" stands on the positive x axis and looks back. */
+export function axisView(side: AxisView, bounds: Bounds, aspect: number, fov: number, parallel: boolean): FullCamera {
+  const sign = side.startsWith("+") ? -1 : 1;
+  const forward: Vec3 = [0, 0, 0];
+  const axis = "xyz".indexOf(side.charAt(1)) as 0 | 1 | 2;
+  forward[axis] = sign;
+  return fit(bounds, forward, axis === 2 ? [0, 1, 0] : [0, 0, 1], aspect, fov, parallel);
+}
+
+/** From in front, to the right and above. */
+export function defaultView(bounds: Bounds, aspect: number, fov = DEFAULT_FOV, parallel = false): FullCamera {
+  return fit(bounds, normalize([-0.5, 0.8, -0.45]), [0, 0, 1], aspect, fov, parallel);
+}
+
+/** Pixel of a world position, and its depth along the view; null behind the eye. */
+export function project(camera: FullCamera, point: Vec3, size: Size): { x: number; y: number; depth: number } | null {
+  const { right, up, forward } = frame(camera);
+  const arm = subtract(point, camera.position);
+  const depth = dot(arm, forward);
+  if (!camera.parallel && depth <= 0) return null;
+  const height = camera.parallel ? camera.parallel_height : 2 * depth * Math.tan(radians(camera.fov) / 2);
+  const perUnit = size.height / height;
+  return { x: size.width / 2 + dot(arm, right) * perUnit, y: size.height / 2 - dot(arm, up) * perUnit, depth };
+}

@@ -1,0 +1,72 @@
+// Kind 2: one batch of polygons of one layer (protocol/frame.md).
+import { HEADER_BYTES } from "../protocol/frame_header";
+import type { Range, Vec3 } from "../generated/protocol";
+
+export interface GeometryBatch {
+  layer: string;
+  lines: boolean;
+  positions: Float32Array; // offsets from origin
+  normals: Float32Array | null;
+  scalars: Float32Array | null;
+  indices: Uint32Array;
+  map: string;
+  range: Range;
+  color: [number, number, number, number];
+  lit: boolean;
+  origin: Vec3;
+}
+
+interface BatchHeader {
+  layer: string;
+  kind: "triangles" | "lines";
+  vertices: number;
+  indices: number;
+  normals: boolean;
+  scalars: boolean;
+  map: string;
+  range: Range;
+  color: [number, number, number, number];
+  lit: boolean;
+  origin: Vec3;
+  batches: number;
+}
+
+/** null for a frame without polygons. The arrays are views of the message. Throws where the sizes do not agree. */
+export function decodeGeometry(message: ArrayBuffer): GeometryBatch | null {
+  const bytes = message.byteLength - HEADER_BYTES;
+  if (bytes < 4) throw new Error("A geometry frame is cut off");
+  const jsonBytes = new DataView(message).getUint32(HEADER_BYTES, true);
+  if (jsonBytes % 4 !== 0 || jsonBytes > bytes - 4) throw new Error("A geometry frame's description is cut off");
+  const text = new TextDecoder().decode(new Uint8Array(message, HEADER_BYTES + 4, jsonBytes));
+  const header = JSON.parse(text) as BatchHeader;
+  if (header.batches === 0) return null;
+
+  const words = header.vertices * (3 + (header.normals ? 3 : 0) + (header.scalars ? 1 : 0)) + header.indices;
+  if (words * 4 !== bytes - 4 - jsonBytes) {
+    throw new Error(`A geometry frame's arrays have ${bytes - 4 - jsonBytes} bytes where ${words * 4} are announced`);
+  }
+  let offset = HEADER_BYTES + 4 + jsonBytes;
+  const floats = (count: number): Float32Array => {
+    const array = new Float32Array(message, offset, count);
+    offset += 4 * count;
+    return array;
+  };
+  const positions = floats(3 * header.vertices);
+  const normals = header.normals ? floats(3 * header.vertices) : null;
+  const scalars = header.scalars ? floats(header.vertices) : null;
+  const { layer, map, range, color, lit, origin } = header;
+  const indices = new Uint32Array(message, offset, header.indices);
+  return {
+    layer,
+    lines: header.kind === "lines",
+    positions,
+    normals,
+    scalars,
+    indices,
+    map,
+    range,
+    color,
+    lit,
+    origin,
+  };
+}

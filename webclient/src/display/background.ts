@@ -1,0 +1,16 @@
+// The scene's background as the two colours of the server's gradient.
+type Rgb = [number, number, number];
+
+const NAMED: Record<string, { top: Rgb; bottom: Rgb }> = {
+  dark: { top: [0.2, 0.23, 0.28], bottom: [0.07, 0.08, 0.1] },
+  light: { top: [1, 1, 1], bottom: [0.86, 0.88, 0.91] },
+};
+
+export function backgroundColors(background: string | undefined): { top: Rgb; bottom: Rgb } {
+  const name = background ?? "dark";
+  if (/^#[0-9a-f]{6}$/i.test(name)) {
+    const rgb = [1, 3, 5].map((at) => parseInt(name.slice(at, at + 2), 16) / 255) as Rgb;
+    return { top: rgb, bottom: rgb };
+  }
+  return NAMED[name] ?? { top: [0, 0, 0], bottom: [0, 0, 0] };
+}

@@ -1,0 +1,22 @@
+// The stream of pictures: drawn over the whole canvas, smaller (interactive) ones enlarged.
+
+export class ImageCanvas {
+  private readonly context: CanvasRenderingContext2D;
+
+  constructor(readonly canvas: HTMLCanvasElement) {
+    const context = canvas.getContext("2d", { alpha: false });
+    if (context === null) throw new Error("This browser draws no 2-d canvas");
+    this.context = context;
+  }
+
+  // A canvas that is resized goes blank; it takes the new size when a picture of it comes.
+  show(image: ImageBitmap, width: number, height: number): void {
+    if (this.canvas.width !== width || this.canvas.height !== height) {
+      this.canvas.width = width;
+      this.canvas.height = height;
+    }
+    this.context.imageSmoothingEnabled = image.width !== width;
+    this.context.imageSmoothingQuality = "high";
+    this.context.drawImage(image, 0, 0, width, height);
+  }
+}

@@ -1,0 +1,125 @@
+// From binary messages to what is seen: decode, keep the newest, draw in an animation frame, then acknowledge.
+import type { GeometryBatch } from "../decoders/geometry";
+import { decodeHeader, KIND_GEOMETRY, KIND_IMAGE, type FrameHeader } from "../protocol/frame_header";
+
+export interface Screen {
+  showImage(image: ImageBitmap): void;
+  showGeometry(batches: GeometryBatch[]): void;
+}
+
+export interface PresenterEvents {
+  acknowledge(view: number, frame: number): void;
+  presented(header: FrameHeader, bytes: number): void;
+  failed(error: Error): void;
+}
+
+export interface Decoders {
+  image(message: ArrayBuffer): Promise<ImageBitmap>;
+  geometry(message: ArrayBuffer): GeometryBatch | null;
+}
+
+interface ReadyFrame {
+  header: FrameHeader;
+  bytes: number;
+  draw(): void;
+  release(): void;
+}
+
+export class Presenter {
+  private view = 0;
+  private lastFrame = 0;
+  private ready: ReadyFrame | null = null;
+  private parts: { frame: number; batches: GeometryBatch[]; bytes: number } | null = null;
+  private frameRequested = false;
+
+  constructor(
+    private readonly screen: Screen,
+    private readonly decoders: Decoders,
+    private readonly events: PresenterEvents,
+    private readonly requestFrame: (callback: () => void) => void,
+  ) {}
+
+  /** Frames of any other view are not shown from now on. 0: none is. */
+  show(view: number): void {
+    this.view = view;
+    this.lastFrame = 0;
+    this.parts = null;
+    this.ready?.release();
+    this.ready = null;
+  }
+
+  receive(message: ArrayBuffer): void {
+    try {
+      const header = decodeHeader(message);
+      if (header.view !== this.view) return;
+      if (header.kind === KIND_IMAGE) this.receiveImage(header, message);
+      else if (header.kind === KIND_GEOMETRY) this.receiveGeometry(header, message);
+      else throw new Error(`The server sends frames of a kind ${header.kind} that this page does not know. Reload it`);
+    } catch (error) {
+      this.events.failed(error as Error);
+    }
+  }
+
+  private receiveImage(header: FrameHeader, message: ArrayBuffer): void {
+    const view = this.view;
+    this.decoders.image(message).then(
+      (image) => {
+        if (view !== this.view) image.close();
+        else {
+          const draw = (): void => this.screen.showImage(image);
+          this.offer({ header, bytes: message.byteLength, draw, release: () => image.close() });
+        }
+      },
+      (error: unknown) => {
+        // Acknowledged all the same: the server would wait for ever, and the next frame may be whole.
+        if (view === this.view) this.events.acknowledge(view, header.frame);
+        this.events.failed(error as Error);
+      },
+    );
+  }
+
+  private receiveGeometry(header: FrameHeader, message: ArrayBuffer): void {
+    if (header.first || this.parts?.frame !== header.frame) this.parts = { frame: header.frame, batches: [], bytes: 0 };
+    const { parts } = this;
+    const batch = this.decoders.geometry(message);
+    if (batch !== null) parts.batches.push(batch);
+    parts.bytes += message.byteLength;
+    if (!header.last) return;
+    this.parts = null;
+    const draw = (): void => this.screen.showGeometry(parts.batches);
+    this.offer({ header, bytes: parts.bytes, draw, release: () => undefined });
+  }
+
+  // A decoder may finish an older frame after a newer one: that one is never seen.
+  private offer(frame: ReadyFrame): void {
+    const stale = frame.header.frame <= this.lastFrame;
+    if (stale || (this.ready !== null && this.ready.header.frame > frame.header.frame)) {
+      this.supersede(frame);
+      return;
+    }
+    if (this.ready !== null) this.supersede(this.ready);
+    this.ready = frame;
+    if (this.frameRequested) return;
+    this.frameRequested = true;
+    this.requestFrame(() => {
+      this.frameRequested = false;
+      this.present();
+    });
+  }
+
+  private supersede(frame: ReadyFrame): void {
+    frame.release();
+    this.events.acknowledge(frame.header.view, frame.header.frame);
+  }
+
+  private present(): void {
+    const frame = this.ready;
+    if (frame === null) return;
+    this.ready = null;
+    this.lastFrame = frame.header.frame;
+    frame.draw();
+    frame.release();
+    this.events.acknowledge(frame.header.view, frame.header.frame);
+    this.events.presented(frame.header, frame.bytes);
+  }
+}

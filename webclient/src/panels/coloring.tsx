@@ -1,0 +1,76 @@
+// What a layer's colour comes from: an array through a map, or one colour.
+import type { JSX } from "preact";
+import type { Coloring } from "../generated/protocol";
+import { DEFAULT_MAP, colorMapNames } from "../display/color_maps";
+import { scalarsOf } from "../scene/scalars";
+import { SelectField, Slider } from "./controls";
+import { useApp, useAppState } from "./context";
+
+const SOLID = "";
+const DEFAULT_SOLID = "#cccccc";
+
+export function ColoringFields({ layers, coloring }: { layers: string[]; coloring: Coloring }): JSX.Element {
+  const { actions } = useApp();
+  const description = useAppState((state) => state.description);
+  const scalars = scalarsOf(description);
+  const arrays = [
+    { value: SOLID, text: "One colour" },
+    ...scalars.map(({ name, units }) => ({ value: name, text: units === "" ? name : `${name} (${units})` })),
+  ];
+  const maps = colorMapNames.map((name) => ({ value: name, text: name }));
+  return (
+    <div class="fields">
+      <SelectField
+        label="Colour by"
+        value={coloring.array ?? SOLID}
+        options={arrays}
+        onChange={(array) =>
+          // The range belonged to the array before.
+          actions.setColoring(layers, { array: array === SOLID ? undefined : array, range: undefined })
+        }
+      />
+      {coloring.array === undefined ? (
+        <label class="field">
+          <span>Colour</span>
+          <input
+            type="color"
+            aria-label="Colour"
+            value={coloring.solid ?? DEFAULT_SOLID}
+            onChange={(event) => actions.setColoring(layers, { solid: event.currentTarget.value })}
+          />
+        </label>
+      ) : (
+        <SelectField
+          label="Map"
+          value={coloring.map ?? DEFAULT_MAP}
+          options={maps}
+          onChange={(map) => actions.setColoring(layers, { map })}
+        />
+      )}
+    </div>
+  );
+}
+
+export function OpacityField({ layers, opacity }: { layers: string[]; opacity: number }): JSX.Element {
+  const { editor } = useApp();
+  const percent = Math.round(opacity * 100);
+  return (
+    <div class="field opacity">
+      <span>Opacity</span>
+      <Slider
+        label="Opacity"
+        min={5}
+        max={100}
+        step={5}
+        value={percent}
+        text={`${percent} %`}
+        newGesture={() => editor.newGesture()}
+        onChange={(value, gesture) => {
+          const change = Object.fromEntries(layers.map((id) => [id, { opacity: value / 100 }]));
+          editor.change({ layers: change }, gesture);
+        }}
+      />
+      <output>{percent} %</output>
+    </div>
+  );
+}

@@ -1,0 +1,15 @@
+import { createContext } from "preact";
+import { useContext } from "preact/hooks";
+import type { App } from "../app/app";
+import type { AppState } from "../app/state";
+import { useStore } from "../app/store";
+
+export const AppContext = createContext<App | null>(null);
+
+export function useApp(): App {
+  const app = useContext(AppContext);
+  if (app === null) throw new Error("A panel stands outside the page");
+  return app;
+}
+
+export const useAppState = <V>(select: (state: Readonly<AppState>) => V): V => useStore(useApp().store, select);

@@ -1,0 +1,251 @@
+// The few controls that all panels are made of.
+import type { ComponentChildren, JSX } from "preact";
+import { useEffect, useRef, useState } from "preact/hooks";
+import { formatNumber, parseNumber } from "../scene/numbers";
+import { Icon, type IconName } from "./icons";
+
+interface IconButtonProps {
+  icon: IconName;
+  label: string;
+  onClick: () => void;
+  disabled?: boolean;
+  pressed?: boolean;
+  text?: string;
+  keys?: string;
+}
+
+export function IconButton({ icon, label, onClick, disabled, pressed, text, keys }: IconButtonProps): JSX.Element {
+  return (
+    <button
+      type="button"
+      class={text === undefined ? "button icon-button" : "button"}
+      title={keys === undefined ? label : `${label} (${keys})`}
+      aria-label={label}
+      aria-pressed={pressed}
+      aria-keyshortcuts={keys?.replaceAll("Ctrl-", "Control+").replaceAll("Shift-", "Shift+")}
+      disabled={disabled}
+      onClick={onClick}
+    >
+      <Icon name={icon} />
+      {text}
+    </button>
+  );
+}
+
+interface NumberFieldProps {
+  value: number | null;
+  label: string;
+  /** Of the values around it: how many digits are worth showing. */
+  span?: number;
+  placeholder?: string;
+  step?: number;
+  onChange: (value: number) => void;
+}
+
+/** Commits on Enter and when it loses the focus; Escape takes the typing back. */
+export function NumberField({ value, label, span, placeholder, step, onChange }: NumberFieldProps): JSX.Element {
+  const shown = value === null ? "" : formatNumber(value, span === undefined ? undefined : span / 10);
+  const [typed, setTyped] = useState<string | null>(null);
+  const text = typed ?? shown;
+  const wrong = typed !== null && typed !== "" && parseNumber(typed) === null;
+  const commit = (): void => {
+    const parsed = typed === null || typed === shown ? null : parseNumber(typed);
+    setTyped(null);
+    if (parsed !== null && parsed !== value) onChange(parsed);
+  };
+  const onKeyDown = (event: KeyboardEvent): void => {
+    if (event.key === "Enter") commit();
+    else if (event.key === "Escape") setTyped(null);
+    else if ((event.key === "ArrowUp" || event.key === "ArrowDown") && step !== undefined && value !== null) {
+      event.preventDefault();
+      onChange(Number((value + (event.key === "ArrowUp" ? step : -step)).toPrecision(12)));
+    } else return;
+    event.stopPropagation();
+  };
+  return (
+    <input
+      class="number-field"
+      type="text"
+      inputMode="decimal"
+      autocomplete="off"
+      spellcheck={false}
+      aria-label={label}
+      aria-invalid={wrong}
+      title={value === null ? label : `${label}: ${value}`}
+      placeholder={placeholder}
+      value={text}
+      onInput={(event) => setTyped(event.currentTarget.value)}
+      onFocus={(event) => event.currentTarget.select()}
+      onBlur={commit}
+      onKeyDown={onKeyDown}
+    />
+  );
+}
+
+interface SelectFieldProps {
+  label: string;
+  value: string;
+  options: readonly { value: string; text: string; disabled?: boolean }[];
+  onChange: (value: string) => void;
+  disabled?: boolean;
+  hideLabel?: boolean;
+}
+
+export function SelectField({ label, value, options, onChange, disabled, hideLabel }: SelectFieldProps): JSX.Element {
+  const select = (
+    <select
+      aria-label={label}
+      value={value}
+      disabled={disabled}
+      onChange={(event) => onChange(event.currentTarget.value)}
+    >
+      {options.map((option) => (
+        <option key={option.value} value={option.value} disabled={option.disabled}>
+          {option.text}
+        </option>
+      ))}
+    </select>
+  );
+  if (hideLabel === true) return select;
+  return (
+    <label class="field">
+      <span>{label}</span>
+      {select}
+    </label>
+  );
+}
+
+interface CheckProps {
+  label: string;
+  checked: boolean;
+  onChange: (checked: boolean) => void;
+  detail?: string;
+}
+
+export function Check({ label, checked, onChange, detail }: CheckProps): JSX.Element {
+  return (
+    <label class="check">
+      <input type="checkbox" checked={checked} onChange={(event) => onChange(event.currentTarget.checked)} />
+      <span>{label}</span>
+      {detail !== undefined && <small>{detail}</small>}
+    </label>
+  );
+}
+
+interface SliderProps {
+  label: string;
+  value: number;
+  min: number;
+  max: number;
+  step: number;
+  text?: string;
+  disabled?: boolean;
+  /** `gesture` is the same from press to release. */
+  onChange: (value: number, gesture: string) => void;
+  newGesture: () => string;
+}
+
+export function Slider({
+  label,
+  value,
+  min,
+  max,
+  step,
+  text,
+  disabled,
+  onChange,
+  newGesture,
+}: SliderProps): JSX.Element {
+  const gesture = useRef("");
+  const begin = (): void => void (gesture.current = newGesture());
+  return (
+    <input
+      class="slider"
+      type="range"
+      aria-label={label}
+      aria-valuetext={text}
+      min={min}
+      max={max}
+      step={step}
+      value={value}
+      disabled={disabled}
+      onPointerDown={begin}
+      onKeyDown={(event) => {
+        if (!event.repeat) begin();
+      }}
+      onInput={(event) => {
+        if (gesture.current === "") begin();
+        onChange(Number(event.currentTarget.value), gesture.current);
+      }}
+    />
+  );
+}
+
+interface SectionProps {
+  title: string;
+  children: ComponentChildren;
+  action?: JSX.Element | null;
+  open?: boolean;
+}
+
+export function Section({ title, children, action, open = true }: SectionProps): JSX.Element {
+  const [isOpen, setOpen] = useState(open);
+  return (
+    <section class="section">
+      <header>
+        <button type="button" class="section-title" aria-expanded={isOpen} onClick={() => setOpen(!isOpen)}>
+          <Icon name="chevron" />
+          <h2>{title}</h2>
+        </button>
+        {action}
+      </header>
+      {isOpen && <div class="section-body">{children}</div>}
+    </section>
+  );
+}
+
+interface MenuProps {
+  icon: IconName;
+  label: string;
+  text?: string;
+  disabled?: boolean;
+  children: (close: () => void) => ComponentChildren;
+}
+
+/** A button that opens a small panel; Escape and a click elsewhere close it. */
+export function Menu({ icon, label, text, disabled, children }: MenuProps): JSX.Element {
+  const [isOpen, setOpen] = useState(false);
+  const root = useRef<HTMLDivElement>(null);
+  useEffect(() => {
+    if (!isOpen) return;
+    const outside = (event: PointerEvent): void => {
+      if (!(root.current?.contains(event.target as Node) ?? false)) setOpen(false);
+    };
+    document.addEventListener("pointerdown", outside);
+    return () => document.removeEventListener("pointerdown", outside);
+  }, [isOpen]);
+  const onKeyDown = (event: KeyboardEvent): void => {
+    if (event.key !== "Escape" || !isOpen) return;
+    event.stopPropagation();
+    setOpen(false);
+    root.current?.querySelector("button")?.focus();
+  };
+  return (
+    <div class="menu" ref={root} onKeyDown={onKeyDown}>
+      <button
+        type="button"
+        class={text === undefined ? "button icon-button" : "button"}
+        title={label}
+        aria-label={label}
+        aria-expanded={isOpen}
+        aria-haspopup="true"
+        disabled={disabled}
+        onClick={() => setOpen(!isOpen)}
+      >
+        <Icon name={icon} />
+        {text}
+      </button>
+      {isOpen && <div class="menu-body">{children(() => setOpen(false))}</div>}
+    </div>
+  );
+}

@@ -1,0 +1,89 @@
+import type { JSX } from "preact";
+import { useEffect, useRef } from "preact/hooks";
+import { useApp, useAppState } from "./context";
+
+const ROWS: { title: string; keys: [string, string][] }[] = [
+  {
+    title: "Mouse and fingers",
+    keys: [
+      ["Drag", "Turn"],
+      ["Shift-drag, right or middle drag", "Move sideways"],
+      ["Ctrl-drag", "Roll"],
+      ["Wheel, pinch", "Zoom to the cursor"],
+      ["Click", "Read the values there"],
+      ["Double-click", "Centre there"],
+    ],
+  },
+  {
+    title: "Keys",
+    keys: [
+      ["Arrow keys", "Turn; with Shift move"],
+      ["+ and -", "Zoom"],
+      ["R", "Show everything"],
+      ["X, Y, Z", "Look along an axis; with Shift from the other side"],
+      ["O", "Parallel or perspective"],
+      ["Space", "Play or pause"],
+      [", and .", "Step back and on"],
+      ["Ctrl-Z, Ctrl-Shift-Z", "Undo, redo"],
+      ["S", "Save a picture"],
+      ["L", "Copy a link"],
+      ["P", "Side panel"],
+      ["?", "This help"],
+      ["Esc", "Close"],
+    ],
+  },
+  {
+    title: "On an iso-value",
+    keys: [
+      ["Arrow keys", "Small steps; with Shift large ones"],
+      ["Page up, page down", "A tenth of the range"],
+      ["Home, End", "Lowest, highest"],
+    ],
+  },
+];
+
+export function Help(): JSX.Element | null {
+  const { store } = useApp();
+  const open = useAppState((state) => state.helpOpen);
+  const dialog = useRef<HTMLDialogElement>(null);
+  useEffect(() => {
+    if (open) dialog.current?.showModal();
+  }, [open]);
+  if (!open) return null;
+  const close = (): void => store.set({ helpOpen: false });
+  return (
+    <dialog
+      ref={dialog}
+      class="help"
+      aria-labelledby="help-title"
+      onClose={close}
+      onClick={(event) => {
+        if (event.target === dialog.current) close();
+      }}
+    >
+      <div class="help-body">
+        <header>
+          <h2 id="help-title">Mouse, fingers and keys</h2>
+          <button type="button" class="button" onClick={close}>
+            Close
+          </button>
+        </header>
+        <div class="help-columns">
+          {ROWS.map(({ title, keys }) => (
+            <section key={title}>
+              <h3>{title}</h3>
+              <dl>
+                {keys.map(([key, does]) => (
+                  <div key={key}>
+                    <dt>{key}</dt>
+                    <dd>{does}</dd>
+                  </div>
+                ))}
+              </dl>
+            </section>
+          ))}
+        </div>
+      </div>
+    </dialog>
+  );
+}

@@ -1,0 +1,89 @@
+import type { JSX } from "preact";
+import { formatCount, formatNumber } from "../scene/numbers";
+import { Section } from "./controls";
+import { useAppState } from "./context";
+
+function Row({ name, value }: { name: string; value: string }): JSX.Element {
+  return (
+    <>
+      <dt>{name}</dt>
+      <dd>{value}</dd>
+    </>
+  );
+}
+
+export function InfoSection(): JSX.Element | null {
+  const description = useAppState((state) => state.description);
+  const server = useAppState((state) => state.server);
+  if (description === null) return null;
+  const { mesh, bounds, times, length_units: units } = description;
+  const extent = (axis: number): string => {
+    const low = bounds[2 * axis] ?? 0;
+    const high = bounds[2 * axis + 1] ?? 0;
+    return `${formatNumber(low, high - low)} to ${formatNumber(high, high - low)} ${units}`.trim();
+  };
+  const cells = Object.entries(mesh.cells).sort(([, a], [, b]) => b - a);
+  const span = (times.at(-1) ?? 0) - (times[0] ?? 0);
+  return (
+    <Section title="Dataset" open={false}>
+      <dl class="facts">
+        {cells.map(([type, count]) => (
+          <Row key={type} name={type} value={formatCount(count)} />
+        ))}
+        <Row name="Vertices" value={formatCount(mesh.vertices)} />
+        <Row name="Edges" value={formatCount(mesh.edges)} />
+        <Row name="Faces" value={formatCount(mesh.faces)} />
+        <Row name="Boundary faces" value={formatCount(mesh.boundary_faces)} />
+        <Row name="Components" value={formatCount(mesh.components)} />
+        {(["x", "y", "z"] as const).map((axis, index) => (
+          <Row key={axis} name={axis} value={extent(index)} />
+        ))}
+        <Row
+          name="Time steps"
+          value={
+            times.length > 1
+              ? `${times.length}, ${formatNumber(times[0] ?? 0, span)} to ${formatNumber(times.at(-1) ?? 0, span)}`
+              : String(times.length)
+          }
+        />
+        <Row name="Source" value={description.source} />
+        {server !== null && <Row name="Server" value={`CIEL ${server.version}, ${server.gl_renderer}`} />}
+      </dl>
+      <table class="arrays">
+        <thead>
+          <tr>
+            <th scope="col">Array</th>
+            <th scope="col">Range</th>
+            <th scope="col">Units</th>
+          </tr>
+        </thead>
+        <tbody>
+          {description.arrays.map((array) => (
+            <tr key={`${array.association} ${array.name}`} title={array.description}>
+              <th scope="row">
+                {array.name}
+                {array.association === "cell" && <small> cell</small>}
+                {array.components > 1 && <small> {array.components} components</small>}
+              </th>
+              <td>
+                {array.range === null
+                  ? ""
+                  : array.range
+                      .map((v) => formatNumber(v, (array.range?.[1] ?? 0) - (array.range?.[0] ?? 0)))
+                      .join(" to ")}
+              </td>
+              <td>{array.units}</td>
+            </tr>
+          ))}
+        </tbody>
+      </table>
+      {description.notes.length > 0 && (
+        <ul class="notes">
+          {description.notes.map((note) => (
+            <li key={note}>{note}</li>
+          ))}
+        </ul>
+      )}
+    </Section>
+  );
+}

@@ -1,0 +1,121 @@
+// One layer of iso-surfaces: its array, its values over the histogram, its colours.
+import type { JSX } from "preact";
+import { useState } from "preact/hooks";
+import type { IsoLayer, Range } from "../generated/protocol";
+import { niceStep, widestGap } from "../scene/numbers";
+import { scalarsOf, shownTime, unitsOf } from "../scene/scalars";
+import { ColoringFields, OpacityField } from "./coloring";
+import { IconButton, NumberField, SelectField } from "./controls";
+import { useApp, useAppState } from "./context";
+import { HistogramSlider } from "./histogram_slider";
+
+const MOST_VALUES = 64;
+
+function replaced(values: readonly number[], index: number, value: number): number[] {
+  return values.map((old, i) => (i === index ? value : old));
+}
+
+interface ValueRowProps {
+  values: readonly number[];
+  range: Range;
+  setValues: (values: number[]) => void;
+  logarithmic: boolean;
+  setLogarithmic: (on: boolean) => void;
+}
+
+function ValueRow({ values, range, setValues, logarithmic, setLogarithmic }: ValueRowProps): JSX.Element {
+  const span = range[1] - range[0];
+  return (
+    <div class="values">
+      {values.map((value, index) => (
+        <span class="value" key={index}>
+          <NumberField
+            label={values.length > 1 ? `Value ${index + 1}` : "Iso-value"}
+            value={value}
+            span={span}
+            step={niceStep(range) * 10}
+            onChange={(typed) => setValues(replaced(values, index, typed))}
+          />
+          {values.length > 1 && (
+            <IconButton
+              icon="close"
+              label={`Remove value ${index + 1}`}
+              onClick={() => setValues(values.filter((_, i) => i !== index))}
+            />
+          )}
+        </span>
+      ))}
+      {values.length < MOST_VALUES && (
+        <IconButton icon="plus" label="Add a value" onClick={() => setValues([...values, widestGap(values, range)])} />
+      )}
+      <button
+        type="button"
+        class="button small log"
+        aria-pressed={logarithmic}
+        title="Logarithmic counts in the histogram"
+        onClick={() => setLogarithmic(!logarithmic)}
+      >
+        log
+      </button>
+    </div>
+  );
+}
+
+export function IsoCard({ id, layer }: { id: string; layer: IsoLayer }): JSX.Element {
+  const { actions, editor, histograms } = useApp();
+  const description = useAppState((state) => state.description);
+  const scene = useAppState((state) => state.scene);
+  useAppState((state) => state.histogramsAt);
+  const [logarithmic, setLogarithmic] = useState(true);
+  const visible = layer.visible !== false;
+  const units = unitsOf(description, layer.array);
+  const time = shownTime(description, scene);
+  const histogram = description === null ? null : histograms.get(description.name, layer.array, time);
+  const own = scalarsOf(description).find(({ name }) => name === layer.array)?.array.range;
+  const range: Range = histogram?.range ?? own ?? [Math.min(0, ...layer.values), Math.max(1, ...layer.values)];
+  const setValues = (values: number[], gesture?: string): void => actions.setLayer(id, { values }, gesture);
+  const changeArray = (array: string): void => {
+    const next = description === null ? null : histograms.get(description.name, array, time);
+    const [low, high] = next?.range ?? scalarsOf(description).find(({ name }) => name === array)?.array.range ?? [0, 1];
+    actions.setLayer(id, { array, values: [(low + high) / 2] });
+  };
+  return (
+    <article class={visible ? "card" : "card off"} aria-label={`Iso-surface of ${layer.array}`}>
+      <div class="card-head">
+        <IconButton
+          icon={visible ? "eye" : "hidden"}
+          label={visible ? "Hide this iso-surface" : "Show this iso-surface"}
+          pressed={visible}
+          onClick={() => actions.setLayer(id, { visible: !visible })}
+        />
+        <SelectField
+          label="Array of the iso-surface"
+          hideLabel
+          value={layer.array}
+          options={scalarsOf(description).map(({ name }) => ({ value: name, text: name }))}
+          onChange={changeArray}
+        />
+        <IconButton icon="close" label="Remove this iso-surface" onClick={() => actions.removeLayer(id)} />
+      </div>
+      <HistogramSlider
+        name={layer.array}
+        units={units}
+        range={range}
+        histogram={histogram}
+        logarithmic={logarithmic}
+        values={layer.values}
+        newGesture={() => editor.newGesture()}
+        onChange={(index, value, gesture) => setValues(replaced(layer.values, index, value), gesture)}
+      />
+      <ValueRow
+        values={layer.values}
+        range={range}
+        setValues={setValues}
+        logarithmic={logarithmic}
+        setLogarithmic={setLogarithmic}
+      />
+      <ColoringFields layers={[id]} coloring={layer.color ?? {}} />
+      <OpacityField layers={[id]} opacity={layer.opacity ?? 1} />
+    </article>
+  );
+}

@@ -1,0 +1,56 @@
+// The values where the canvas was clicked, and a mark there.
+import type { JSX } from "preact";
+import { project } from "../camera/camera";
+import { formatNumber } from "../scene/numbers";
+import { unitsOf } from "../scene/scalars";
+import { IconButton } from "./controls";
+import { useApp, useAppState } from "./context";
+
+export function ProbeCard(): JSX.Element | null {
+  const { actions, store } = useApp();
+  const probe = useAppState((state) => state.probe);
+  const description = useAppState((state) => state.description);
+  const size = useAppState((state) => state.canvasSize);
+  const shownTime = useAppState((state) => state.readout.time);
+  useAppState((state) => state.scene?.camera);
+  const position = probe?.result.position;
+  if (probe === null || !position) return null;
+  const camera = actions.camera();
+  const mark = camera === null ? null : project(camera, position, size);
+  const { result } = probe;
+  const units = description?.length_units ?? "";
+  return (
+    <>
+      {mark !== null && (
+        <div class="probe-mark" style={{ left: `${mark.x}px`, top: `${mark.y}px` }} aria-hidden="true" />
+      )}
+      <aside class="probe" aria-label="Values at the clicked point" aria-live="polite">
+        <header>
+          <strong>{`(${position.map((v) => formatNumber(v)).join(", ")}) ${units}`.trim()}</strong>
+          <IconButton icon="close" label="Close the values" onClick={() => store.set({ probe: null })} />
+        </header>
+        <dl class="facts">
+          {Object.entries(result.values).map(([name, value]) => (
+            <div key={name}>
+              <dt>{name}</dt>
+              <dd>
+                {value === null
+                  ? "not written at this time"
+                  : `${formatNumber(value)} ${unitsOf(description, name)}`.trim()}
+              </dd>
+            </div>
+          ))}
+        </dl>
+        <p class="hint">
+          {[
+            result.cell === null ? "" : `cell ${result.cell}`,
+            result.vertex === null ? "" : `nearest vertex ${result.vertex}`,
+            probe.time === shownTime ? "" : `at t = ${formatNumber(probe.time)}`,
+          ]
+            .filter((part) => part !== "")
+            .join(", ")}
+        </p>
+      </aside>
+    </>
+  );
+}

@@ -1,0 +1,57 @@
+import type { JSX } from "preact";
+import { useEffect } from "preact/hooks";
+import { handleKey } from "../app/keys";
+import { isDark } from "../app/preferences";
+import { BoundarySection } from "./boundary_section";
+import { useApp, useAppState } from "./context";
+import { Help } from "./help";
+import { InfoSection } from "./info_section";
+import { IsoSection } from "./iso_section";
+import { SlicesSection } from "./slices_section";
+import { Stage } from "./stage";
+import { StatusBar } from "./status_bar";
+import { TimeBar } from "./time_bar";
+import { Toolbar } from "./toolbar";
+import { ViewSection } from "./view_section";
+
+function useTheme(): void {
+  const theme = useAppState((state) => state.theme);
+  useEffect(() => {
+    const apply = (): void => void (document.documentElement.dataset.theme = isDark(theme) ? "dark" : "light");
+    apply();
+    const system = matchMedia("(prefers-color-scheme: dark)");
+    system.addEventListener("change", apply);
+    return () => system.removeEventListener("change", apply);
+  }, [theme]);
+}
+
+export function Shell(): JSX.Element {
+  const app = useApp();
+  const panelOpen = useAppState((state) => state.panelOpen);
+  const title = useAppState((state) => state.scene?.dataset);
+  useTheme();
+  useEffect(() => {
+    const onKey = (event: KeyboardEvent): void => handleKey(app, event);
+    window.addEventListener("keydown", onKey);
+    return () => window.removeEventListener("keydown", onKey);
+  }, [app]);
+  useEffect(() => void (document.title = title === undefined ? "CIEL" : `${title} - CIEL`), [title]);
+  return (
+    <div class={panelOpen ? "shell" : "shell no-panel"}>
+      <Toolbar />
+      <Stage />
+      <TimeBar />
+      {panelOpen && (
+        <aside class="side-panel" aria-label="Scene">
+          <IsoSection />
+          <SlicesSection />
+          <BoundarySection />
+          <ViewSection />
+          <InfoSection />
+        </aside>
+      )}
+      <StatusBar />
+      <Help />
+    </div>
+  );
+}

@@ -1,0 +1,94 @@
+// Slices at right angles to the axes; each has a slider over the dataset's bounds.
+import type { JSX } from "preact";
+import type { SliceLayer } from "../generated/protocol";
+import { formatNumber, niceStep } from "../scene/numbers";
+import { layersOf, scalarsOf } from "../scene/scalars";
+import { ColoringFields, OpacityField } from "./coloring";
+import { Check, IconButton, NumberField, Section, Slider } from "./controls";
+import { useApp, useAppState } from "./context";
+
+const AXES = ["x", "y", "z"] as const;
+type Axis = (typeof AXES)[number];
+
+function AxisRow({ axis, entry }: { axis: Axis; entry: [string, SliceLayer] | undefined }): JSX.Element {
+  const { actions, editor } = useApp();
+  const description = useAppState((state) => state.description);
+  const at = AXES.indexOf(axis);
+  const low = description?.bounds[2 * at] ?? 0;
+  const high = description?.bounds[2 * at + 1] ?? 1;
+  const shown = entry !== undefined && entry[1].visible !== false;
+  const value = entry?.[1].value ?? (low + high) / 2;
+  const coloring = useAppState((state) => layersOf(state.scene, "slice")[0]?.[1].color);
+  const toggle = (on: boolean): void => {
+    if (entry !== undefined) actions.setLayer(entry[0], { visible: on });
+    else {
+      const array = scalarsOf(description)[0]?.name;
+      const color = coloring ?? (array === undefined ? {} : { array });
+      actions.addLayer(`slice-${axis}`, { type: "slice", axis, value, color });
+    }
+  };
+  const set = (position: number, gesture?: string): void => {
+    if (entry !== undefined) actions.setLayer(entry[0], { value: position }, gesture);
+  };
+  const units = description?.length_units ?? "";
+  return (
+    <div class="axis-row">
+      <Check label={axis.toUpperCase()} checked={shown} onChange={toggle} />
+      <Slider
+        label={`Position of the ${axis} slice`}
+        min={low}
+        max={high}
+        step={niceStep([low, high])}
+        value={value}
+        text={`${formatNumber(value, high - low)} ${units}`.trim()}
+        disabled={!shown}
+        newGesture={() => editor.newGesture()}
+        onChange={set}
+      />
+      <NumberField label={`Position on ${axis}`} value={shown ? value : null} span={high - low} onChange={set} />
+    </div>
+  );
+}
+
+function PlaneRow({ id, layer }: { id: string; layer: SliceLayer }): JSX.Element {
+  const { actions } = useApp();
+  const text = (vector: readonly number[] | undefined): string => (vector ?? []).map((v) => formatNumber(v)).join(", ");
+  return (
+    <div class="plane-row">
+      <Check
+        label={`Plane through ${text(layer.origin)}`}
+        detail={`normal ${text(layer.normal)}`}
+        checked={layer.visible !== false}
+        onChange={(visible) => actions.setLayer(id, { visible })}
+      />
+      <IconButton icon="close" label="Remove this plane" onClick={() => actions.removeLayer(id)} />
+    </div>
+  );
+}
+
+export function SlicesSection(): JSX.Element {
+  const scene = useAppState((state) => state.scene);
+  const slices = layersOf(scene, "slice");
+  const byAxis = (axis: Axis): [string, SliceLayer] | undefined => slices.find(([, layer]) => layer.axis === axis);
+  const shown = slices.filter(([, layer]) => layer.visible !== false);
+  const listed = new Set(AXES.map((axis) => byAxis(axis)?.[0]));
+  const [first] = shown;
+  return (
+    <Section title="Slices">
+      {AXES.map((axis) => (
+        <AxisRow key={axis} axis={axis} entry={byAxis(axis)} />
+      ))}
+      {slices
+        .filter(([id]) => !listed.has(id))
+        .map(([id, layer]) => (
+          <PlaneRow key={id} id={id} layer={layer} />
+        ))}
+      {first !== undefined && (
+        <>
+          <ColoringFields layers={slices.map(([id]) => id)} coloring={first[1].color ?? {}} />
+          <OpacityField layers={slices.map(([id]) => id)} opacity={first[1].opacity ?? 1} />
+        </>
+      )}
+    </Section>
+  );
+}

@@ -1,0 +1,56 @@
+// The canvas, what lies over it, and the hand on it.
+import type { JSX } from "preact";
+import { useEffect, useRef } from "preact/hooks";
+import { listenToGestures } from "../camera/gestures";
+import { AxesTriad } from "./axes_triad";
+import { useApp, useAppState } from "./context";
+import { Legends } from "./legend";
+import { Busy, ConnectionNotice, FatalNotice, ToastList } from "./notice";
+import { ProbeCard } from "./probe_card";
+
+export function Stage(): JSX.Element {
+  const app = useApp();
+  const root = useRef<HTMLDivElement>(null);
+  const images = useRef<HTMLCanvasElement>(null);
+  const geometry = useRef<HTMLCanvasElement>(null);
+  const live = useAppState((state) => state.connection.kind === "open");
+  useEffect(() => {
+    const element = root.current;
+    if (element === null || images.current === null || geometry.current === null) return;
+    const measure = (): void => app.resized(element.clientWidth, element.clientHeight, window.devicePixelRatio);
+    measure();
+    const observer = new ResizeObserver(measure);
+    observer.observe(element);
+    listenToGestures(element, {
+      camera: () => app.actions.camera(),
+      size: () => app.size.css,
+      move: (camera, gesture) => app.actions.setCamera(camera, gesture),
+      newGesture: () => app.editor.newGesture(),
+      click: (x, y) => void app.actions.probe(x, y),
+      doubleClick: (x, y) => void app.actions.centreOn(x, y),
+    });
+    void app.start(images.current, geometry.current);
+    return () => observer.disconnect();
+  }, [app]);
+  return (
+    <main class={live ? "stage" : "stage stale"}>
+      <div
+        class="canvases"
+        ref={root}
+        tabIndex={0}
+        role="application"
+        aria-label="3-D view. Drag to turn; press ? for help"
+      >
+        <canvas ref={images} />
+        <canvas ref={geometry} hidden />
+      </div>
+      <AxesTriad />
+      <Legends />
+      <ProbeCard />
+      <Busy />
+      <FatalNotice />
+      <ConnectionNotice />
+      <ToastList />
+    </main>
+  );
+}

@@ -1,0 +1,46 @@
+// Latency, rate and what kind of picture is seen.
+import type { JSX } from "preact";
+import type { Readout } from "../app/state";
+import { formatCount } from "../scene/numbers";
+import { useAppState } from "./context";
+
+const milliseconds = (value: number): string => `${value < 10 ? value.toFixed(1) : value.toFixed(0)} ms`;
+
+function kind({ stream, still }: Readout): string {
+  if (stream === "geometry") return "geometry";
+  return still ? "image, still" : "image, preview";
+}
+
+export function StatusBar(): JSX.Element {
+  const readout = useAppState((state) => state.readout);
+  const mesh = useAppState((state) => state.description?.mesh);
+  const cells = Object.values(mesh?.cells ?? {}).reduce((sum, count) => sum + count, 0);
+  return (
+    <footer class="status-bar">
+      {mesh !== undefined && <span>{formatCount(cells)} cells</span>}
+      {readout.stream !== "none" && (
+        <>
+          <span data-readout="stream">{kind(readout)}</span>
+          <span>
+            {readout.width} × {readout.height}
+          </span>
+          <span data-readout="triangles">{formatCount(readout.triangles)} triangles</span>
+          <span class="spring" />
+          <span title="Extraction, drawing and encoding on the server">
+            extract {milliseconds(readout.extractMs)} · draw {milliseconds(readout.drawMs)} · encode{" "}
+            {milliseconds(readout.encodeMs)}
+          </span>
+          {readout.roundTripMs !== null && (
+            <span title="To the server and back">round trip {milliseconds(readout.roundTripMs)}</span>
+          )}
+          <span data-readout="latency" title="From the last change to its picture">
+            latency {readout.latencyMs === null ? "–" : milliseconds(readout.latencyMs)}
+          </span>
+          <span data-readout="rate" title="Pictures presented per second">
+            {readout.framesPerSecond.toFixed(readout.framesPerSecond < 10 ? 1 : 0)} fps
+          </span>
+        </>
+      )}
+    </footer>
+  );
+}

@@ -1,0 +1,72 @@
+import type { JSX } from "preact";
+import { formatNumber } from "../scene/numbers";
+import { nearestStep } from "../scene/scalars";
+import { IconButton, SelectField, Slider } from "./controls";
+import { useApp, useAppState } from "./context";
+
+const RATES = [2, 5, 10, 20, 60];
+
+export function TimeBar(): JSX.Element | null {
+  const { actions, editor, player, store } = useApp();
+  const times = useAppState((state) => state.description?.times) ?? [];
+  const time = useAppState((state) => state.scene?.time);
+  const playing = useAppState((state) => state.playing);
+  const loop = useAppState((state) => state.loop);
+  const rate = useAppState((state) => state.playRate);
+  if (times.length < 2) return null;
+  const first = times[0] ?? 0;
+  const last = times.at(-1) ?? 0;
+  const step = nearestStep(times, time ?? first);
+  const shown = formatNumber(times[step] ?? 0, last - first);
+  return (
+    <div class="time-bar" role="group" aria-label="Time">
+      <IconButton icon="previous" label="Step back" keys="," disabled={step === 0} onClick={() => actions.stepBy(-1)} />
+      <IconButton
+        icon={playing ? "pause" : "play"}
+        label={playing ? "Pause" : "Play"}
+        keys="Space"
+        pressed={playing}
+        onClick={() => actions.togglePlay()}
+      />
+      <IconButton
+        icon="next"
+        label="Step on"
+        keys="."
+        disabled={step === times.length - 1}
+        onClick={() => actions.stepBy(1)}
+      />
+      <Slider
+        label="Time step"
+        min={0}
+        max={times.length - 1}
+        step={1}
+        value={step}
+        text={`time ${shown}, step ${step + 1} of ${times.length}`}
+        newGesture={() => editor.newGesture()}
+        onChange={(value, gesture) => {
+          player.stop();
+          actions.setStep(value, gesture);
+        }}
+      />
+      <output class="time-readout">
+        <span>t = {shown}</span>
+        <small>
+          {step + 1} / {times.length}
+        </small>
+      </output>
+      <IconButton
+        icon="loop"
+        label="Start again at the end"
+        pressed={loop}
+        onClick={() => store.set({ loop: !loop })}
+      />
+      <SelectField
+        label="Steps a second, at most"
+        hideLabel
+        value={String(rate)}
+        options={RATES.map((value) => ({ value: String(value), text: `${value} / s` }))}
+        onChange={(value) => store.set({ playRate: Number(value) })}
+      />
+    </div>
+  );
+}

@@ -1,0 +1,62 @@
+import type { JSX } from "preact";
+import type { StreamChoice } from "../app/state";
+import { layersOf } from "../scene/scalars";
+import { Check, Section, SelectField } from "./controls";
+import { useApp, useAppState } from "./context";
+
+const STREAMS = [
+  { value: "image", text: "Images" },
+  { value: "geometry", text: "Geometry" },
+  { value: "auto", text: "Automatic" },
+];
+const CUSTOM = "custom";
+
+export function ViewSection(): JSX.Element {
+  const { actions, editor, streams } = useApp();
+  const scene = useAppState((state) => state.scene);
+  const choice = useAppState((state) => state.streamChoice);
+  const parallel = useAppState((state) => state.scene?.camera?.parallel === true);
+  const [outline] = layersOf(scene, "outline");
+  const background = scene?.background ?? "dark";
+  const own = background.startsWith("#");
+  const toggleOutline = (visible: boolean): void => {
+    if (outline !== undefined) actions.setLayer(outline[0], { visible });
+    else actions.addLayer("outline", { type: "outline" });
+  };
+  return (
+    <Section title="View">
+      <div class="fields">
+        <SelectField
+          label="Background"
+          value={own ? CUSTOM : background}
+          options={[
+            { value: "dark", text: "Dark" },
+            { value: "light", text: "Light" },
+            { value: CUSTOM, text: "One colour" },
+          ]}
+          onChange={(value) => editor.change({ background: value === CUSTOM ? "#ffffff" : value })}
+        />
+        <SelectField
+          label="Stream"
+          value={choice}
+          options={STREAMS}
+          onChange={(value) => streams.choose(value as StreamChoice)}
+        />
+        {own && (
+          <label class="field">
+            <span>Colour</span>
+            <input
+              type="color"
+              aria-label="Background colour"
+              value={background}
+              onChange={(event) => editor.change({ background: event.currentTarget.value })}
+            />
+          </label>
+        )}
+      </div>
+      <Check label="Outline" checked={outline !== undefined && outline[1].visible !== false} onChange={toggleOutline} />
+      <Check label="Legend" checked={scene?.legend !== false} onChange={(legend) => editor.change({ legend })} />
+      <Check label="Parallel projection" checked={parallel} onChange={() => actions.toggleParallel()} />
+    </Section>
+  );
+}

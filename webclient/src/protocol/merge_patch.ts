@@ -1,0 +1,58 @@
+// RFC 7396: JSON Merge Patch, and the two operations that undo and coalescing need beside it.
+
+export type Json = null | boolean | number | string | Json[] | { [key: string]: Json };
+export type JsonObject = { [key: string]: Json };
+
+export function isObject(value: unknown): value is JsonObject {
+  return typeof value === "object" && value !== null && !Array.isArray(value);
+}
+
+/** The patched document. Neither argument is changed. */
+export function applyPatch(document: Json | undefined, patch: Json): Json {
+  if (!isObject(patch)) return patch;
+  const before = isObject(document) ? document : {};
+  const kept = Object.entries(before).filter(([key]) => !(key in patch));
+  const set = Object.entries(patch).filter(([, value]) => value !== null);
+  return Object.fromEntries([...kept, ...set.map(([key, value]) => [key, applyPatch(before[key], value)] as const)]);
+}
+
+/**
+ * One patch that does what `first` and then `second` do; null where no patch can: an object that takes the place of
+ * what `first` set or removed would be merged with the document's own.
+ */
+export function composePatches(first: JsonObject, second: JsonObject): JsonObject | null {
+  const result: JsonObject = { ...first };
+  for (const [key, value] of Object.entries(second)) {
+    const before = result[key];
+    if (before === undefined || !isObject(value)) {
+      result[key] = value;
+      continue;
+    }
+    const both = isObject(before) ? composePatches(before, value) : null;
+    if (both === null) return null;
+    result[key] = both;
+  }
+  return result;
+}
+
+/** The patch that leads from one document to another. Members that are null in `to` cannot be expressed (RFC 7396). */
+export function diff(from: JsonObject, to: JsonObject): JsonObject {
+  const patch: JsonObject = {};
+  for (const key of Object.keys(from)) if (!(key in to)) patch[key] = null;
+  for (const [key, value] of Object.entries(to)) {
+    const before = from[key];
+    if (equal(before, value)) continue;
+    patch[key] = isObject(before) && isObject(value) ? diff(before, value) : value;
+  }
+  return patch;
+}
+
+export function equal(a: Json | undefined, b: Json | undefined): boolean {
+  if (a === b) return true;
+  if (Array.isArray(a) && Array.isArray(b)) {
+    return a.length === b.length && a.every((value, index) => equal(value, b[index]));
+  }
+  if (!isObject(a) || !isObject(b)) return false;
+  const keys = Object.keys(a);
+  return keys.length === Object.keys(b).length && keys.every((key) => key in b && equal(a[key], b[key]));
+}

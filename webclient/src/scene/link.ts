@@ -1,0 +1,44 @@
+// The scene in the address: #s=<deflated JSON as base64url>.
+import type { Scene } from "../generated/protocol";
+
+const KEY = "s=";
+
+export function toBase64Url(bytes: Uint8Array): string {
+  let text = "";
+  for (const byte of bytes) text += String.fromCharCode(byte);
+  return btoa(text).replaceAll("+", "-").replaceAll("/", "_").replaceAll("=", "");
+}
+
+export function fromBase64(text: string): Uint8Array<ArrayBuffer> {
+  const raw = atob(text.replaceAll("-", "+").replaceAll("_", "/"));
+  return Uint8Array.from(raw, (character) => character.charCodeAt(0));
+}
+
+async function through(
+  bytes: Uint8Array<ArrayBuffer>,
+  transform: GenericTransformStream,
+): Promise<Uint8Array<ArrayBuffer>> {
+  const stream = new Blob([bytes]).stream().pipeThrough(transform);
+  return new Uint8Array(await new Response(stream as ReadableStream<Uint8Array<ArrayBuffer>>).arrayBuffer());
+}
+
+/** The fragment, with its "#". */
+export async function encodeScene(scene: Scene): Promise<string> {
+  const json = new TextEncoder().encode(JSON.stringify(scene));
+  return `#${KEY}${toBase64Url(await through(json, new CompressionStream("deflate-raw")))}`;
+}
+
+/** null where the fragment holds no scene; throws a sentence where it holds a damaged one. */
+export async function decodeScene(fragment: string): Promise<Scene | null> {
+  const start = fragment.replace(/^#/, "");
+  if (!start.startsWith(KEY)) return null;
+  try {
+    const json = await through(fromBase64(start.slice(KEY.length)), new DecompressionStream("deflate-raw"));
+    const scene = JSON.parse(new TextDecoder().decode(json)) as unknown;
+    if (typeof scene === "object" && scene !== null && typeof (scene as Scene).dataset === "string")
+      return scene as Scene;
+  } catch {
+    // Said below.
+  }
+  throw new Error("The link does not hold a whole scene; it may have been cut when it was copied");
+}

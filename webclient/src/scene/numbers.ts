@@ -1,0 +1,81 @@
+// How values are written, rounded and spread over a slider.
+import type { Range } from "../generated/protocol";
+
+export const MINUS = "\u2212";
+
+/** Enough digits to tell apart values that differ by a thousandth of the span. */
+export function formatNumber(value: number, span = Math.abs(value)): string {
+  if (!Number.isFinite(value)) return "n/a";
+  if (value === 0) return "0";
+  const size = Math.abs(value);
+  const resolution = span > 0 && Number.isFinite(span) ? span / 1000 : size / 1000;
+  const places = Math.floor(Math.log10(size));
+  const wanted = places - Math.floor(Math.log10(resolution)) + 1;
+  const digits = Math.min(15, Math.max(1, wanted, size < 1e6 ? places + 1 : 1)); // never a rounded whole number
+  const text = size >= 1e6 || size < 1e-4 ? value.toExponential(Math.min(digits - 1, 5)) : value.toPrecision(digits);
+  const [mantissa = "", exponent] = text.split("e");
+  const short = mantissa.includes(".") ? mantissa.replace(/\.?0+$/, "") : mantissa;
+  return (exponent === undefined ? short : `${short}e${exponent.replace("+", "")}`).replaceAll("-", MINUS);
+}
+
+/** null where the text is not one finite number. Accepts what formatNumber writes. */
+export function parseNumber(text: string): number | null {
+  const plain = text.trim().replaceAll(MINUS, "-").replace(",", ".");
+  if (plain === "") return null;
+  const value = Number(plain);
+  return Number.isFinite(value) ? value : null;
+}
+
+export const formatCount = (count: number): string => count.toLocaleString("en-US").replaceAll(",", "\u202f");
+
+export const clamp = (value: number, low: number, high: number): number => Math.min(high, Math.max(low, value));
+
+/** Decimal steps of about a thousandth of the range, so that a drag gives values one can say. */
+export function niceStep([low, high]: Range): number {
+  const span = high - low;
+  return span > 0 ? 10 ** Math.floor(Math.log10(span / 1000)) : 1;
+}
+
+export function valueAt(fraction: number, range: Range): number {
+  const [low, high] = range;
+  const f = clamp(fraction, 0, 1);
+  if (f === 0 || f === 1) return f === 0 ? low : high;
+  const step = niceStep(range);
+  const rounded = Number((Math.round((low + f * (high - low)) / step) * step).toPrecision(12));
+  return clamp(rounded, low, high);
+}
+
+export function fractionOf(value: number, [low, high]: Range): number {
+  return high > low ? clamp((value - low) / (high - low), 0, 1) : 0.5;
+}
+
+/** Bar heights from 0 to 1. Logarithmic counts keep rare values visible. */
+export function barHeights(counts: readonly number[], logarithmic: boolean): number[] {
+  const measure = (count: number): number => (logarithmic ? Math.log1p(count) : count);
+  const top = measure(counts.reduce((most, count) => Math.max(most, count), 0));
+  return counts.map((count) => (top > 0 ? measure(count) / top : 0));
+}
+
+/** The middle of the widest gap: where one more value tells most. */
+export function widestGap(values: readonly number[], [low, high]: Range): number {
+  const stops = [low, ...values.filter((v) => v > low && v < high).sort((a, b) => a - b), high];
+  let best = 0;
+  for (let i = 1; i + 1 < stops.length; i += 1) {
+    if ((stops[i + 1] ?? 0) - (stops[i] ?? 0) > (stops[best + 1] ?? 0) - (stops[best] ?? 0)) best = i;
+  }
+  return valueAt(fractionOf(((stops[best] ?? low) + (stops[best + 1] ?? high)) / 2, [low, high]), [low, high]);
+}
+
+/** Round values inside the range for a colour bar, about `wanted` of them. */
+export function ticks([low, high]: Range, wanted = 5): number[] {
+  const span = high - low;
+  if (!(span > 0) || !Number.isFinite(span)) return [low];
+  const raw = span / Math.max(1, wanted - 1);
+  const power = 10 ** Math.floor(Math.log10(raw));
+  const step = ([1, 2, 2.5, 5, 10].find((factor) => factor * power >= raw * 0.99) ?? 10) * power;
+  const result: number[] = [];
+  for (let k = Math.ceil(low / step - 1e-9); k * step <= high + 1e-9 * span; k += 1) {
+    result.push(Number((k * step).toPrecision(12)));
+  }
+  return result;
+}

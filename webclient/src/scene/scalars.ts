@@ -1,0 +1,65 @@
+// What layers can be made from and coloured by: the scalars of a dataset's arrays.
+import type { ArrayInfo, Coloring, DatasetDescription, Layer, Scene } from "../generated/protocol";
+
+export interface Scalar {
+  name: string;
+  units: string;
+  array: ArrayInfo;
+}
+
+export function scalarsOf(description: DatasetDescription | null): Scalar[] {
+  return (description?.arrays ?? []).flatMap((array) =>
+    array.scalars.map((name) => ({ name, units: array.units, array })),
+  );
+}
+
+export const unitsOf = (description: DatasetDescription | null, scalar: string): string =>
+  scalarsOf(description).find(({ name }) => name === scalar)?.units ?? "";
+
+/** The step that a time stands for: the nearest. */
+export function nearestStep(times: readonly number[], time: number): number {
+  let best = 0;
+  times.forEach((candidate, index) => {
+    if (Math.abs(candidate - time) < Math.abs((times[best] ?? 0) - time)) best = index;
+  });
+  return best;
+}
+
+export const shownTime = (description: DatasetDescription | null, scene: Scene | null): number =>
+  description?.times[nearestStep(description.times, scene?.time ?? description.times[0] ?? 0)] ?? 0;
+
+export type LayerOf<T extends Layer["type"]> = Extract<Layer, { type: T }>;
+
+/** Layers of one type in drawing order. */
+export function layersOf<T extends Layer["type"]>(scene: Scene | null, type: T): [string, LayerOf<T>][] {
+  const ofType = Object.entries(scene?.layers ?? {}).filter(
+    (entry): entry is [string, LayerOf<T>] => entry[1].type === type,
+  );
+  return ofType.sort(([a, x], [b, y]) => (x.order ?? 0) - (y.order ?? 0) || (a < b ? -1 : 1));
+}
+
+/** An id that no layer has: prefix, prefix2, prefix3 ... */
+export function freeId(scene: Scene, prefix: string): string {
+  const taken = scene.layers ?? {};
+  if (!(prefix in taken)) return prefix;
+  let n = 2;
+  while (`${prefix}${n}` in taken) n += 1;
+  return `${prefix}${n}`;
+}
+
+export const topOrder = (scene: Scene): number =>
+  Object.values(scene.layers ?? {}).reduce((top, layer) => Math.max(top, layer.order ?? 0), 0) + 1;
+
+/** The colourings that the visible layers use, each once, with the layers that share it. */
+export function legendsOf(scene: Scene | null): { coloring: Coloring & { array: string }; layers: string[] }[] {
+  const found = new Map<string, { coloring: Coloring & { array: string }; layers: string[] }>();
+  for (const [id, layer] of Object.entries(scene?.layers ?? {})) {
+    const { color } = layer;
+    if (layer.visible === false || layer.type === "outline" || color?.array === undefined) continue;
+    const key = JSON.stringify([color.array, color.map ?? "viridis", color.range ?? null]);
+    const same = found.get(key);
+    if (same === undefined) found.set(key, { coloring: { ...color, array: color.array }, layers: [id] });
+    else same.layers.push(id);
+  }
+  return [...found.values()];
+}

@@ -1,0 +1,42 @@
+// From the hand's move to the picture of it, and pictures per second.
+
+const WINDOW_MS = 1500;
+
+export class Latency {
+  private waiting: { revision: number; since: number }[] = [];
+  private presented: { revision: number; at: number } = { revision: -1, at: 0 };
+  private times: number[] = [];
+  last: number | null = null;
+
+  /** A change made at `since` became `revision`. Its picture may have come before this answer. */
+  accepted(revision: number, since: number): void {
+    if (this.presented.revision >= revision) this.last = Math.max(0, this.presented.at - since);
+    else this.waiting.push({ revision, since });
+  }
+
+  shown(revision: number, now: number): void {
+    this.times = this.times.filter((time) => now - time < WINDOW_MS);
+    this.times.push(now);
+    if (revision <= this.presented.revision) return; // the still of what is shown already
+    this.presented = { revision, at: now };
+    const answered = this.waiting.filter((change) => change.revision <= revision);
+    this.waiting = this.waiting.filter((change) => change.revision > revision);
+    const newest = answered.at(-1);
+    if (newest !== undefined) this.last = now - newest.since;
+  }
+
+  framesPerSecond(now: number): number {
+    const recent = this.times.filter((time) => now - time < WINDOW_MS);
+    const first = recent[0];
+    const newest = recent.at(-1);
+    if (first === undefined || newest === undefined || recent.length < 2) return 0;
+    return ((recent.length - 1) * 1000) / (newest - first);
+  }
+
+  /** Revisions of another session mean nothing here. */
+  reset(): void {
+    this.waiting = [];
+    this.presented = { revision: -1, at: 0 };
+    this.times = [];
+  }
+}

@@ -1,0 +1,70 @@
+// Time play, paced by presented frames: the next step is asked for when the last one has been seen.
+
+export interface PlayerHost {
+  times(): readonly number[];
+  shownStep(): number;
+  show(step: number, gesture: string): void;
+  newGesture(): string;
+  rate(): number; // steps per second at most
+  loop(): boolean;
+  changed(playing: boolean): void;
+}
+
+export class Player {
+  private gesture = "";
+  private timer: ReturnType<typeof setTimeout> | null = null;
+  private wanted: number | null = null;
+  private askedAt = 0;
+  private running = false;
+
+  constructor(
+    private readonly host: PlayerHost,
+    private readonly now: () => number,
+  ) {}
+
+  get playing(): boolean {
+    return this.running;
+  }
+
+  play(): void {
+    if (this.running || this.host.times().length < 2) return;
+    this.running = true;
+    this.gesture = this.host.newGesture();
+    this.host.changed(true);
+    if (!this.host.loop() && this.host.shownStep() === this.host.times().length - 1) this.ask(0);
+    else this.advance();
+  }
+
+  stop(): void {
+    if (!this.running) return;
+    this.running = false;
+    this.wanted = null;
+    if (this.timer !== null) clearTimeout(this.timer);
+    this.timer = null;
+    this.host.changed(false);
+  }
+
+  /** A frame of this simulation time is on the screen. */
+  presented(time: number): void {
+    if (this.wanted === null || this.host.times()[this.wanted] !== time) return;
+    this.wanted = null;
+    const left = 1000 / this.host.rate() - (this.now() - this.askedAt);
+    this.timer = setTimeout(() => this.advance(), Math.max(0, left));
+  }
+
+  private advance(): void {
+    this.timer = null;
+    if (!this.running) return;
+    const next = this.host.shownStep() + 1;
+    const count = this.host.times().length;
+    if (next < count) this.ask(next);
+    else if (this.host.loop()) this.ask(0);
+    else this.stop();
+  }
+
+  private ask(step: number): void {
+    this.wanted = step;
+    this.askedAt = this.now();
+    this.host.show(step, this.gesture);
+  }
+}

@@ -1,0 +1,152 @@
+// One viewer's conversation with the server: opens or rejoins the session and its view after every (re)connection.
+import type { Notifications, Scene, SessionState } from "../generated/protocol";
+import { Connection, type Clock, type ConnectionState, type SocketLike } from "../protocol/connection";
+import { Disconnected, RpcError, type MethodName, type Params, type Result, type Rpc } from "../protocol/rpc";
+import type { SceneEditor } from "../scene/editor";
+
+export interface ViewSize {
+  width: number;
+  height: number;
+}
+
+export interface SessionHost {
+  /** The scene of a session that does not exist yet, or null when there is nothing to show. */
+  firstScene(call: Caller): Promise<Scene | null>;
+  viewSize(): ViewSize;
+  stream(): "image" | "geometry";
+  /** 0: no view. */
+  viewOpened(view: number): void;
+  opened(state: SessionState): void;
+  connection(state: ConnectionState): void;
+  roundTrip(milliseconds: number): void;
+  binary(message: ArrayBuffer): void;
+  notified<N extends keyof Notifications>(name: N, params: Notifications[N]): void;
+  failed(error: Error): void;
+}
+
+export type Caller = <M extends MethodName>(method: M, params: Params<M>) => Promise<Result<M>>;
+
+export class Session {
+  private readonly connection: Connection;
+  private rpc: Rpc | null = null;
+  private view = 0;
+  private sentSize: ViewSize = { width: 0, height: 0 };
+
+  constructor(
+    readonly id: string,
+    private readonly host: SessionHost,
+    private readonly editor: SceneEditor,
+    open: () => SocketLike,
+    clock: Clock,
+  ) {
+    this.connection = new Connection(
+      open,
+      {
+        state: (state) => this.stateChanged(state),
+        opened: (rpc) => void this.opened(rpc),
+        notification: (name, params) => host.notified(name as keyof Notifications, params as never),
+        binary: (message) => host.binary(message),
+        roundTrip: (milliseconds) => host.roundTrip(milliseconds),
+      },
+      clock,
+    );
+  }
+
+  start(): void {
+    this.connection.start();
+  }
+
+  retryNow(): void {
+    this.connection.retryNow();
+  }
+
+  networkLost(): void {
+    this.connection.lost();
+  }
+
+  /** Rejects with Disconnected while there is no connection. */
+  call<M extends MethodName>(method: M, params: Params<M>): Promise<Result<M>> {
+    return this.rpc === null ? Promise.reject(new Disconnected()) : this.rpc.call(method, params);
+  }
+
+  acknowledge(view: number, frame: number): void {
+    if (view === this.view) this.rpc?.notify("view.ack", { view, frame });
+  }
+
+  resize(): void {
+    const size = this.host.viewSize();
+    if (this.view === 0 || (size.width === this.sentSize.width && size.height === this.sentSize.height)) return;
+    this.sentSize = size;
+    this.call("view.resize", { view: this.view, ...size }).catch((error: unknown) => this.report(error));
+  }
+
+  setStream(stream: "image" | "geometry"): void {
+    if (this.view === 0) return;
+    this.call("view.stream", { view: this.view, stream }).catch((error: unknown) => this.report(error));
+  }
+
+  /** Opens the session where there was no dataset to open it with until now. */
+  async begin(scene: Scene): Promise<void> {
+    if (this.rpc !== null) await this.join(this.rpc, scene);
+  }
+
+  private stateChanged(state: ConnectionState): void {
+    if (state.kind !== "open") {
+      this.rpc = null;
+      this.setView(0);
+      this.editor.disconnected();
+    }
+    this.host.connection(state);
+  }
+
+  private async opened(rpc: Rpc): Promise<void> {
+    this.rpc = rpc;
+    try {
+      const call: Caller = (method, params) => rpc.call(method, params);
+      const scene = this.editor.scene ?? (await this.host.firstScene(call));
+      if (this.rpc === rpc && scene !== null) await this.join(rpc, scene);
+    } catch (error) {
+      this.report(error);
+    }
+  }
+
+  private async join(rpc: Rpc, scene: Scene): Promise<void> {
+    const session = this.id;
+    const state = await rpc.call("session.open", { session, scene });
+    if (this.rpc !== rpc) return;
+    this.editor.connected(
+      {
+        patch: (patch, gesture) => rpc.call("scene.patch", { session, patch, gesture }),
+        undo: () => rpc.call("scene.undo", { session }),
+        redo: () => rpc.call("scene.redo", { session }),
+        get: () => rpc.call("scene.get", { session }),
+      },
+      state,
+    );
+    this.host.opened(state);
+    this.sentSize = this.host.viewSize();
+    const { view } = await rpc.call("view.open", { session, ...this.sentSize, stream: this.host.stream() });
+    if (this.rpc !== rpc) return;
+    this.setView(view);
+    this.resize(); // it may have changed meanwhile
+  }
+
+  private setView(view: number): void {
+    this.view = view;
+    this.host.viewOpened(view);
+  }
+
+  private report(error: unknown): void {
+    if (!(error instanceof Disconnected)) this.host.failed(error as Error);
+  }
+}
+
+/** What a person is told. */
+export function wordsFor(error: Error): string {
+  if (error instanceof RpcError) {
+    const data = error.data;
+    const path = typeof data === "object" && data !== null && "path" in data ? String(data.path) : "";
+    return path === "" ? error.message : `${error.message} (${path})`;
+  }
+  return error.message;
+}

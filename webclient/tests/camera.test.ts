@@ -1,0 +1,186 @@
+import { describe, expect, test } from "vitest";
+import {
+  AXIS_VIEWS,
+  axisView,
+  centre,
+  complete,
+  corners,
+  defaultView,
+  distance,
+  frame,
+  orbit,
+  pan,
+  project,
+  roll,
+  viewHeight,
+  withParallel,
+  zoom,
+  type Bounds,
+  type FullCamera,
+} from "../src/camera/camera";
+import { dragOf, wheelFactor } from "../src/camera/gestures";
+import { depthRange, projectionMatrix, viewMatrix } from "../src/camera/matrices";
+import { add, dot, length, multiply, scale, subtract, type Vec3 } from "../src/camera/vector";
+
+const size = { width: 800, height: 500 };
+const bounds: Bounds = [10, 14, -3, 5, 100, 101];
+const start = complete({ position: [20, -30, 110], target: [12, 1, 100.5], up: [0, 0, 1], fov: 35 });
+const close = (a: Vec3, b: Vec3, digits = 9): void => a.forEach((v, i) => expect(v).toBeCloseTo(b[i] ?? NaN, digits));
+
+function expectRightAngled(camera: FullCamera): void {
+  const { right, up, forward } = frame(camera);
+  for (const axis of [right, up, forward]) expect(length(axis)).toBeCloseTo(1, 12);
+  for (const [a, b] of [
+    [right, up],
+    [up, forward],
+    [forward, right],
+  ] as const) {
+    expect(dot(a, b)).toBeCloseTo(0, 12);
+  }
+}
+
+describe("orbit", () => {
+  test("keeps the target and the distance, however long", () => {
+    let camera = start;
+    for (let i = 0; i < 500; i += 1) camera = orbit(camera, 13 * Math.sin(i), 17 * Math.cos(3 * i), size);
+    expect(distance(camera)).toBeCloseTo(distance(start), 8);
+    close(camera.target, start.target);
+    expectRightAngled(camera);
+  });
+
+  test("a drag to the right brings the left side to the front", () => {
+    const leftSide = subtract(start.target, frame(start).right);
+    const before = project(start, leftSide, size);
+    const after = project(orbit(start, 40, 0, size), leftSide, size);
+    expect(after?.x).toBeGreaterThan(before?.x ?? Infinity);
+    expect(after?.depth).toBeLessThan(before?.depth ?? 0);
+  });
+
+  test("a drag downwards shows the top", () => {
+    const top = add(start.target, frame(start).up);
+    const after = project(orbit(start, 0, 40, size), top, size);
+    expect(after?.depth).toBeLessThan(project(start, top, size)?.depth ?? 0);
+    expect(after?.y).toBeGreaterThan(project(start, top, size)?.y ?? Infinity);
+  });
+
+  test("half a turn over the shorter side, past the pole without a jump", () => {
+    const turned = orbit(start, 0, size.height, size);
+    close(subtract(turned.position, turned.target), scale(subtract(start.position, start.target), -1), 6);
+  });
+});
+
+describe("pan", () => {
+  test("what lies at the target's depth follows the hand", () => {
+    for (const camera of [start, withParallel(start, true)]) {
+      const at = project(pan(camera, 37, -21, size), camera.target, size);
+      expect(at?.x).toBeCloseTo(size.width / 2 + 37, 6);
+      expect(at?.y).toBeCloseTo(size.height / 2 - 21, 6);
+    }
+  });
+});
+
+describe("zoom", () => {
+  test.each([start, withParallel(start, true)])("the point under the cursor stays (parallel: $parallel)", (camera) => {
+    const point = add(camera.target, add(scale(frame(camera).right, 2), scale(frame(camera).up, -1)));
+    const before = project(camera, point, size);
+    if (before === null) throw new Error("behind the eye");
+    const closer = zoom(camera, 0.5, before.x, before.y, size);
+    const after = project(closer, point, size);
+    expect(after?.x).toBeCloseTo(before.x, 6);
+    expect(after?.y).toBeCloseTo(before.y, 6);
+    expect(viewHeight(closer)).toBeCloseTo(viewHeight(camera) / 2, 9);
+  });
+
+  test("the wheel zooms by the same factor in and out, whatever its unit", () => {
+    expect(wheelFactor(100, 0) * wheelFactor(-100, 0)).toBeCloseTo(1, 12);
+    expect(wheelFactor(3, 1)).toBeCloseTo(wheelFactor(48, 0), 12);
+    expect(wheelFactor(1e9, 0)).toBeLessThan(3);
+  });
+});
+
+describe("other moves", () => {
+  test("roll keeps the line of sight", () => {
+    const rolled = roll(start, 0.7);
+    close(rolled.position, start.position);
+    expect(dot(frame(rolled).up, frame(start).up)).toBeCloseTo(Math.cos(0.7), 9);
+  });
+
+  test("centre brings a point to the middle from the same side", () => {
+    const point: Vec3 = [11, 2, 100.2];
+    const centred = centre(start, point);
+    expect(project(centred, point, size)).toMatchObject({ x: size.width / 2, y: size.height / 2 });
+    expect(distance(centred)).toBeCloseTo(distance(start), 9);
+    close(frame(centred).forward, frame(start).forward);
+  });
+
+  test("parallel and perspective span the same at the target, there and back", () => {
+    const there = withParallel(start, true);
+    expect(viewHeight(there)).toBeCloseTo(viewHeight(start), 9);
+    const zoomed = withParallel(zoom(there, 0.25, 1, 1, size), false);
+    expect(viewHeight(zoomed)).toBeCloseTo(viewHeight(start) / 4, 9);
+    close(withParallel(there, false).position, start.position, 6);
+  });
+
+  test("a camera whose up is along its view still has a frame", () => {
+    expectRightAngled(complete({ position: [0, 0, 5], target: [0, 0, 0], up: [0, 0, 1] }));
+    expectRightAngled(complete({ position: [0, 0, 0], target: [0, 0, 0] }));
+  });
+
+  test("buttons and keys choose the drag", () => {
+    expect([dragOf(0, false, false), dragOf(0, true, false), dragOf(0, false, true)]).toEqual(["orbit", "pan", "roll"]);
+    expect([dragOf(1, false, false), dragOf(2, false, false)]).toEqual(["pan", "pan"]);
+  });
+});
+
+describe("whole views", () => {
+  const views = (aspect: number): FullCamera[] => [
+    defaultView(bounds, aspect),
+    ...AXIS_VIEWS.flatMap((side) => [true, false].map((parallel) => axisView(side, bounds, aspect, 30, parallel))),
+  ];
+
+  test.each([0.4, 1, 2.5])("the box fits closely into a canvas of aspect %d", (aspect) => {
+    const canvas = { width: 1000 * aspect, height: 1000 };
+    for (const camera of views(aspect)) {
+      const places = corners(bounds).map((corner) => project(camera, corner, canvas));
+      const reach = places.map((p) =>
+        p === null ? Infinity : Math.max(Math.abs(p.x / canvas.width - 0.5), Math.abs(p.y / canvas.height - 0.5)),
+      );
+      expect(Math.max(...reach)).toBeLessThanOrEqual(0.5);
+      expect(Math.max(...reach)).toBeGreaterThan(0.4);
+    }
+  });
+
+  test("+x stands on the positive side", () => {
+    const camera = axisView("+x", bounds, 1.5, 30, false);
+    expect(camera.position[0]).toBeGreaterThan(bounds[1]);
+    close(frame(camera).forward, [-1, 0, 0]);
+    close(frame(axisView("-z", bounds, 1.5, 30, false)).forward, [0, 0, 1]);
+    close(frame(axisView("+z", bounds, 1.5, 30, false)).up, [0, 1, 0]);
+  });
+
+  test("a dataset without extent has a view", () => {
+    const camera = defaultView([1, 1, 2, 2, 3, 3], 1.5);
+    expect(distance(camera)).toBeGreaterThan(0);
+    expect(depthRange(camera, [1, 1, 2, 2, 3, 3]).every(Number.isFinite)).toBe(true);
+  });
+});
+
+describe("matrices", () => {
+  test.each([start, withParallel(start, true), withParallel(defaultView(bounds, 1.6), true)])(
+    "agree with the projection to pixels (parallel: $parallel)",
+    (camera) => {
+      const origin: Vec3 = [12, 0, 100];
+      const range = depthRange(camera, bounds);
+      const m = multiply(projectionMatrix(camera, size.width / size.height, range), viewMatrix(camera, origin));
+      for (const corner of corners(bounds)) {
+        const p: number[] = [...subtract(corner, origin), 1];
+        const clip = [0, 1, 2, 3].map((row) => p.reduce((sum, v, column) => sum + (m[4 * column + row] ?? 0) * v, 0));
+        const [x = 0, y = 0, z = 0, w = 0] = clip;
+        const pixel = project(camera, corner, size);
+        expect(((x / w + 1) / 2) * size.width).toBeCloseTo(pixel?.x ?? NaN, 6);
+        expect(((1 - y / w) / 2) * size.height).toBeCloseTo(pixel?.y ?? NaN, 6);
+        expect(Math.abs(z / w)).toBeLessThanOrEqual(1); // nothing of the box is clipped
+      }
+    },
+  );
+});

@@ -1,0 +1,125 @@
+import { describe, expect, test } from "vitest";
+import { decodeGeometry } from "../src/decoders/geometry";
+import { pngOf } from "../src/decoders/image";
+import { decodeHeader } from "../src/protocol/frame_header";
+import { frameBytes, geometryPayload, PNG_SIGNATURE } from "./frames";
+
+const batch = {
+  layer: "iso",
+  kind: "triangles",
+  vertices: 3,
+  indices: 3,
+  normals: true,
+  scalars: true,
+  map: "viridis",
+  range: [0, 2],
+  color: [0.5, 0.5, 0.5, 1],
+  lit: true,
+  origin: [1e6, 0, 0],
+  batch: 0,
+  batches: 1,
+};
+const positions = Float32Array.of(0, 0, 0, 1, 0, 0, 0, 1, 0);
+const normals = Float32Array.of(0, 0, 1, 0, 0, 1, 0, 0, 1);
+const scalars = Float32Array.of(0, 1, 2);
+const indices = Uint32Array.of(0, 1, 2);
+
+describe("frame header", () => {
+  test("every field at its offset", () => {
+    const message = frameBytes(
+      { kind: 1, flags: 5, view: 7, frame: 9, revision: 2n ** 40n, time: 0.125, triangles: 1234 },
+      PNG_SIGNATURE,
+    );
+    expect(decodeHeader(message)).toEqual({
+      kind: 1,
+      still: true,
+      last: false,
+      first: true,
+      view: 7,
+      frame: 9,
+      revision: 2 ** 40,
+      width: 640,
+      height: 480,
+      time: 0.125,
+      waitMs: 1.5,
+      extractMs: 2.5,
+      drawMs: 3.5,
+      encodeMs: 4.5,
+      triangles: 1234,
+      payloadBytes: 8,
+    });
+  });
+
+  const changed = (at: number, value: number): ArrayBuffer => {
+    const message = frameBytes({}, PNG_SIGNATURE);
+    new Uint8Array(message)[at] = value;
+    return message;
+  };
+  test.each([
+    { name: "short", message: new ArrayBuffer(79), error: "shorter than its header" },
+    { name: "foreign", message: changed(0, 0x58), error: "not a CIEL frame" },
+    { name: "another version", message: changed(4, 2), error: "frames of version 2" },
+    { name: "cut off", message: frameBytes({}, PNG_SIGNATURE).slice(0, 85), error: "announces 8 bytes and brings 5" },
+    { name: "too long", message: changed(60, 7), error: "announces 7 bytes and brings 8" },
+  ])("refuses a message that is $name", ({ message, error }) => {
+    expect(() => decodeHeader(message)).toThrow(error);
+  });
+});
+
+describe("image", () => {
+  test("the payload is the PNG", async () => {
+    const png = Uint8Array.of(...PNG_SIGNATURE, 1, 2, 3);
+    const blob = pngOf(frameBytes({}, png));
+    expect(blob.type).toBe("image/png");
+    expect(new Uint8Array(await blob.arrayBuffer())).toEqual(png);
+  });
+
+  test("anything else is refused", () => {
+    expect(() => pngOf(frameBytes({}, Uint8Array.of(0xff, 0xd8, 0xff, 0xe0)))).toThrow("does not hold a PNG");
+  });
+});
+
+describe("geometry", () => {
+  test("arrays in their order", () => {
+    const message = frameBytes({ kind: 2 }, geometryPayload(batch, [positions, normals, scalars, indices]));
+    expect(decodeGeometry(message)).toEqual({
+      layer: "iso",
+      lines: false,
+      positions,
+      normals,
+      scalars,
+      indices,
+      map: "viridis",
+      range: [0, 2],
+      color: [0.5, 0.5, 0.5, 1],
+      lit: true,
+      origin: [1e6, 0, 0],
+    });
+  });
+
+  test("arrays that are absent take no room", () => {
+    const lines = { ...batch, kind: "lines", indices: 2, normals: false, scalars: false };
+    const decoded = decodeGeometry(frameBytes({ kind: 2 }, geometryPayload(lines, [positions, Uint32Array.of(0, 2)])));
+    expect(decoded).toMatchObject({ lines: true, normals: null, scalars: null, indices: Uint32Array.of(0, 2) });
+  });
+
+  test("a frame without polygons", () => {
+    expect(decodeGeometry(frameBytes({ kind: 2 }, geometryPayload({ batches: 0 }, [])))).toBeNull();
+  });
+
+  const whole = geometryPayload(batch, [positions, normals, scalars, indices]);
+  const longJson = whole.slice();
+  new DataView(longJson.buffer).setUint32(0, 4 * whole.length, true);
+  const oddJson = whole.slice();
+  new DataView(oddJson.buffer).setUint32(0, 5, true);
+  test.each([
+    { name: "no room for its description's length", payload: new Uint8Array(2), error: "cut off" },
+    { name: "a description longer than itself", payload: longJson, error: "description is cut off" },
+    { name: "a description of odd length", payload: oddJson, error: "description is cut off" },
+    { name: "an array too few", payload: geometryPayload(batch, [positions, normals, indices]), error: "announced" },
+    { name: "four bytes too many", payload: Uint8Array.of(...whole, 0, 0, 0, 0), error: "announced" },
+    { name: "no JSON", payload: Uint8Array.of(4, 0, 0, 0, 0x21, 0x21, 0x21, 0x21), error: "JSON" },
+  ])("refuses a batch with $name", ({ payload, error }) => {
+    expect(() => decodeGeometry(frameBytes({ kind: 2 }, payload))).toThrow(error);
+  });
+});

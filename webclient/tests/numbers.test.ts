@@ -1,0 +1,102 @@
+import { describe, expect, test } from "vitest";
+import { keyed } from "../src/panels/histogram_slider";
+import {
+  barHeights,
+  formatNumber,
+  fractionOf,
+  niceStep,
+  parseNumber,
+  ticks,
+  valueAt,
+  widestGap,
+} from "../src/scene/numbers";
+
+describe("writing numbers", () => {
+  test.each([
+    [0, 1, "0"],
+    [0.12345678, 1, "0.123"],
+    [0.5, 1, "0.5"],
+    [101325.123, 10, "101325.12"],
+    [101325.123, 100000, "101325"],
+    [-2.5, 5, "\u22122.5"],
+    [1.5e-9, 1e-8, "1.5e\u22129"],
+    [2.5e12, 1e12, "2.5e12"],
+    [123456, 1e6, "123456"],
+    [NaN, 1, "n/a"],
+    [7, 0, "7"],
+  ])("%d within a span of %d is %s", (value, span, text) => {
+    expect(formatNumber(value, span)).toBe(text);
+  });
+
+  test("what is written can be typed", () => {
+    for (const value of [0, -1.25, 1.5e-9, 2.5e12, 101325]) expect(parseNumber(formatNumber(value))).toBe(value);
+    expect(parseNumber("0,5")).toBe(0.5);
+    expect(parseNumber(" 3 ")).toBe(3);
+    for (const wrong of ["", "a", "1 2", "1e999", "--1"]) expect(parseNumber(wrong)).toBeNull();
+  });
+});
+
+describe("slider over a histogram", () => {
+  const range: [number, number] = [-0.37, 1.94];
+  test("both ways, to the ends exactly", () => {
+    expect(valueAt(0, range)).toBe(range[0]);
+    expect(valueAt(1, range)).toBe(range[1]);
+    expect(valueAt(-3, range)).toBe(range[0]);
+    for (let f = 0; f <= 1; f += 0.01) {
+      expect(fractionOf(valueAt(f, range), range)).toBeCloseTo(f, 2);
+    }
+  });
+
+  test("a drag gives values one can say", () => {
+    expect(valueAt(0.5, [0, 1])).toBe(0.5);
+    expect(String(valueAt(1 / 3, [0, 1])).length).toBeLessThanOrEqual(5);
+    expect(niceStep([0, 1])).toBeCloseTo(0.001, 12);
+  });
+
+  test("a range without extent breaks nothing", () => {
+    expect(fractionOf(3, [3, 3])).toBe(0.5);
+    expect(valueAt(0.5, [3, 3])).toBe(3);
+    expect(ticks([3, 3])).toEqual([3]);
+  });
+
+  test("bars: linear and logarithmic", () => {
+    expect(barHeights([0, 5, 10], false)).toEqual([0, 0.5, 1]);
+    const [none, rare, most] = barHeights([0, 1, 1e6], true);
+    expect([none, most]).toEqual([0, 1]);
+    expect(rare).toBeGreaterThan(0.04);
+    expect(barHeights([0, 0], true)).toEqual([0, 0]);
+  });
+
+  test("keys", () => {
+    expect(keyed("ArrowRight", false, 0.5, [0, 1])).toBe(0.51);
+    expect(keyed("ArrowLeft", true, 0.5, [0, 1])).toBe(0.4);
+    expect(keyed("PageUp", false, 0.5, [0, 1])).toBe(0.6);
+    expect(keyed("Home", false, 0.5, [0, 1])).toBe(0);
+    expect(keyed("End", false, 0.5, [0, 1])).toBe(1);
+    expect(keyed("ArrowUp", true, 0.99, [0, 1])).toBe(1);
+    expect(keyed("a", false, 0.5, [0, 1])).toBeNull();
+  });
+
+  test("one more value goes into the widest gap", () => {
+    expect(widestGap([], [0, 1])).toBe(0.5);
+    expect(widestGap([0.5], [0, 1])).toBe(0.25);
+    expect(widestGap([0.2, 0.4], [0, 1])).toBe(0.7);
+  });
+});
+
+describe("ticks", () => {
+  test.each([
+    [0, 1],
+    [-3.7, 12.2],
+    [101000, 101900],
+    [1e-7, 9e-7],
+  ])("round values inside %d to %d", (low, high) => {
+    const marks = ticks([low, high]);
+    expect(marks.length).toBeGreaterThanOrEqual(2);
+    expect(marks.length).toBeLessThanOrEqual(7);
+    for (const mark of marks) {
+      expect(mark).toBeGreaterThanOrEqual(low - 1e-12);
+      expect(mark).toBeLessThanOrEqual(high + 1e-12);
+    }
+  });
+});
