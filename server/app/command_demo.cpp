@@ -1,0 +1,42 @@
+// ciel demo: makes the demo dataset.
+#include "app/commands.hpp"
+#include "demo/demo.hpp"
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <iostream>
+#include <memory>
+#include <unistd.h>
+
+namespace ciel::app {
+namespace {
+
+// One line that is written over; nothing where nobody watches.
+void show_progress(double share, const char* what) {
+    if (::isatty(STDERR_FILENO) == 0) return;
+    std::fprintf(stderr, "\r\033[K%3.0f %%  %s%s", 100 * share, what, share >= 1 ? "\n" : "");
+    std::fflush(stderr);
+}
+
+} // namespace
+
+void add_demo(CLI::App& app, Run& run) {
+    struct Options {
+        std::string output = "demo.ciel";
+        bool force = false;
+    };
+    const auto options = std::make_shared<Options>();
+    CLI::App* command =
+        app.add_subcommand("demo", "Make the demo dataset: Voronoi cells and hexahedra, an unsteady vortex street");
+    command->add_option("-o,--output", options->output, "NAME.ciel")->capture_default_str();
+    command->add_flag("--force", options->force, "Replace a dataset of this name");
+    command->callback([options, &run] {
+        run = [options] {
+            demo::write_demo(options->output, options->force, show_progress);
+            std::cout << options->output << '\n';
+            return 0;
+        };
+    });
+}
+
+} // namespace ciel::app

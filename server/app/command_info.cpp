@@ -1,0 +1,220 @@
+// ciel info: what a dataset holds. Touches every chunk, so that every checksum is verified.
+#include "app/commands.hpp"
+#include "ciel/field.hpp"
+#include "store/dataset.hpp"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <iomanip>
+#include <iostream>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+namespace ciel::app {
+namespace {
+
+using nlohmann::json;
+using store::Dataset;
+
+struct Checksums {
+    std::uint64_t verified = 0, absent = 0, lazy = 0;
+};
+
+// Throws at the first damaged chunk; the topology's were verified by open().
+Checksums verify_all(const Dataset& dataset) {
+    Checksums sums;
+    for (std::size_t step = 0; step < dataset.steps().size(); ++step) {
+        (void)dataset.mesh(dataset.steps()[step].mesh, dataset.steps()[step].coordinates);
+        for (const auto& [name, array] : dataset.steps()[step].arrays) {
+            if (array.lazy) {
+                ++sums.lazy;
+                continue;
+            }
+            (void)dataset.values(name, step);
+            ++(array.has_checksum ? sums.verified : sums.absent);
+        }
+    }
+    return sums;
+}
+
+json mesh_json(const store::MeshInfo& mesh) {
+    return {{"vertices", mesh.vertices},
+            {"edges", mesh.edges},
+            {"faces", mesh.faces},
+            {"half_edges", mesh.half_edges},
+            {"boundary_faces", mesh.boundary_faces},
+            {"components", mesh.components},
+            {"cells", mesh.cells_by_type}};
+}
+
+// At the first time it was written. Of scalars on points: a vector or a cell's value is never contoured itself.
+json ambiguous_faces(const Dataset& dataset, const store::ArrayInfo& array) {
+    if (array.components > 1 || array.association == store::Association::cell) return nullptr;
+    for (std::size_t step = 0; step < dataset.steps().size(); ++step) {
+        const store::Step& at = dataset.steps()[step];
+        if (const auto found = at.arrays.find(array.name); found != at.arrays.end() && !found->second.lazy)
+            return count_ambiguous_faces(dataset.mesh(at.mesh, at.coordinates), dataset.values(array.name, step));
+    }
+    return nullptr;
+}
+
+json array_json(const Dataset& dataset, const store::ArrayInfo& array) {
+    json times = json::array(), range;
+    std::uint64_t invalid = 0;
+    for (const store::Step& step : dataset.steps()) {
+        const auto found = step.arrays.find(array.name);
+        if (found == step.arrays.end()) continue;
+        times.push_back(step.time);
+        invalid += found->second.invalid;
+        const auto& [low, high] = found->second.range;
+        range = range.is_null() ? json{low, high}
+                                : json{std::min(low, range[0].get<double>()), std::max(high, range[1].get<double>())};
+    }
+    return {{"name", array.name},
+            {"association", array.association == store::Association::point ? "point" : "cell"},
+            {"components", array.components},
+            {"range", range},
+            {"invalid", invalid},
+            {"units", array.units},
+            {"description", array.description},
+            {"times", times},
+            {"ambiguous_faces", ambiguous_faces(dataset, array)}};
+}
+
+json groups_json(const Dataset& dataset) {
+    json groups = json::array();
+    for (const store::Group& group : dataset.groups(0))
+        groups.push_back({{"name", group.name},
+                          {"of", group.of == store::Group::Of::faces ? "faces" : "cells"},
+                          {"count", group.ids.size()}});
+    return groups;
+}
+
+json report(const Dataset& dataset) {
+    const store::DatasetInfo& info = dataset.info();
+    const Checksums sums = verify_all(dataset);
+    const Topology topology(dataset.mesh(0, 0));
+    json arrays = json::array(), meshes = json::array(), times = json::array();
+    for (const store::ArrayInfo& array : info.arrays) arrays.push_back(array_json(dataset, array));
+    for (const store::MeshInfo& mesh : info.meshes) meshes.push_back(mesh_json(mesh));
+    for (const store::Step& step : dataset.steps()) times.push_back(step.time);
+    return {{"name", info.name},
+            {"format_version", info.format_version},
+            {"source", info.source},
+            {"created", info.created},
+            {"length_units", info.length_units},
+            {"notes", info.notes},
+            {"input", {{"vertices", info.input_vertices}, {"edges", info.input_edges}, {"cells", info.input_cells}}},
+            {"mesh", meshes[0]},
+            {"meshes", meshes},
+            {"groups", groups_json(dataset)},
+            {"bounds", info.meshes[0].bounds},
+            {"times", times},
+            {"arrays", arrays},
+            {"memory",
+             {{"topology_bytes", topology.memory_bytes()},
+              {"bytes_per_half_edge",
+               static_cast<double>(topology.memory_bytes()) / static_cast<double>(info.meshes[0].half_edges)}}},
+            {"checksums",
+             {{"algorithm", "xxh3-64"},
+              {"topology", "verified"},
+              {"verified", sums.verified},
+              {"without_checksum", sums.absent},
+              {"not_yet_extracted", sums.lazy}}}};
+}
+
+std::string grouped(const json& number) {
+    std::string digits = std::to_string(number.get<std::uint64_t>());
+    for (auto at = static_cast<std::ptrdiff_t>(digits.size()) - 3; at > 0; at -= 3)
+        digits.insert(static_cast<std::size_t>(at), ",");
+    return digits;
+}
+
+std::string number(const json& value) {
+    std::ostringstream text;
+    text << std::setprecision(6) << value.get<double>();
+    return text.str();
+}
+
+void line(const std::string& label, const std::string& text) {
+    std::cout << "  " << std::left << std::setw(18) << label << text << '\n';
+}
+
+void print_counts(const json& mesh) {
+    for (const char* key : {"vertices", "edges", "faces", "half_edges", "boundary_faces", "components"})
+        line(key, grouped(mesh[key]));
+    for (const auto& [type, count] : mesh["cells"].items()) line(type, grouped(count));
+}
+
+std::string describe(const json& array) {
+    std::ostringstream text;
+    text << std::left << std::setw(7) << array["association"].get<std::string>() << "x"
+         << array["components"].get<int>() << "  ";
+    if (!array["range"].is_null())
+        text << "[" << number(array["range"][0]) << ", " << number(array["range"][1]) << "] ";
+    text << array["units"].get<std::string>() << "  at " << array["times"].size() << " times";
+    if (!array["ambiguous_faces"].is_null()) text << ", " << grouped(array["ambiguous_faces"]) << " ambiguous faces";
+    if (array["invalid"] > 0) text << ", " << grouped(array["invalid"]) << " values not finite";
+    return text.str();
+}
+
+void print(const json& info) {
+    std::cout << info["name"].get<std::string>() << '\n';
+    line("source", info["source"]);
+    line("created", info["created"]);
+    for (const json& note : info["notes"]) line("note", note);
+    std::cout << "input\n";
+    for (const char* key : {"vertices", "edges", "cells"}) line(key, grouped(info["input"][key]));
+    for (std::size_t m = 0; m < info["meshes"].size(); ++m) {
+        std::cout << "mesh" << (info["meshes"].size() > 1 ? " " + std::to_string(m) : "") << '\n';
+        print_counts(info["meshes"][m]);
+    }
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        line(std::string(1, "xyz"[axis]), "[" + number(info["bounds"][2 * axis]) + ", " +
+                                              number(info["bounds"][2 * axis + 1]) + "] " +
+                                              info["length_units"].get<std::string>());
+    if (!info["groups"].empty()) std::cout << "groups\n";
+    for (const json& group : info["groups"])
+        line(group["name"], grouped(group["count"]) + " " + group["of"].get<std::string>());
+    std::cout << "arrays\n";
+    for (const json& array : info["arrays"]) line(array["name"], describe(array));
+    if (!info["times"].empty()) {
+        std::cout << "times\n";
+        line(grouped(info["times"].size()),
+             "from " + number(info["times"].front()) + " to " + number(info["times"].back()));
+    }
+    std::cout << "memory\n";
+    line("topology", grouped(info["memory"]["topology_bytes"]) + " bytes, " +
+                         number(info["memory"]["bytes_per_half_edge"]) + " per half-edge");
+    const json& sums = info["checksums"];
+    std::cout << "checksums\n";
+    line("topology", "verified");
+    line("values", grouped(sums["verified"]) + " chunks verified, " + grouped(sums["without_checksum"]) +
+                       " without checksum, " + grouped(sums["not_yet_extracted"]) + " not yet extracted");
+}
+
+} // namespace
+
+void add_info(CLI::App& app, Run& run) {
+    struct Options {
+        std::string dataset;
+        bool as_json = false;
+    };
+    const auto options = std::make_shared<Options>();
+    CLI::App* command = app.add_subcommand("info", "Tell what a dataset holds, and verify all its checksums");
+    command->add_option("dataset", options->dataset, "NAME.ciel")->required();
+    command->add_flag("--json", options->as_json, "As JSON; ambiguous_faces is counted at an array's first time");
+    command->callback([options, &run] {
+        run = [options] {
+            const json info = report(*Dataset::open(options->dataset));
+            if (options->as_json)
+                std::cout << info.dump(2) << '\n';
+            else
+                print(info);
+            return 0;
+        };
+    });
+}
+
+} // namespace ciel::app

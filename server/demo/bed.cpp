@@ -1,0 +1,56 @@
+#include "demo/bed.hpp"
+
+#include <algorithm>
+
+namespace ciel::demo {
+namespace {
+
+// Planes from `from` on, each step `growth` times the one before.
+void widen(std::vector<double>& planes, double step, double growth, int count) {
+    for (int n = 0; n < count; ++n) planes.push_back(planes.back() + (step *= growth));
+}
+
+std::vector<double> axis(double low, double step, int before, double growth_before, int count, int after,
+                         double growth_after) {
+    std::vector<double> planes{low};
+    widen(planes, -step, growth_before, before);
+    std::reverse(planes.begin(), planes.end());
+    for (int n = 1; n <= count; ++n) planes.push_back(low + n * step);
+    widen(planes, step, growth_after, after);
+    return planes;
+}
+
+constexpr int upstream = 10, near_x = 73, downstream = 35;
+constexpr int beside = 10, near_y = 40;
+constexpr int layers = 40;
+
+} // namespace
+
+Bed::Bed()
+    : x(axis(-2.4, spacing, upstream, 1.15, near_x, downstream, 1.04)),
+      y(axis(-2.4, spacing, beside, 1.15, near_y, beside, 1.15)), z(axis(0, spacing, 0, 1, layers, 0, 1)),
+      x_begin(upstream), x_end(upstream + near_x), y_begin(beside), y_end(beside + near_y) {}
+
+CellSoup hexahedra(const Bed& bed) {
+    CellSoup soup;
+    for (const double z : bed.z)
+        for (const double y : bed.y)
+            for (const double x : bed.x) soup.points.push_back({x, y, z});
+    const auto point = [&](std::size_t i, std::size_t j, std::size_t k) {
+        return static_cast<Index>(i + bed.x.size() * (j + bed.y.size() * k));
+    };
+    for (std::size_t k = 0; k + 1 < bed.z.size(); ++k)
+        for (std::size_t j = 0; j + 1 < bed.y.size(); ++j)
+            for (std::size_t i = 0; i + 1 < bed.x.size(); ++i) {
+                if (bed.is_voronoi(i, j)) continue;
+                const std::array corners{
+                    point(i, j, k),     point(i + 1, j, k),     point(i + 1, j + 1, k),     point(i, j + 1, k),
+                    point(i, j, k + 1), point(i + 1, j, k + 1), point(i + 1, j + 1, k + 1), point(i, j + 1, k + 1)};
+                append_standard_faces(CellType::hexahedron, corners, soup.face_offset, soup.face_point);
+                soup.cell_types.push_back(static_cast<std::uint8_t>(CellType::hexahedron));
+                soup.cell_offset.push_back(soup.face_offset.size() - 1);
+            }
+    return soup;
+}
+
+} // namespace ciel::demo

@@ -1,0 +1,33 @@
+// A dye that seeps from the cylinder's surface and is carried away, in one plane of the flow, over one period.
+// Semi-Lagrangian: R. Courant, E. Isaacson, M. Rees, Comm. Pure Appl. Math. 5, 243 (1952); cubic with a limiter, so
+// that it stays within [0, 1]. As the flow is periodic the departure points are found once, and after some periods the
+// dye repeats itself too.
+#pragma once
+
+#include <array>
+#include <vector>
+
+namespace ciel::demo {
+
+class Dye {
+public:
+    struct Extent {
+        double x_low, x_high, y_low, y_high;
+    };
+    explicit Dye(Extent extent);
+
+    // At a time in periods (any: it repeats), where the velocity there and then is (u, v).
+    [[nodiscard]] float at(double x, double y, double u, double v, double time) const;
+
+private:
+    [[nodiscard]] std::array<float, 2> node(std::size_t index) const;
+    [[nodiscard]] float sample(const std::vector<float>& plane, double x, double y) const;
+    void step(const std::vector<std::array<float, 2>>& departure, const std::vector<float>& from,
+              std::vector<float>& to) const;
+
+    Extent extent_;
+    std::size_t nx_, ny_;
+    std::vector<std::vector<float>> planes_; // one per phase
+};
+
+} // namespace ciel::demo

@@ -1,0 +1,132 @@
+// The demo dataset as the README promises it.
+#include "demo/demo.hpp"
+
+#include "store/dataset.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <numbers>
+
+namespace ciel::demo {
+namespace {
+
+class DemoTest : public testing::Test {
+protected:
+    static void SetUpTestSuite() {
+        std::string pattern = (std::filesystem::temp_directory_path() / "ciel-demo-XXXXXX").string();
+        directory = ::mkdtemp(pattern.data());
+        double last = 0;
+        write_demo(directory / "demo.ciel", false, [&](double share, const char*) {
+            EXPECT_GE(share, last);
+            last = share;
+        });
+        EXPECT_EQ(last, 1);
+        dataset = store::Dataset::open(directory / "demo.ciel");
+    }
+    static void TearDownTestSuite() {
+        dataset.reset();
+        std::filesystem::remove_all(directory);
+    }
+
+    static std::span<const Index> group(const std::string& name) {
+        for (const store::Group& each : dataset->groups(0))
+            if (each.name == name) return each.ids;
+        ADD_FAILURE() << "no group " << name;
+        return {};
+    }
+
+    static std::filesystem::path directory;
+    static std::shared_ptr<store::Dataset> dataset;
+};
+std::filesystem::path DemoTest::directory;
+std::shared_ptr<store::Dataset> DemoTest::dataset;
+
+TEST_F(DemoTest, HoldsAHundredThousandPolyhedraInOnePiece) {
+    const store::MeshInfo& mesh = dataset->info().meshes.at(0);
+    EXPECT_GE(mesh.cells_by_type.at("polyhedron"), 100'000U);
+    EXPECT_GE(mesh.cells_by_type.at("hexahedron"), 100'000U);
+    EXPECT_EQ(mesh.components, 1U);
+    EXPECT_EQ(dataset->info().input_cells, mesh.cells);
+    EXPECT_EQ(group("voronoi").size() + group("hexahedra").size(), mesh.cells);
+    // Euler's formula for a solid with a hole through it, its cells all balls: V - E + F - C = 0.
+    EXPECT_EQ(mesh.vertices + mesh.faces, mesh.edges + mesh.cells);
+}
+
+// What does not match face for face would lie open inside: the boundary is the box and the cylinder and nothing else.
+TEST_F(DemoTest, BoundaryFacesAreOnNamedPatchesOnly) {
+    const FaceMeshView mesh = dataset->mesh(0, 0);
+    std::vector<int> patches(mesh.face_count());
+    for (const store::Group& each : dataset->groups(0))
+        if (each.of == store::Group::Of::faces)
+            for (const Index face : each.ids) ++patches[face];
+    for (Index face = 0; face < mesh.face_count(); ++face)
+        ASSERT_EQ(patches[face], mesh.neighbour[face] == none ? 1 : 0) << "face " << face;
+    for (const char* name : {"inlet", "outlet", "bottom", "top", "back", "front"})
+        EXPECT_FALSE(group(name).empty()) << name;
+    EXPECT_GT(group("cylinder").size(), 2000U);
+    for (const Index face : group("cylinder"))
+        for (const Index v : mesh.loop(face))
+            ASSERT_NEAR(std::hypot(mesh.positions[3 * v], mesh.positions[3 * v + 1]), 1, 1e-5);
+}
+
+TEST_F(DemoTest, TheWallIsAPrismAroundTheCylinder) {
+    const FaceMeshView mesh = dataset->mesh(0, 0);
+    double volume = 0, wall = 0; // by the divergence theorem over the boundary
+    std::vector<bool> on_wall(mesh.face_count());
+    for (const Index face : group("cylinder")) on_wall[face] = true;
+    for (Index face = 0; face < mesh.face_count(); ++face) {
+        if (mesh.neighbour[face] != none) continue;
+        const auto loop = mesh.loop(face);
+        for (std::size_t k = 1; k + 1 < loop.size(); ++k) {
+            const auto p = [&](std::size_t corner, std::size_t axis) {
+                return double{mesh.positions[3 * loop[corner] + axis]};
+            };
+            const Vec3d a{p(k, 0) - p(0, 0), p(k, 1) - p(0, 1), p(k, 2) - p(0, 2)},
+                b{p(k + 1, 0) - p(0, 0), p(k + 1, 1) - p(0, 1), p(k + 1, 2) - p(0, 2)};
+            const Vec3d n{a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+            volume += (p(0, 0) * n[0] + p(0, 1) * n[1] + p(0, 2) * n[2]) / 6;
+            if (on_wall[face]) wall += std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]) / 2;
+        }
+    }
+    const auto& b = dataset->info().meshes[0].bounds;
+    const double height = b[5] - b[4];
+    constexpr int sides = 56;
+    const double prism = sides / 2.0 * std::sin(2 * std::numbers::pi / sides);
+    EXPECT_NEAR(volume, ((b[1] - b[0]) * (b[3] - b[2]) - prism) * height, 1e-3);
+    EXPECT_NEAR(wall, 2 * sides * std::sin(std::numbers::pi / sides) * height, 1e-3);
+}
+
+TEST_F(DemoTest, TwentyStepsOfAFlowThatSticksToTheWall) {
+    ASSERT_GE(dataset->steps().size(), 20U);
+    const FaceMeshView mesh = dataset->mesh(0, 0);
+    for (std::size_t step = 0; step < dataset->steps().size(); ++step) {
+        const auto velocity = dataset->values("U", step);
+        float highest = 0;
+        for (const Index face : group("cylinder"))
+            for (const Index v : mesh.loop(face))
+                for (std::size_t c = 0; c < 3; ++c) highest = std::max(highest, std::abs(velocity[3 * v + c]));
+        EXPECT_EQ(highest, 0) << "step " << step;
+        const auto& arrays = dataset->steps()[step].arrays;
+        EXPECT_GE(arrays.at("tracer").range[0], 0);
+        EXPECT_LE(arrays.at("tracer").range[1], 1);
+        EXPECT_GT(arrays.at("vorticity").range[1], 5);
+        EXPECT_LT(arrays.at("vorticity").range[0], -5);
+        for (const auto& [name, array] : arrays) EXPECT_EQ(array.invalid, 0U) << name;
+    }
+    EXPECT_EQ(dataset->find("U")->components, 3);
+    EXPECT_THAT(dataset->info().notes.at(0), testing::HasSubstr("Chaos 3, 555"));
+}
+
+TEST_F(DemoTest, TheFlowVariesOverTimeAndSpan) {
+    const auto first = dataset->values("vorticity", 0),
+               half = dataset->values("vorticity", dataset->steps().size() / 2);
+    double difference = 0;
+    for (std::size_t i = 0; i < first.size(); ++i) difference += std::abs(first[i] - half[i]);
+    EXPECT_GT(difference / static_cast<double>(first.size()), 1);
+}
+
+} // namespace
+} // namespace ciel::demo
