@@ -118,6 +118,19 @@ void check_operators(const Topology& topology, Index cells) {
     require(count == topology.counts().half_edges, "the count of half-edges");
 }
 
+// Cells that touch a vertex without a finite value are not cut.
+std::vector<bool> cells_with_values(const FaceMeshView& mesh, std::span<const float> values) {
+    std::vector<bool> result(mesh.cell_count(), true);
+    for (Index f = 0; f < mesh.face_count(); ++f) {
+        for (Index v : mesh.loop(f)) {
+            if (std::isfinite(values[v])) continue;
+            result[mesh.owner[f]] = false;
+            if (mesh.neighbour[f] != none) result[mesh.neighbour[f]] = false;
+        }
+    }
+    return result;
+}
+
 void check_closed(const Surface& surface, const FaceMeshView& mesh, std::span<const float> values, double nu) {
     std::vector<test::CutPolygon> polygons;
     for (std::size_t p = 0; p + 1 < surface.polygon_offset.size(); ++p) {
@@ -128,9 +141,13 @@ void check_closed(const Surface& surface, const FaceMeshView& mesh, std::span<co
         }
         if (test::make_canonical(polygon)) polygons.push_back(std::move(polygon));
     }
+    const std::vector<bool> cut = cells_with_values(mesh, values);
     test::Segments boundary;
     for (Index f = 0; f < mesh.face_count(); ++f) {
-        if (mesh.neighbour[f] == none) test::add_face_segments(mesh.loop(f), values, nu, boundary);
+        const bool owner = cut[mesh.owner[f]], neighbour = mesh.neighbour[f] != none && cut[mesh.neighbour[f]];
+        test::Loop loop(mesh.loop(f).begin(), mesh.loop(f).end());
+        if (neighbour) std::reverse(loop.begin(), loop.end());
+        if (owner != neighbour) test::add_face_segments(loop, values, nu, boundary);
     }
     const std::string open = test::open_segment(test::polygon_segments(polygons), boundary);
     require(open.empty(), open.c_str());
@@ -148,7 +165,6 @@ void cut(const Topology& topology, const FaceMeshView& mesh, Bytes& bytes) {
     Query signatures(topology, mesh, Engine::signatures), propagation(topology, mesh, Engine::propagation);
     signatures.set_field(field);
     propagation.set_field(field);
-    const bool has_nan = std::any_of(values.begin(), values.end(), [](float v) { return std::isnan(v); });
     for (int i = 0; i < 4; ++i) {
         const double nu = number(bytes.next());
         Surface a, b;
@@ -159,10 +175,10 @@ void cut(const Topology& topology, const FaceMeshView& mesh, Bytes& bytes) {
                 "the engines differ");
         for (const EdgePoint& point : a.points) {
             require(point.a < point.b && point.b < mesh.vertex_count(), "a point off every edge");
-            require(!std::isnan(values[point.a]) && !std::isnan(values[point.b]), "a point through NaN");
+            require(std::isfinite(values[point.a]) && std::isfinite(values[point.b]), "a point through no value");
             require(point.t >= 0 && point.t <= 1, "a point beyond its edge");
         }
-        if (!has_nan && !std::isnan(nu)) check_closed(a, mesh, values, nu);
+        if (!std::isnan(nu)) check_closed(a, mesh, values, nu);
         for (Index v : triangulate(a)) require(v < a.points.size(), "a triangle without a vertex");
     }
     (void)count_ambiguous_faces(mesh, values);

@@ -132,6 +132,46 @@ TEST_P(Fields, PlaneDistanceIsTheScalarProduct) {
 INSTANTIATE_TEST_SUITE_P(All, Fields, testing::ValuesIn(all_meshes()),
                          [](const auto& test) { return test.param.name; });
 
+// A cell of volume 1 where the field climbs by 1 per length, beside a cell of volume 3 where it climbs by 5.
+TEST(GradientWeights, AreTheVolumesOfTheCells) {
+    Polyhedra input = hexahedra({{2, 1, 1}});
+    std::vector<float> values, expected;
+    for (Id v = 0; v < input.vertex_count(); ++v) {
+        float& x = input.positions[3 * v];
+        values.push_back(x == 2 ? 16 : x);
+        expected.push_back(x == 0 ? 1.0F : x == 1 ? 4.0F : 5.0F);
+        if (x == 2) x = 4;
+    }
+    const KernelMesh mesh(input);
+    const std::vector<Vec3f> gradients = vertex_gradients(mesh.mesh(), mesh.stored(values));
+    for (Index v = 0; v < gradients.size(); ++v) {
+        EXPECT_FLOAT_EQ(gradients[v][0], expected[mesh.assembled.original_vertex[v]]);
+        EXPECT_NEAR(gradients[v][1], 0, 1e-5);
+        EXPECT_NEAR(gradients[v][2], 0, 1e-5);
+    }
+}
+
+// Alternating corners: the least-squares gradient is zero everywhere, and the polygons have to tell the way.
+TEST(NormalsWithoutAGradient, FollowThePolygons) {
+    const Polyhedra input = hexahedra({{1, 1, 1}});
+    const KernelMesh mesh(input);
+    const std::vector<float> values{1, -1, -1, 1, -1, 1, 1, -1};
+    for (const Vec3f& g : vertex_gradients(mesh.mesh(), mesh.stored(values))) EXPECT_EQ(g, (Vec3f{0, 0, 0}));
+    const Field field = make_field(mesh.topology, mesh.stored(values));
+    Query query = mesh.query();
+    query.set_field(field);
+    Surface surface;
+    ASSERT_TRUE(query.extract(0, true, surface));
+    ASSERT_EQ(surface.polygon_cell.size(), 4U);
+    for (std::size_t p = 0; p < 4; ++p) {
+        const Vec3d area = vector_area(surface.positions, polygon(surface, p));
+        for (Index v : polygon(surface, p)) {
+            const Vec3f& n = surface.normals[v];
+            EXPECT_NEAR(n[0] * area[0] + n[1] * area[1] + n[2] * area[2], std::hypot(area[0], area[1], area[2]), 1e-5);
+        }
+    }
+}
+
 // As a map projection gives them: cells of some metres, coordinates of millions.
 Polyhedra far_away(const Polyhedra& mesh, bool as_origin) {
     const Point shift{500000, 4500000, -2500};
