@@ -27,7 +27,9 @@ protected:
         const Cut actual = mesh.cut(surface);
         ASSERT_EQ(difference(cut_every_cell(input, values, nu), actual), "");
         ASSERT_EQ(broken_promise(surface, mesh, mesh.stored(values), nu, false), "");
-        ASSERT_EQ(open_segment(polygon_segments(actual.polygons), boundary_segments(input, values, nu)), "");
+        const Segments segments = polygon_segments(actual.polygons);
+        ASSERT_EQ(open_segment(segments, boundary_segments(input, values, nu)), "");
+        for (const auto& [segment, count] : segments) ASSERT_EQ(count, 1); // so two polygons share an edge, not more
     }
 };
 
