@@ -155,7 +155,6 @@ void Linker::own_edges() {
         for (Index& e : new_edge_[b])
             if (e != none) e = owned++;
         block.edge_begin = static_cast<Index>(edges);
-        block.owned_edges = owned;
         out_.edge_begin.push_back(block.edge_begin);
         edges += owned;
     }
@@ -171,8 +170,10 @@ void Linker::renumber_edges(Index b) {
                             ghost.edge);
     std::ranges::sort(ghosts);
     std::vector<Index> renumbered = new_edge_[b];
+    for (Index& e : renumbered)
+        if (e != none) e += static_cast<Index>(ghosts.size());
     for (const auto& [id, edge] : ghosts) {
-        renumbered[edge] = block.owned_edges + static_cast<Index>(block.ghost_edge.size());
+        renumbered[edge] = static_cast<Index>(block.ghost_edge.size());
         block.ghost_edge.push_back(id);
     }
     block.ghost_edge.shrink_to_fit();

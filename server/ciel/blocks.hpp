@@ -28,8 +28,8 @@ struct BlockArrays {
     std::vector<Local> mate_face;
     // Per local vertex: first corner at it.
     std::vector<Local> first_corner;
-    // Per local edge: its local ends, edge_low < edge_high. Edges that belong to the block come first, in order of
-    // their first corner; then ghosts, by mesh-wide id.
+    // Per local edge: its local ends, edge_low < edge_high. In the order of mesh-wide ids: first the ghosts, which
+    // earlier blocks own, then the block's own.
     std::vector<Local> edge_low, edge_high;
     // Per cell (Block::cell_face_begin): 2 * local face + side, in the order of the mesh's faces.
     std::vector<Local> cell_face;
@@ -45,9 +45,8 @@ struct BlockVertex {
 
 struct Block {
     Index cell_begin = 0, cell_count = 0;
-    Index half_edge_begin = 0; // prefix of half-edge ids
-    Index edge_begin = 0;      // prefix of edge ids
-    Index owned_edges = 0;
+    Index half_edge_begin = 0;            // prefix of half-edge ids
+    Index edge_begin = 0;                 // id of the first edge the block owns
     Index inner_corners = 0;              // corners below this belong to inner faces
     Index far_corner = 0;                 // corners from here on belong to tail faces whose owner is in another block
     Index inner_faces = 0;                // local faces below this are inner
@@ -55,7 +54,7 @@ struct Block {
     std::vector<Index> vertex;            // local -> mesh vertex, ascending
     std::vector<Index> face_begin;        // local face -> first corner; one more at the end
     std::vector<Index> cell_face_begin;   // local cell -> first of its cell_face; one more at the end
-    std::vector<Index> ghost_edge;        // mesh-wide id of local edges from owned_edges on
+    std::vector<Index> ghost_edge;        // mesh-wide ids of the first local edges
     std::vector<HalfEdge> tail_twin;      // tail face -> half-edge of the other side at its first corner, or none
     std::vector<BlockVertex> border_next; // the ring of a vertex through its blocks, ascending and then round again
     std::variant<BlockArrays<std::uint16_t>, BlockArrays<std::uint32_t>> arrays;
@@ -76,6 +75,10 @@ struct Block {
     }
     [[nodiscard]] Index previous_in_loop(Index corner_id, Index face) const {
         return (corner_id == face_begin[face] ? face_begin[face + 1] : corner_id) - 1;
+    }
+    [[nodiscard]] Index edge_id(Index local_edge) const {
+        const auto ghosts = static_cast<Index>(ghost_edge.size());
+        return local_edge < ghosts ? ghost_edge[local_edge] : edge_begin + local_edge - ghosts;
     }
     // Calls f with the arrays at their width.
     template <class F>

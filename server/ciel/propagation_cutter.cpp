@@ -26,9 +26,9 @@ public:
     [[nodiscard]] std::size_t memory_bytes() const override;
 
 private:
-    // One half-edge of one cell around an active edge.
+    // One half-edge around an active edge: it enters a face of one cell.
     struct Touch {
-        Index block, edge, cell; // the last two are local
+        Index block, edge, half_edge; // the last two are local
         auto operator<=>(const Touch&) const = default;
     };
 
@@ -42,7 +42,7 @@ private:
     template <class Keep, class Pass>
     bool propagate(const std::stop_token& stop, Keep&& keep, Pass&& pass);
     void turn_around_edges();
-    void cut_block(std::span<const Touch> touches, float threshold);
+    void cut_block(std::span<const Touch> touches);
 
     const Field::Blocks* field_ = nullptr;
     float threshold_ = -std::numeric_limits<float>::infinity();
@@ -136,8 +136,9 @@ bool PropagationCutter::sweep_down(float threshold, const std::stop_token& stop)
         });
 }
 
-// All cells around each active edge. Rotating by mate_face and mate_polyhedron would miss cells where an edge has
-// several fans (non-manifold) or a fan starts at the boundary; the list of its origin holds them all.
+// The half-edges that climb an active edge, in all cells around it. Rotating by mate_face and mate_polyhedron would
+// miss cells where an edge has several fans (non-manifold) or a fan starts at the boundary; the list of its origin
+// holds them all.
 void PropagationCutter::turn_around_edges() {
     const Topology::Blocks& blocks = topology_.blocks();
     touches_.clear();
@@ -146,11 +147,10 @@ void PropagationCutter::turn_around_edges() {
         HalfEdge h = start;
         do {
             if (topology_.edge(h) == edge) {
-                const Index b = blocks.block_of(h);
-                const Block& block = blocks.block[b];
-                const Index corner = block.corner(h - block.half_edge_begin);
-                const Index local_edge = block.with([&](const auto& arrays) { return Index{arrays.edge[corner]}; });
-                touches_.push_back({b, local_edge, topology_.cell(h) - block.cell_begin});
+                const Index b = blocks.block_of(h), local = h - blocks.block[b].half_edge_begin;
+                const Index corner = blocks.block[b].corner(local);
+                touches_.push_back(
+                    {b, blocks.block[b].with([&](const auto& arrays) { return Index{arrays.edge[corner]}; }), local});
             }
             h = topology_.next_around_vertex(h);
         } while (h != start);
@@ -158,25 +158,19 @@ void PropagationCutter::turn_around_edges() {
     std::ranges::sort(touches_);
 }
 
-void PropagationCutter::cut_block(std::span<const Touch> touches, float threshold) {
+void PropagationCutter::cut_block(std::span<const Touch> touches) {
     const Index b = touches.front().block;
-    const Block& block = topology_.blocks().block[b];
     CutBlock& cut = cut_[b];
     cut.active.clear();
-    scratch_.cells.clear();
+    scratch_.entry.clear();
     for (const Touch& touch : touches) {
         if (cut.active.empty() || cut.active.back() != touch.edge) cut.active.push_back(touch.edge);
-        scratch_.cells.push_back(touch.cell);
+        scratch_.entry.push_back(touch.half_edge);
     }
-    std::ranges::sort(scratch_.cells);
-    scratch_.cells.erase(std::unique(scratch_.cells.begin(), scratch_.cells.end()), scratch_.cells.end());
-    cut.owned = static_cast<Index>(std::ranges::lower_bound(cut.active, block.owned_edges) - cut.active.begin());
+    const Block& block = topology_.blocks().block[b];
     block.with([&](const auto& arrays) {
-        if (scratch_.slot.size() < arrays.edge_low.size()) scratch_.slot.resize(arrays.edge_low.size(), none);
-        for (Index i = 0; i < cut.active.size(); ++i) scratch_.slot[cut.active[i]] = i;
-        walk_cells(block, arrays, field_->of_block(b), threshold, field_->gaps[b] != 0, scratch_.cells, scratch_, cut);
+        walk_entries(block, arrays, field_->of_block(b), field_->gaps[b] != 0, scratch_, cut);
     });
-    for (const Index e : cut.active) scratch_.slot[e] = none;
     active_.push_back(b);
 }
 
@@ -194,7 +188,7 @@ bool PropagationCutter::update(double nu, const std::stop_token& stop) {
     for (std::size_t begin = 0, end; begin < touches_.size(); begin = end) {
         if (stop.stop_requested()) return false;
         for (end = begin; end < touches_.size() && touches_[end].block == touches_[begin].block;) ++end;
-        cut_block(std::span(touches_).subspan(begin, end - begin), threshold);
+        cut_block(std::span(touches_).subspan(begin, end - begin));
     }
     return true;
 }

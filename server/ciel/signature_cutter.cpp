@@ -23,10 +23,6 @@ public:
 
 private:
     void cut_block(Index b, float threshold);
-    template <class Local>
-    void cut_anew(const Block& block, const BlockArrays<Local>& arrays, std::span<const float> values, float threshold,
-                  bool gaps, CutScratch& scratch, CutBlock& cut);
-
     const Field::Blocks* field_ = nullptr;
 };
 
@@ -61,8 +57,8 @@ bool classify(std::span<const float> values, float threshold, CutScratch& scratc
 }
 
 template <class Local>
-void list_active_edges(const Block& block, const BlockArrays<Local>& arrays, std::span<const float> values, bool gaps,
-                       CutScratch& scratch, CutBlock& cut) {
+void list_active_edges(const BlockArrays<Local>& arrays, std::span<const float> values, bool gaps,
+                       const CutScratch& scratch, CutBlock& cut) {
     const std::size_t edges = arrays.edge_low.size();
     cut.active.resize(edges);
     std::size_t count = 0;
@@ -75,34 +71,30 @@ void list_active_edges(const Block& block, const BlockArrays<Local>& arrays, std
         std::erase_if(cut.active, [&](Index e) {
             return std::isnan(values[arrays.edge_low[e]]) || std::isnan(values[arrays.edge_high[e]]);
         });
-    cut.owned = static_cast<Index>(std::ranges::lower_bound(cut.active, block.owned_edges) - cut.active.begin());
 }
 
+// Each corner whose edge is active is an entry on one side: side 0 where its vertex is low, else side 1. A tail face
+// has only one of them in this block.
 template <class Local>
-void list_cut_cells(const Block& block, const BlockArrays<Local>& arrays, CutScratch& scratch) {
-    scratch.cells.clear();
-    const auto cut_face = [&](Index face) {
-        for (Index k = block.face_begin[face]; k < block.face_begin[face + 1]; ++k)
-            if (scratch.slot[arrays.edge[k]] != none) return true;
-        return false;
-    };
-    for (Index cell = 0; cell < block.cell_count; ++cell)
-        for (Index i = block.cell_face_begin[cell]; i < block.cell_face_begin[cell + 1]; ++i)
-            if (cut_face(arrays.cell_face[i] / 2)) {
-                scratch.cells.push_back(cell);
-                break;
-            }
-}
-
-template <class Local>
-void SignatureCutter::cut_anew(const Block& block, const BlockArrays<Local>& arrays, std::span<const float> values,
-                               float threshold, bool gaps, CutScratch& scratch, CutBlock& cut) {
-    list_active_edges(block, arrays, values, gaps, scratch, cut);
-    if (scratch.slot.size() < arrays.edge_low.size()) scratch.slot.resize(arrays.edge_low.size(), none);
-    for (Index i = 0; i < cut.active.size(); ++i) scratch.slot[cut.active[i]] = i;
-    list_cut_cells(block, arrays, scratch);
-    walk_cells(block, arrays, values, threshold, gaps, scratch.cells, scratch, cut);
-    for (const Index e : cut.active) scratch.slot[e] = none;
+void list_entries(const Block& block, const BlockArrays<Local>& arrays, CutScratch& scratch, const CutBlock& cut) {
+    scratch.on.assign(arrays.edge_low.size(), 0);
+    for (const Index e : cut.active) scratch.on[e] = 1;
+    const std::size_t corners = arrays.edge.size();
+    scratch.entry.resize(corners);
+    std::size_t count = 0;
+    for (std::size_t k = 0; k < corners; ++k) {
+        scratch.entry[count] = static_cast<Index>(k);
+        count += scratch.on[arrays.edge[k]];
+    }
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+        const Index corner = scratch.entry[i];
+        const Index side = scratch.high[arrays.vertex[corner]];
+        const bool here = corner < block.inner_corners || side == Index{corner >= block.far_corner};
+        scratch.entry[kept] = block.half_edge(corner, side);
+        kept += here ? 1 : 0;
+    }
+    scratch.entry.resize(kept);
 }
 
 void SignatureCutter::cut_block(Index b, float threshold) {
@@ -112,7 +104,11 @@ void SignatureCutter::cut_block(Index b, float threshold) {
     const std::span<const float> values = field_->of_block(b);
     const bool gaps = field_->gaps[b] != 0;
     if (classify(values, threshold, scratch, cut) && !gaps) return;
-    block.with([&](const auto& arrays) { cut_anew(block, arrays, values, threshold, gaps, scratch, cut); });
+    block.with([&](const auto& arrays) {
+        list_active_edges(arrays, values, gaps, scratch, cut);
+        list_entries(block, arrays, scratch, cut);
+        walk_entries(block, arrays, values, gaps, scratch, cut);
+    });
     cut.known = !gaps;
 }
 

@@ -55,7 +55,7 @@ void Writer::number() {
         cut.first_point = static_cast<Index>(points);
         cut.first_polygon = static_cast<Index>(polygons);
         cut.first_corner = static_cast<Index>(corners);
-        points += cut.owned;
+        points += cut.owned();
         polygons += cut.polygon_cell.size();
         corners += cut.polygon_point.size();
         if (corners >= none) throw Error("the surface has more than 4,294,967,294 corners: choose another value");
@@ -73,8 +73,9 @@ template <class Local>
 void Writer::write_points(Index b, const Block& block, const BlockArrays<Local>& arrays) {
     const CutBlock& cut = cut_[b];
     const std::span<const float> values = field_.of_block(b);
-    for (Index i = 0; i < cut.owned; ++i) {
-        const Local low = arrays.edge_low[cut.active[i]], high = arrays.edge_high[cut.active[i]];
+    for (Index i = 0; i < cut.owned(); ++i) {
+        const Index edge = cut.active[cut.ghosts + i];
+        const Local low = arrays.edge_low[edge], high = arrays.edge_high[edge];
         const double from = values[low], to = values[high];
         const auto t = static_cast<float>(std::clamp((nu_ - from) / (to - from), 0.0, 1.0));
         const EdgePoint point{block.vertex[low], block.vertex[high], t};
@@ -89,18 +90,17 @@ Index Writer::point_of_ghost(Index edge, Index& owner) const {
     if (blocks_.edge_begin[owner + 1] <= edge)
         owner = static_cast<Index>(std::ranges::upper_bound(blocks_.edge_begin, edge) - blocks_.edge_begin.begin() - 1);
     const CutBlock& cut = cut_[owner];
-    const auto owned = std::span(cut.active).first(cut.owned);
-    const auto found = std::ranges::lower_bound(owned, edge - blocks_.edge_begin[owner]);
-    return cut.first_point + static_cast<Index>(found - owned.begin());
+    const auto owned = std::span(cut.active).subspan(cut.ghosts);
+    const auto local = edge - blocks_.edge_begin[owner] + static_cast<Index>(blocks_.block[owner].ghost_edge.size());
+    return cut.first_point + static_cast<Index>(std::ranges::lower_bound(owned, local) - owned.begin());
 }
 
 void Writer::write_polygons(Index b, const Block& block, std::vector<Index>& point) {
     const CutBlock& cut = cut_[b];
     point.resize(cut.active.size());
-    for (Index i = 0; i < cut.owned; ++i) point[i] = cut.first_point + i;
     Index owner = 0;
-    for (std::size_t i = cut.owned; i < cut.active.size(); ++i)
-        point[i] = point_of_ghost(block.ghost_edge[cut.active[i] - block.owned_edges], owner);
+    for (Index i = 0; i < cut.ghosts; ++i) point[i] = point_of_ghost(block.ghost_edge[cut.active[i]], owner);
+    for (Index i = cut.ghosts; i < point.size(); ++i) point[i] = cut.first_point + i - cut.ghosts;
     for (std::size_t i = 0; i < cut.polygon_point.size(); ++i)
         out_.polygon_vertex[cut.first_corner + i] = point[cut.polygon_point[i]];
     for (std::size_t i = 0; i < cut.polygon_cell.size(); ++i) {

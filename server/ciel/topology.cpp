@@ -105,8 +105,7 @@ Index Topology::vertex(HalfEdge h) const {
 Index Topology::edge(HalfEdge h) const {
     const Block& block = blocks_->block[blocks_->block_of(h)];
     const Index corner = block.corner(h - block.half_edge_begin);
-    const Index e = block.with([&](const auto& arrays) { return Index{arrays.edge[corner]}; });
-    return e < block.owned_edges ? block.edge_begin + e : block.ghost_edge[e - block.owned_edges];
+    return block.edge_id(block.with([&](const auto& arrays) { return Index{arrays.edge[corner]}; }));
 }
 
 HalfEdge Topology::next_around_face(HalfEdge h) const {
