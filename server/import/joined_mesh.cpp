@@ -43,7 +43,8 @@ public:
 
 private:
     [[noreturn]] void fail(const std::string& what) const {
-        throw Error("block \"" + mesh_.parts[part_].name + "\": " + what);
+        const std::string& name = mesh_.parts[part_].name;
+        throw Error(name.empty() ? what : "block \"" + name + "\": " + what);
     }
 
     Index vertex(vtkIdType id, vtkIdType cell) const {

@@ -8,10 +8,10 @@
 #include "store/import_options.hpp"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <exception>
 #include <filesystem>
-#include <iostream>
 #include <new>
 
 namespace {
@@ -57,6 +57,12 @@ Options options_from(ciel::store::ImportValues& values) {
     return options;
 }
 
+// What the supervisor passes on: libraries of the readers write to standard error too.
+int fail(const std::string& sentence, ExitCode code = failed) {
+    std::fprintf(stderr, "%s%s\n", ciel::store::import_error_prefix.data(), sentence.c_str());
+    return code;
+}
+
 int run(const Options& options) {
     using namespace ciel::importer;
     install_cancel_handlers();
@@ -73,12 +79,17 @@ int run(const Options& options) {
     progress(1.0, "done");
     const bool many_bad = static_cast<double>(result.bad_cells) > most_bad_cells * static_cast<double>(result.cells);
     if (!many_bad || options.allow_bad) return done;
-    std::fprintf(stderr,
-                 "%s: %llu of %llu cells were left out; the dataset was written without them (--allow-bad accepts "
-                 "that)\n",
-                 options.inputs.front().c_str(), static_cast<unsigned long long>(result.bad_cells),
-                 static_cast<unsigned long long>(result.cells));
-    return cells_left_out;
+    return fail(options.inputs.front() + ": " + std::to_string(result.bad_cells) + " of " +
+                    std::to_string(result.cells) +
+                    " cells were left out; the dataset was written without them (--allow-bad accepts that)",
+                cells_left_out);
+}
+
+// An error of the mesh does not know the file it came from.
+std::string naming_input(const std::vector<std::string>& inputs, const std::string& sentence) {
+    const bool named = std::any_of(inputs.begin(), inputs.end(),
+                                   [&](const std::string& input) { return sentence.find(input) != std::string::npos; });
+    return named ? sentence : inputs.front() + ": " + sentence;
 }
 
 int run_and_report(const Options& options) {
@@ -86,15 +97,14 @@ int run_and_report(const Options& options) {
     try {
         return run(options);
     } catch (const ciel::importer::Cancelled&) {
-        std::cerr << "cancelled\n";
+        return fail("cancelled");
     } catch (const std::bad_alloc&) {
-        std::cerr << input << ": needs more memory than --memory-limit allows\n";
+        return fail(input + ": needs more memory than --memory-limit allows");
     } catch (const ciel::Error& error) {
-        std::cerr << error.what() << '\n';
+        return fail(naming_input(options.inputs, error.what()));
     } catch (const std::exception& error) {
-        std::cerr << input << ": cannot be imported: " << error.what() << '\n';
+        return fail(input + ": cannot be imported: " + error.what());
     }
-    return failed;
 }
 
 } // namespace
@@ -107,8 +117,10 @@ int main(int argc, char** argv) {
     try {
         app.parse(argc, argv);
         options = options_from(values);
+    } catch (const CLI::CallForHelp& help) {
+        return app.exit(help);
     } catch (const CLI::ParseError& error) {
-        return app.exit(error) == 0 ? done : wrong_usage;
+        return fail(error.what(), wrong_usage);
     }
     return run_and_report(options);
 }

@@ -96,9 +96,9 @@ void name_zones(const JoinedMesh& joined, StepMesh& mesh) {
 
 StepMesh build_step_mesh(const Blocks& blocks, Weld weld) {
     if (blocks.volumes.empty())
-        throw Error(blocks.surfaces.empty() ? "it holds no cells" : "it holds only surfaces; a volume mesh is needed");
+        throw Error(blocks.surfaces.empty() ? "holds no cells" : "holds only surfaces; a volume mesh is needed");
     JoinedMesh joined = join_blocks(blocks.volumes);
-    if (joined.cell_types.empty()) throw Error("it holds no volume cells");
+    if (joined.cell_types.empty()) throw Error("holds no volume cells");
 
     StepMesh mesh;
     mesh.input_vertices = joined.point_count;

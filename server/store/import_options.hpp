@@ -35,6 +35,9 @@ inline constexpr ImportOption import_options[] = {
      "multi, single, records, stream, iblank, no-iblank, float32, float64, text."},
 };
 
+// Before the one sentence on standard error that ciel-import ends with when it fails.
+inline constexpr std::string_view import_error_prefix = "ciel-import: ";
+
 using ImportValues = std::map<std::string, std::vector<std::string>>; // by name; a given flag has one value
 
 } // namespace ciel::store

@@ -43,7 +43,19 @@ std::vector<std::string> command_line(const ImportValues& values) {
     return arguments;
 }
 
-std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
+// The importer's own sentence; without one (a library ended the process), the last that anybody said.
+std::string last_words(const std::string& errors, const std::string& input) {
+    std::string own;
+    std::string other;
+    std::istringstream lines(errors);
+    for (std::string line; std::getline(lines, line);) {
+        if (line.starts_with(import_error_prefix))
+            own = line.substr(import_error_prefix.size());
+        else if (!line.empty())
+            other = line;
+    }
+    return own.empty() && !other.empty() ? input + ": the reader gave up: " + other : own;
+}
 
 std::string number(double value) {
     std::ostringstream text;
@@ -60,7 +72,7 @@ std::string describe(const ChildEnd& end, const std::string& input, const Import
         return input + ": the reader crashed (" + ::strsignal(end.signal) +
                "): the file is damaged, or needs more than " + number(memory / gigabyte) +
                " GB (--memory-limit); nothing was written";
-    if (!end.errors.empty()) return first_line(end.errors);
+    if (std::string words = last_words(end.errors, input); !words.empty()) return words;
     return input + ": ciel-import ended with code " + std::to_string(end.exit_code) + " and no reason";
 }
 

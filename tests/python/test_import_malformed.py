@@ -1,0 +1,225 @@
+"""Malformed inputs: each ends in one line that names the file and says what is wrong, with a plain exit code, and leaves
+nothing beside the target."""
+
+import re
+import struct
+import zipfile
+
+import numpy as np
+import pytest
+import vtk
+from import_support import run_import
+from test_import_plot3d import write_pair
+from vtk_files import CUBE, CUBE_FACES, add_array, mixed, structured, unstructured, with_fields, write
+
+GOOD = vtk.vtkXMLUnstructuredGridWriter
+
+
+def vtu(folder, data=None, mode=0):
+    return write(GOOD(), folder / "a.vtu", data or with_fields(mixed()), SetDataMode=mode)
+
+
+def edit(file, pattern, replacement):
+    text = file.read_text()
+    changed = re.sub(pattern, replacement, text, count=1, flags=re.S)
+    assert changed != text, f"{pattern} is not in {file}"
+    file.write_text(changed)
+    return file
+
+
+def array_of(name):
+    return r'(<DataArray[^>]*Name="' + name + r'"[^>]*>\s*)[-\d]+'
+
+
+def cut(file, share=0.5):
+    data = file.read_bytes()
+    file.write_bytes(data[: int(len(data) * share)])
+    return file
+
+
+def text(folder, name, content):
+    (folder / name).write_text(content)
+    return folder / name
+
+
+def binary(folder, name, content):
+    (folder / name).write_bytes(content)
+    return folder / name
+
+
+def open_box(folder):
+    faces = CUBE_FACES[:-1]  # the sixth face is missing
+    return write(GOOD(), folder / "a.vtu", unstructured([(vtk.VTK_POLYHEDRON, faces)], CUBE))
+
+
+def with_nan(folder):
+    points = [list(p) for p in CUBE]
+    points[3][1] = float("nan")
+    return write(GOOD(), folder / "a.vtu", unstructured([(vtk.VTK_HEXAHEDRON, list(range(8)))], points), SetDataMode=2)
+
+
+def zipped(folder):
+    with zipfile.ZipFile(folder / "a.vtu", "w") as archive:
+        archive.writestr("a.txt", "nothing")
+    return folder / "a.vtu"
+
+
+def directory(folder):
+    (folder / "empty").mkdir()
+    return folder / "empty"
+
+
+def pvd(folder, *files):
+    rows = "".join(f'<DataSet timestep="{t}" file="{f}"/>' for t, f in enumerate(files))
+    return text(folder, "a.pvd", f'<VTKFile type="Collection"><Collection>{rows}</Collection></VTKFile>')
+
+
+def legacy(folder, body):
+    return text(folder, "a.vtk", "# vtk DataFile Version 3.0\nt\nASCII\nDATASET UNSTRUCTURED_GRID\n" + body)
+
+
+def surface_only(folder):
+    return write(GOOD(), folder / "a.vtu", unstructured([(vtk.VTK_QUAD, [0, 1, 2, 3])], CUBE))
+
+
+def short_array(folder):
+    grid = with_fields(mixed())
+    add_array(grid.GetPointData(), "short", [1.0, 2.0])
+    return write(GOOD(), folder / "a.vtu", grid, SetDataMode=0)
+
+
+def huge_dimensions(folder):
+    return binary(folder, "a.xyz", struct.pack(">3i", 2**31 - 1, 2**31 - 1, 2**31 - 1) + bytes(1000))
+
+
+# name, what makes the input, words of the error
+MALFORMED = [
+    ("missing", lambda f: f / "not there.vtu", "no such file"),
+    ("empty", lambda f: text(f, "a.vtu", ""), "is empty"),
+    ("a directory", directory, "is a directory"),
+    ("a zip", zipped, "content is not one"),
+    ("text called vtu", lambda f: text(f, "a.vtu", "hello\n"), "content is not one"),
+    ("unknown format", lambda f: text(f, "a.doc", "hello, world\n"), "no format that can be imported"),
+    ("binary garbage", lambda f: binary(f, "a.vtk", bytes(range(256)) * 64), "content is not one"),
+    ("garbage without extension", lambda f: binary(f, "a", np.random.default_rng(1).bytes(5000)), "no format"),
+    ("truncated vtu", lambda f: cut(vtu(f)), ""),
+    ("truncated appended vtu", lambda f: cut(vtu(f, mode=2), 0.8), ""),
+    ("vtu of surfaces", lambda f: surface_only(f), "surface"),
+    ("vtu with no cells", lambda f: vtu(f, unstructured([], CUBE)), "no cells"),
+    ("polydata", lambda f: text(f, "a.vtu", '<VTKFile type="PolyData"></VTKFile>'), "no volume mesh"),
+    ("connectivity out of range", lambda f: edit(vtu(f), array_of("connectivity"), r"\g<1>4711"), "uses point 4711"),
+    ("negative connectivity", lambda f: edit(vtu(f), array_of("connectivity"), r"\g<1>-3"), "uses point -3"),
+    ("offsets not rising", lambda f: edit(vtu(f), array_of("offsets"), r"\g<1>900"), ""),
+    ("face list out of range", lambda f: edit(vtu(f), array_of("faces"), r"\g<1>800"), ""),
+    ("wrong number of points", lambda f: edit(vtu(f), r'NumberOfPoints="16"', 'NumberOfPoints="1600"'), ""),
+    ("wrong number of cells", lambda f: edit(vtu(f), r'NumberOfCells="5"', 'NumberOfCells="500000"'), ""),
+    ("NaN coordinates", with_nan, "not a finite number"),
+    ("open cell", open_box, "none of its 1 cells"),
+    ("legacy without cells", lambda f: legacy(f, "POINTS 1 float\n0 0 0\n"), "no cells"),
+    ("legacy out of range", lambda f: legacy(f, "POINTS 4 float\n0 0 0 1 0 0 0 1 0 0 0 1\nCELLS 1 5\n4 0 1 2 9\nCELL_TYPES 1\n10\n"), "uses point 9"),
+    ("legacy cut in the points", lambda f: legacy(f, "POINTS 400 float\n0 0 0 1 0 0\n"), ""),
+    ("legacy with too few nodes", lambda f: legacy(f, "POINTS 4 float\n0 0 0 1 0 0 0 1 0 0 0 1\nCELLS 1 4\n3 0 1 2\nCELL_TYPES 1\n10\n"), "needs 4"),
+    ("pvd not XML", lambda f: text(f, "a.pvd", '<VTKFile type="Collection"><Coll'), "not well-formed"),
+    ("pvd naming nothing", lambda f: pvd(f), "names no files"),
+    ("pvd naming a missing file", lambda f: pvd(f, "gone.vtu"), "does not exist"),
+    ("pvd naming itself", lambda f: pvd(f, "a.pvd"), "index itself"),
+    ("pvd with a damaged second step", lambda f: (cut(vtu(f)).rename(f / "b.vtu"), vtu(f), pvd(f, "a.vtu", "b.vtu"))[-1], "b.vtu"),
+    ("pvd with a bad time", lambda f: (vtu(f), edit(pvd(f, "a.vtu"), 'timestep="0"', 'timestep="soon"'))[-1], "not a finite number"),
+    ("series not JSON", lambda f: text(f, "a.series", '{"file-series-version": "1.0", "files": ['), "not well-formed JSON"),
+    ("series without files", lambda f: text(f, "a.series", '{"file-series-version": "1.0", "files": {}}'), "file series"),
+    ("series nested deeply", lambda f: text(f, "a.series", '{"file-series-version": "1.0", "files": ' + "[" * 100000), ""),
+    ("series naming itself", lambda f: text(f, "a.series", '{"file-series-version": "1.0", "files": [{"name": "a.series"}]}'), "index itself"),
+    ("pvtu naming a missing piece", lambda f: text(f, "a.pvtu", '<VTKFile type="PUnstructuredGrid"><PUnstructuredGrid GhostLevel="0"><PPoints><PDataArray type="Float32" NumberOfComponents="3"/></PPoints><Piece Source="gone.vtu"/></PUnstructuredGrid></VTKFile>'), ""),
+    ("vtm naming a missing block", lambda f: text(f, "a.vtm", '<VTKFile type="vtkMultiBlockDataSet" version="1.0"><vtkMultiBlockDataSet><DataSet index="0" file="gone.vtu"/></vtkMultiBlockDataSet></VTKFile>'), ""),
+    ("vts whose extent is a lie", lambda f: edit(write(vtk.vtkXMLStructuredGridWriter(), f / "a.vts", structured(), SetDataMode=0), r'WholeExtent="0 3 0 3 0 3"', 'WholeExtent="0 900 0 900 0 900"'), ""),
+    ("PLOT3D cut short", lambda f: cut(write_pair(f)[0], 0.9), ""),
+    ("PLOT3D of impossible size", huge_dimensions, ""),
+    ("PLOT3D solution of another grid", lambda f: (write_pair(f)[0], text(f, "b.q", "2 2 2 " + "1.0 " * 44)), "does not belong"),
+    ("HDF5 signature and nothing else", lambda f: binary(f, "a.hdf", b"\x89HDF\r\n\x1a\n" + bytes(100)), ""),
+    ("CGNS signature and nothing else", lambda f: binary(f, "a.cgns", b"\x89HDF\r\n\x1a\n" + bytes(100)), ""),
+    ("Exodus signature and nothing else", lambda f: binary(f, "a.ex2", b"CDF\x01" + bytes(50)), ""),
+    ("EnSight naming a missing model", lambda f: text(f, "a.case", "FORMAT\ntype: ensight gold\nGEOMETRY\nmodel: gone.geo\n"), ""),
+    ("LS-DYNA garbage", lambda f: binary(f, "d3plot", bytes(range(256)) * 8), ""),
+    ("Fluent garbage", lambda f: text(f, "a.cas", "(10 (1 1 ffffffff 1 3)(\n"), ""),
+    ("CONVERGE garbage", lambda f: binary(f, "a.h5", b"\x89HDF\r\n\x1a\n" + bytes(64)), ""),
+    ("Tecplot cut short", lambda f: text(f, "a.tec", 'VARIABLES = "X", "Y", "Z"\nZONE N=8, E=1, F=FEPOINT, ET=BRICK\n0 0 0\n'), ""),
+    ("foam file without a case", lambda f: text(f, "a.foam", ""), "content is not one"),
+]
+
+
+@pytest.mark.parametrize("make, words", [row[1:] for row in MALFORMED], ids=[row[0] for row in MALFORMED])
+def test_one_clear_error(tmp_path, make, words):
+    source = tmp_path / "source"
+    source.mkdir()
+    target = tmp_path / "target"
+    target.mkdir()
+    made = make(source)
+    inputs = made if isinstance(made, tuple) else (made,)
+    done = run_import(*inputs, "-o", target / "out.ciel", "--memory-limit", "8", "--time-limit", "60")
+    assert done.returncode == 1, done.stdout + done.stderr  # a signal would be negative
+    (line,) = done.stderr.splitlines()
+    assert line.startswith("ciel: ") and str(source) in line, line
+    assert words in line, line
+    assert not any(target.iterdir())
+
+
+def test_the_good_neighbours_of_the_table_are_imported(tmp_path):
+    """What the rows start from is sound: it is the damage that is refused."""
+    for inputs in [(vtu(tmp_path),), (pvd(tmp_path, "a.vtu"),), write_pair(tmp_path)]:
+        assert run_import(*inputs, "-o", tmp_path / "out.ciel", "--force").returncode == 0
+
+
+def test_usage_errors_are_code_2(tmp_path):
+    file = vtu(tmp_path)
+    for arguments in [(), (file,), (file, "-o", "name"), (file, "-o", "a.ciel", "--weld", "--no-weld"), (file, "--nonsense")]:
+        assert run_import(*arguments).returncode == 2, arguments
+
+
+def test_an_existing_dataset_is_not_touched_without_force(tmp_path):
+    file = vtu(tmp_path)
+    target = tmp_path / "out.ciel"
+    assert run_import(file, "-o", target).returncode == 0
+    before = (target / ".zattrs").read_bytes()
+    done = run_import(file, "-o", target)
+    assert done.returncode == 1 and "exists already" in done.stderr
+    assert (target / ".zattrs").read_bytes() == before
+    # A failing --force leaves the old dataset too.
+    assert run_import(cut(file), "-o", target, "--force").returncode == 1
+    assert (target / ".zattrs").read_bytes() == before
+    assert sorted(p.name for p in tmp_path.iterdir()) == ["a.vtu", "out.ciel"]
+
+
+def boxes(bad, good):
+    """`good` cubes and `bad` ones that lack a face, each with points of its own."""
+    points, cells = [], []
+    for i in range(good + bad):
+        faces = CUBE_FACES if i < good else CUBE_FACES[:-1]
+        cells.append((vtk.VTK_POLYHEDRON, [[n + 8 * i for n in face] for face in faces]))
+        points += [(x + 2 * i, y, z) for x, y, z in CUBE]
+    return unstructured(cells, points)
+
+
+def test_cells_that_cannot_be_used_are_named_and_counted(tmp_path):
+    file = vtu(tmp_path, boxes(bad=2, good=10))
+    done = run_import(file, "-o", tmp_path / "a.ciel")
+    assert done.returncode == 3 and "2 of 12 cells were left out" in done.stderr
+    assert "2 cells were left out: not closed (first ids: 10, 11)" in done.stdout
+    assert run_import(file, "-o", tmp_path / "b.ciel", "--allow-bad").returncode == 0
+    few = vtu(tmp_path, boxes(bad=1, good=1200))
+    done = run_import(few, "-o", tmp_path / "c.ciel")
+    assert done.returncode == 0 and "1 cell was left out" in done.stdout
+
+
+def test_limits_end_in_a_sentence(tmp_path):
+    file = write(vtk.vtkXMLImageDataWriter(), tmp_path / "a.vti", big_image())
+    for option, words in [(("--memory-limit", "0.25"), "memory"), (("--time-limit", "0.01"), "--time-limit")]:
+        done = run_import(file, "-o", tmp_path / "a.ciel", *option)
+        assert done.returncode == 1 and words in done.stderr, done.stderr
+        assert len(done.stderr.splitlines()) == 1
+        assert sorted(p.name for p in tmp_path.iterdir()) == ["a.vti"]
+
+
+def big_image():
+    data = vtk.vtkImageData()
+    data.SetDimensions(150, 150, 150)
+    return data

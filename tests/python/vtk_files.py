@@ -1,0 +1,141 @@
+"""Small meshes written by VTK's own writers, in every volume format it can write."""
+
+import numpy as np
+import vtk
+from vtk.util.numpy_support import numpy_to_vtk
+
+
+def linear(points):
+    """A field that every import must carry over exactly."""
+    p = np.asarray(points, dtype=float)
+    return 2 * p[:, 0] - 3 * p[:, 1] + 0.5 * p[:, 2] + 1
+
+
+def add_array(attributes, name, values):
+    array = numpy_to_vtk(np.ascontiguousarray(values, dtype=float), deep=1)
+    array.SetName(name)
+    attributes.AddArray(array)
+
+
+def points_of(data):
+    return np.array([data.GetPoint(i) for i in range(data.GetNumberOfPoints())])
+
+
+def centres_of(data):
+    centres = []
+    for i in range(data.GetNumberOfCells()):
+        ids = data.GetCell(i).GetPointIds()
+        centres.append(np.mean([data.GetPoint(ids.GetId(j)) for j in range(ids.GetNumberOfIds())], axis=0))
+    return np.array(centres)
+
+
+def with_fields(data, shift=0.0):
+    p = points_of(data)
+    add_array(data.GetPointData(), "f", linear(p) + shift)
+    add_array(data.GetPointData(), "v", p + shift)
+    add_array(data.GetCellData(), "c", linear(centres_of(data)) + shift)
+    return data
+
+
+def image(n=4, origin=(0, 0, 0)):
+    data = vtk.vtkImageData()
+    data.SetDimensions(n, n, n)
+    data.SetSpacing(1 / (n - 1), 1 / (n - 1), 1 / (n - 1))
+    data.SetOrigin(*origin)
+    return data
+
+
+def rectilinear(n=4):
+    data = vtk.vtkRectilinearGrid()
+    data.SetDimensions(n, n, n)
+    axis = numpy_to_vtk(np.linspace(0, 1, n) ** 2, deep=1)
+    data.SetXCoordinates(axis), data.SetYCoordinates(axis), data.SetZCoordinates(axis)
+    return data
+
+
+def structured(n=4, bend=0.2):
+    data = vtk.vtkStructuredGrid()
+    data.SetDimensions(n, n, n)
+    points = vtk.vtkPoints()
+    points.SetDataTypeToDouble()
+    for k in range(n):
+        for j in range(n):
+            for i in range(n):
+                x, y, z = i / (n - 1), j / (n - 1), k / (n - 1)
+                points.InsertNextPoint(x + bend * y * (1 - y), y, z)
+    data.SetPoints(points)
+    return data
+
+
+def ring(n_around=12, n_radial=4, n_axial=3):
+    """An O-grid: the first and the last plane around coincide."""
+    data = vtk.vtkStructuredGrid()
+    data.SetDimensions(n_radial, n_around + 1, n_axial)
+    points = vtk.vtkPoints()
+    for k in range(n_axial):
+        for j in range(n_around + 1):
+            angle = 2 * np.pi * (j % n_around) / n_around
+            for i in range(n_radial):
+                points.InsertNextPoint((1 + i) * np.cos(angle), (1 + i) * np.sin(angle), k)
+    data.SetPoints(points)
+    return data
+
+
+def unstructured(cells, points):
+    """cells: (VTK type, node ids), or (VTK_POLYHEDRON, [faces])."""
+    grid = vtk.vtkUnstructuredGrid()
+    p = vtk.vtkPoints()
+    p.SetDataTypeToDouble()
+    for point in points:
+        p.InsertNextPoint(*point)
+    grid.SetPoints(p)
+    for kind, nodes in cells:
+        if kind == vtk.VTK_POLYHEDRON:
+            stream = vtk.vtkIdList()
+            stream.InsertNextId(len(nodes))
+            for face in nodes:
+                stream.InsertNextId(len(face))
+                for node in face:
+                    stream.InsertNextId(node)
+            grid.InsertNextCell(kind, stream)
+        else:
+            grid.InsertNextCell(kind, len(nodes), nodes)
+    return grid
+
+
+CUBE = [(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0), (0, 0, 1), (1, 0, 1), (1, 1, 1), (0, 1, 1)]
+CUBE_FACES = [[0, 3, 2, 1], [4, 5, 6, 7], [0, 1, 5, 4], [1, 2, 6, 5], [2, 3, 7, 6], [3, 0, 4, 7]]
+
+
+def mixed():
+    """A hexahedron, a wedge, a pyramid, a tetrahedron and a polyhedron (a cube), conforming where they touch."""
+    points = CUBE + [(2, 0.5, 0), (2, 0.5, 1), (0.5, 0.5, 2), (0.5, -1, 1.5)]
+    points += [(x, y, z - 1) for x, y, z in CUBE[:4]]
+    cube = [12, 13, 14, 15, 0, 1, 2, 3]  # under the hexahedron
+    return unstructured(
+        [
+            (vtk.VTK_HEXAHEDRON, list(range(8))),
+            (vtk.VTK_WEDGE, [1, 2, 8, 5, 6, 9]),
+            (vtk.VTK_PYRAMID, [4, 5, 6, 7, 10]),
+            (vtk.VTK_TETRA, [4, 5, 10, 11]),
+            (vtk.VTK_POLYHEDRON, [[cube[i] for i in face] for face in CUBE_FACES]),
+        ],
+        points,
+    )
+
+
+def write(writer, path, data, **settings):
+    writer.SetFileName(str(path))
+    for name, value in settings.items():
+        getattr(writer, name)(value)
+    writer.SetInputData(data)
+    assert writer.Write() == 1
+    return path
+
+
+def multi_block(*blocks):
+    data = vtk.vtkMultiBlockDataSet()
+    for i, (name, block) in enumerate(blocks):
+        data.SetBlock(i, block)
+        data.GetMetaData(i).Set(vtk.vtkCompositeDataSet.NAME(), name)
+    return data
