@@ -51,7 +51,7 @@ export class Actions {
   async probe(x: number, y: number): Promise<Vec3 | null> {
     const { width, height } = this.app.size.pixels();
     const ratio = width / this.app.size.css.width;
-    const session = this.app.sessionId;
+    const session = this.app.tab.id;
     try {
       const result = await this.app.session.call("probe.point", {
         session,
@@ -145,7 +145,7 @@ export class Actions {
     const { app } = this;
     app.store.set({ busy: "Drawing the picture" });
     try {
-      const picture = await app.session.call("picture.render", { session: app.sessionId, ...app.size.pixels() });
+      const picture = await app.session.call("picture.render", { session: app.tab.id, ...app.size.pixels() });
       download(`${app.editor.scene?.dataset ?? "ciel"}.png`, picture.mime, picture.data);
     } catch (error) {
       app.fail(error);
@@ -158,7 +158,7 @@ export class Actions {
     const { app } = this;
     app.store.set({ busy: "Writing the surface" });
     try {
-      const file = await app.session.call("surface.export", { session: app.sessionId, layer, format, triangles });
+      const file = await app.session.call("surface.export", { session: app.tab.id, layer, format, triangles });
       download(file.name, file.mime, file.data);
       app.toasts.show(`${file.name}: ${file.polygons} polygons, ${file.vertices} vertices`);
     } catch (error) {

@@ -18,7 +18,7 @@ import { describeDatasets } from "./datasets";
 import { Histograms } from "./histograms";
 import { Links } from "./links";
 import { playerHost } from "./player_host";
-import { savedStream, savedTheme, sessionId } from "./preferences";
+import { savedStream, savedTheme, tabSession } from "./preferences";
 import { sessionHost } from "./session_host";
 import { initialState, type AppState } from "./state";
 import { Store } from "./store";
@@ -44,7 +44,7 @@ export class App {
   readonly actions = new Actions(this);
   readonly links = new Links(this);
   readonly player = new Player(playerHost(this), now);
-  readonly sessionId = sessionId();
+  readonly tab = tabSession();
   readonly editor: SceneEditor;
   readonly session: Session;
   readonly histograms: Histograms;
@@ -62,7 +62,7 @@ export class App {
       Math.random().toString(36).slice(2, 10), // other pages of the session name their gestures otherwise
     );
     const address = socketAddress(document.baseURI);
-    this.session = new Session(this.sessionId, sessionHost(this), this.editor, () => openSocket(address), clock);
+    this.session = new Session(this.tab.id, sessionHost(this), this.editor, () => openSocket(address), clock);
     this.histograms = new Histograms(
       (dataset, array, time) => this.session.call("dataset.histogram", { dataset, array, time, bins: 160 }),
       () => this.store.set({ histogramsAt: now() }),

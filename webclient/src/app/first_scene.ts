@@ -1,34 +1,37 @@
 // What a page shows first: the link's scene, else the tab's own session, else the first dataset that can be opened.
-import type { DatasetDescription, Scene } from "../generated/protocol";
-import { complete, distance, fit } from "../camera/camera";
+import type { Camera, DatasetDescription, Scene } from "../generated/protocol";
+import { complete, defaultView, distance, fit, type Bounds, type FullCamera } from "../camera/camera";
 import { subtract } from "../camera/vector";
 import { RpcError } from "../protocol/rpc";
 import type { Caller } from "../session/session";
 
 export interface FirstSceneOptions {
   session: string;
+  /** The tab has had the session before. */
+  rejoin: boolean;
   link: Scene | null;
   aspect: number;
   background: "dark" | "light";
+}
+
+function openingCamera(camera: Camera | null | undefined, bounds: Bounds, aspect: number): FullCamera {
+  if (!camera || distance(complete(camera)) === 0) return defaultView(bounds, aspect);
+  const { position, target, up, fov, parallel } = complete(camera);
+  return fit(bounds, subtract(target, position), up, aspect, fov, parallel);
 }
 
 /** The dataset's own first view, fitted to this canvas and theme. */
 export function openingScene(description: DatasetDescription, aspect: number, background: "dark" | "light"): Scene {
   const scene = description.default_scene;
   const bounds = description.bounds;
-  let camera = scene.camera ?? null;
-  if (camera !== null && distance(complete(camera)) > 0) {
-    const full = complete(camera);
-    camera = fit(bounds, subtract(full.target, full.position), full.up, aspect, full.fov, full.parallel);
-  }
-  return { ...scene, camera, background };
+  return { ...scene, camera: openingCamera(scene.camera, bounds, aspect), background };
 }
 
 /** null where the server offers nothing that can be opened. */
 export async function firstScene(call: Caller, options: FirstSceneOptions): Promise<Scene | null> {
   if (options.link !== null) return options.link;
   try {
-    return (await call("scene.get", { session: options.session })).scene;
+    if (options.rejoin) return (await call("scene.get", { session: options.session })).scene;
   } catch (error) {
     if (!(error instanceof RpcError)) throw error; // the server does not know the session: a new one
   }

@@ -39,13 +39,13 @@ export function savedStream(): "image" | "geometry" | "auto" {
 export const saveStream = (stream: string): void => write(local, STREAM, stream);
 
 /** The tab's session; a fresh id the first time. */
-export function sessionId(): string {
+export function tabSession(): { id: string; known: boolean } {
   const known = read(tab, SESSION);
-  if (known !== null && /^[A-Za-z0-9_-]{1,64}$/.test(known)) return known;
+  if (known !== null && /^[A-Za-z0-9_-]{1,64}$/.test(known)) return { id: known, known: true };
   const bytes = crypto.getRandomValues(new Uint8Array(16));
   const id = Array.from(bytes, (byte) => byte.toString(16).padStart(2, "0")).join("");
   write(tab, SESSION, id);
-  return id;
+  return { id, known: false };
 }
 
 export function isDark(theme: Theme): boolean {

@@ -1,6 +1,6 @@
 // What the server's word does to the page.
 import type { Notifications } from "../generated/protocol";
-import type { SessionHost } from "../session/session";
+import { wordsFor, type SessionHost } from "../session/session";
 import type { App } from "./app";
 import { describeDatasets, listDatasets } from "./datasets";
 import { firstScene } from "./first_scene";
@@ -15,7 +15,13 @@ export function sessionHost(app: App): SessionHost {
     firstScene: async (call) => {
       const background = app.actions.themeBackground();
       const { aspect } = app.size;
-      const scene = await firstScene(call, { session: app.sessionId, link: app.links.first, aspect, background });
+      const scene = await firstScene(call, {
+        session: app.tab.id,
+        rejoin: app.tab.known,
+        link: app.links.first,
+        aspect,
+        background,
+      });
       app.store.set({ fatal: scene === null ? NOTHING : null });
       return scene;
     },
@@ -47,7 +53,7 @@ export function sessionHost(app: App): SessionHost {
     failed: (error) => {
       app.fail(error);
       if (app.editor.scene === null || app.store.get().readout.stream === "none")
-        app.store.set({ fatal: error.message });
+        app.store.set({ fatal: wordsFor(error) });
     },
   };
 }
@@ -63,7 +69,7 @@ function notificationHandlers(app: App): Handlers {
       void describeDatasets(app, true);
     },
     "scene.changed": ({ session, scene }) => {
-      if (session === app.sessionId) app.editor.adopt({ scene });
+      if (session === app.tab.id) app.editor.adopt({ scene });
     },
     "view.failed": ({ message }) => {
       app.player.stop();

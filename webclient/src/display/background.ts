@@ -2,8 +2,8 @@
 type Rgb = [number, number, number];
 
 const NAMED: Record<string, { top: Rgb; bottom: Rgb }> = {
-  dark: { top: [0.2, 0.23, 0.28], bottom: [0.07, 0.08, 0.1] },
-  light: { top: [1, 1, 1], bottom: [0.86, 0.88, 0.91] },
+  dark: { top: [0.1, 0.12, 0.16], bottom: [0.03, 0.04, 0.05] },
+  light: { top: [1, 1, 1], bottom: [0.9, 0.92, 0.95] },
 };
 
 export function backgroundColors(background: string | undefined): { top: Rgb; bottom: Rgb } {

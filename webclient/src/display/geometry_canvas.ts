@@ -1,5 +1,5 @@
 // The stream of polygons, drawn by this machine: the camera answers without a round trip.
-import type { Bounds, FullCamera } from "../camera/camera";
+import { boundsRadius, type Bounds, type FullCamera } from "../camera/camera";
 import { depthRange, projectionMatrix, viewMatrix } from "../camera/matrices";
 import type { GeometryBatch } from "../decoders/geometry";
 import { colorMap, missingColor } from "./color_maps";
@@ -73,6 +73,7 @@ export class GeometryCanvas {
     const depths = depthRange(look.camera, look.bounds);
     gl.uniformMatrix4fv(this.surface.at("projection"), false, projectionMatrix(look.camera, width / height, depths));
     gl.uniform1i(this.surface.at("parallel"), look.camera.parallel ? 1 : 0);
+    gl.uniform1f(this.surface.at("scale"), 1 / (boundsRadius(look.bounds) || 1));
     gl.uniform3fv(this.surface.at("missing"), missingColor);
     const opaque = this.uploaded.filter(({ batch }) => batch.color[3] >= 1);
     for (const part of opaque) this.drawPart(part, look.camera);

@@ -1,4 +1,4 @@
-// The server's shading in GLSL ES 3.00: a head light, both sides lit, the scalar looked up per fragment.
+// The server's shading (render/) in GLSL ES 3.00, so that both streams show the same picture.
 
 export const SURFACE_VERTEX = `#version 300 es
 layout(location = 0) in vec3 position;
@@ -6,12 +6,13 @@ layout(location = 1) in vec3 normal;
 layout(location = 2) in float scalar;
 uniform mat4 view;
 uniform mat4 projection;
-out vec3 eye;
+uniform float scale;
+out vec3 place; // in units of the bounds' radius: derivatives of small scenes must not underflow
 out vec3 eye_normal;
 out float value;
 void main() {
   vec4 at = view * vec4(position, 1.0);
-  eye = at.xyz;
+  place = at.xyz * scale;
   eye_normal = mat3(view) * normal;
   value = scalar;
   gl_Position = projection * at;
@@ -19,7 +20,7 @@ void main() {
 
 export const SURFACE_FRAGMENT = `#version 300 es
 precision highp float;
-in vec3 eye;
+in vec3 place;
 in vec3 eye_normal;
 in float value;
 uniform sampler2D map;
@@ -31,19 +32,34 @@ uniform bool lit;
 uniform bool has_normals;
 uniform bool parallel;
 out vec4 result;
+
+vec3 base_color() {
+  if (!mapped) return color.rgb;
+  if ((floatBitsToUint(value) & 0x7fffffffu) > 0x7f800000u) return missing;
+  float span = range.y - range.x;
+  float at = span > 0.0 ? clamp((value - range.x) / span, 0.0, 1.0) : 0.5;
+  return texture(map, vec2((at * 255.0 + 0.5) / 256.0, 0.5)).rgb;
+}
+
+vec3 facing_normal(vec3 viewer) {
+  vec3 plane = cross(dFdx(place), dFdy(place));
+  float plane_length = length(plane);
+  vec3 n = plane_length > 1e-30 ? plane / plane_length : viewer;
+  float normal_length = has_normals ? length(eye_normal) : 0.0;
+  if (normal_length > 1e-6) n = eye_normal / normal_length;
+  return dot(n, viewer) < 0.0 ? -n : n;
+}
+
 void main() {
-  vec3 base = color.rgb;
-  if (mapped) {
-    float span = range.y - range.x;
-    float at = span > 0.0 ? clamp((value - range.x) / span, 0.0, 1.0) : 0.5;
-    base = isnan(value) || isinf(value) ? missing : texture(map, vec2((at * 255.0 + 0.5) / 256.0, 0.5)).rgb;
-  }
+  vec3 base = base_color();
   if (lit) {
-    vec3 facet = cross(dFdx(eye), dFdy(eye));
-    vec3 n = normalize(has_normals && dot(eye_normal, eye_normal) > 0.0 ? eye_normal : facet);
-    vec3 to_eye = parallel ? vec3(0.0, 0.0, 1.0) : normalize(-eye);
-    float facing = abs(dot(n, to_eye));
-    base = base * (0.25 + 0.75 * facing) + 0.12 * pow(facing, 32.0);
+    vec3 viewer = parallel ? vec3(0.0, 0.0, 1.0) : normalize(-place);
+    vec3 n = facing_normal(viewer);
+    vec3 key = normalize(vec3(-0.45, 0.65, 0.6));
+    float head = dot(n, viewer);
+    float wrapped = 0.5 + 0.5 * dot(n, key);
+    float shine = pow(max(dot(n, normalize(key + viewer)), 0.0), 40.0);
+    base = base * (0.16 + 0.46 * head + 0.46 * wrapped * wrapped) + vec3(0.10 * shine);
   }
   result = vec4(base, color.a);
 }`;

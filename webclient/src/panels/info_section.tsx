@@ -1,5 +1,5 @@
 import type { JSX } from "preact";
-import { formatCount, formatNumber } from "../scene/numbers";
+import { formatCount, formatNumber, prettyUnits } from "../scene/numbers";
 import { Section } from "./controls";
 import { useAppState } from "./context";
 
@@ -72,7 +72,7 @@ export function InfoSection(): JSX.Element | null {
                       .map((v) => formatNumber(v, (array.range?.[1] ?? 0) - (array.range?.[0] ?? 0)))
                       .join(" to ")}
               </td>
-              <td>{array.units}</td>
+              <td>{prettyUnits(array.units)}</td>
             </tr>
           ))}
         </tbody>

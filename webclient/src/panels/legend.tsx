@@ -53,7 +53,7 @@ function LegendEntry({ coloring, layers }: Entry): JSX.Element {
           <div class="ticks" aria-hidden="true">
             {ticks(range)
               .map((value) => ({ value, at: fractionOf(value, range) }))
-              .filter(({ at }) => at > 0.16 && at < 0.84)
+              .filter(({ at }) => at > 0.22 && at < 0.78)
               .map(({ value, at }) => (
                 <span key={value} style={{ left: `${at * 100}%` }}>
                   {formatNumber(value, span)}

@@ -41,7 +41,7 @@ export function Stage(): JSX.Element {
         role="application"
         aria-label="3-D view. Drag to turn; press ? for help"
       >
-        <canvas ref={images} />
+        <canvas ref={images} hidden />
         <canvas ref={geometry} hidden />
       </div>
       <AxesTriad />

@@ -87,8 +87,8 @@ export class Connection {
     socket.onopen = () => {
       this.attempt = 0;
       this.clearTimer();
-      this.events.state({ kind: "open" });
       this.events.opened(rpc);
+      this.events.state({ kind: "open" });
       this.heartbeat(rpc);
     };
     socket.onmessage = (event) => {

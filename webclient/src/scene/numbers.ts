@@ -26,6 +26,15 @@ export function parseNumber(text: string): number | null {
   return Number.isFinite(value) ? value : null;
 }
 
+const SUPERSCRIPTS = "\u2070\u00b9\u00b2\u00b3\u2074\u2075\u2076\u2077\u2078\u2079";
+
+/** m^2/s^2 as people write it. */
+export const prettyUnits = (units: string): string =>
+  units.replace(/\^(-?)(\d+)/g, (_, sign: string, digits: string) => {
+    const raised = digits.replace(/\d/g, (digit) => SUPERSCRIPTS.charAt(Number(digit)));
+    return (sign === "" ? "" : "\u207b") + raised;
+  });
+
 export const formatCount = (count: number): string => count.toLocaleString("en-US").replaceAll(",", "\u202f");
 
 export const clamp = (value: number, low: number, high: number): number => Math.min(high, Math.max(low, value));

@@ -1,4 +1,5 @@
 // What layers can be made from and coloured by: the scalars of a dataset's arrays.
+import { prettyUnits } from "./numbers";
 import type { ArrayInfo, Coloring, DatasetDescription, Layer, Scene } from "../generated/protocol";
 
 export interface Scalar {
@@ -9,7 +10,7 @@ export interface Scalar {
 
 export function scalarsOf(description: DatasetDescription | null): Scalar[] {
   return (description?.arrays ?? []).flatMap((array) =>
-    array.scalars.map((name) => ({ name, units: array.units, array })),
+    array.scalars.map((name) => ({ name, units: prettyUnits(array.units), array })),
   );
 }
 

@@ -141,12 +141,11 @@ export class Session {
   }
 }
 
-/** What a person is told. */
+/** What a person is told: the server's reason, and where in the scene. */
 export function wordsFor(error: Error): string {
-  if (error instanceof RpcError) {
-    const data = error.data;
-    const path = typeof data === "object" && data !== null && "path" in data ? String(data.path) : "";
-    return path === "" ? error.message : `${error.message} (${path})`;
-  }
-  return error.message;
+  if (!(error instanceof RpcError) || typeof error.data !== "object" || error.data === null) return error.message;
+  const { reason, path } = error.data as { reason?: unknown; path?: unknown };
+  const words = typeof reason === "string" && reason !== "" ? reason : error.message;
+  const sentence = words.charAt(0).toUpperCase() + words.slice(1);
+  return typeof path === "string" && path !== "" ? `${sentence} (${path})` : sentence;
 }

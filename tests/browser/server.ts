@@ -1,0 +1,76 @@
+// A real `ciel serve` on a free port of the loopback, and its death.
+import { spawn, type ChildProcess } from "node:child_process";
+import { existsSync, readdirSync } from "node:fs";
+import { createServer } from "node:net";
+import { dirname, join, resolve } from "node:path";
+import { fileURLToPath } from "node:url";
+
+const root = resolve(dirname(fileURLToPath(import.meta.url)), "../..");
+export const binary = process.env.CIEL_BINARY ?? join(root, "build/ciel");
+export const webclient = join(root, "webclient/dist");
+
+/** The datasets of CIEL_BROWSER_DATA: paths parted by colons, each a dataset or a folder of them. */
+export function datasets(): string[] {
+  const paths = (process.env.CIEL_BROWSER_DATA ?? "").split(":").filter((path) => path !== "");
+  return paths.flatMap((path) =>
+    path.replace(/\/$/, "").endsWith(".ciel") || !existsSync(path)
+      ? [path]
+      : readdirSync(path).flatMap((name) => (name.endsWith(".ciel") ? [join(path, name)] : [])),
+  );
+}
+
+export const nameOf = (path: string): string => path.replace(/\/$/, "").replace(/^.*\//, "").replace(/\.ciel$/, "");
+
+export async function freePort(): Promise<number> {
+  const probe = createServer();
+  await new Promise<void>((done) => probe.listen(0, "127.0.0.1", done));
+  const address = probe.address();
+  await new Promise((done) => probe.close(done));
+  if (address === null || typeof address === "string") throw new Error("no free port");
+  return address.port;
+}
+
+export class Server {
+  private process: ChildProcess | null = null;
+  log = "";
+
+  constructor(
+    readonly port: number,
+    private readonly data: string[],
+    private readonly options: string[] = [],
+    private readonly prefix = "",
+  ) {}
+
+  get address(): string {
+    return `http://127.0.0.1:${this.port}${this.prefix}/`;
+  }
+
+  /** Resolves when it listens. */
+  async start(): Promise<void> {
+    const prefix = this.prefix === "" ? [] : ["--prefix", this.prefix];
+    const fixed = ["serve", ...this.data, "--port", String(this.port), "--webclient", webclient, ...prefix];
+    const child = spawn(binary, [...fixed, ...this.options], { stdio: ["ignore", "pipe", "pipe"] });
+    this.process = child;
+    await new Promise<void>((listening, failed) => {
+      const heard = (text: Buffer): void => {
+        this.log += text.toString();
+        if (this.log.includes("listening on")) listening();
+      };
+      this.log = "";
+      child.stdout.on("data", heard);
+      child.stderr.on("data", heard);
+      child.on("error", failed);
+      child.on("exit", (code) => failed(new Error(`ciel serve ended with ${String(code)}:\n${this.log}`)));
+    });
+  }
+
+  /** SIGKILL is what a crash looks like to a browser. */
+  async stop(signal: "SIGTERM" | "SIGKILL" = "SIGTERM"): Promise<void> {
+    const child = this.process;
+    this.process = null;
+    if (child === null || child.exitCode !== null) return;
+    const ended = new Promise((done) => child.once("exit", done));
+    child.kill(signal);
+    await ended;
+  }
+}
