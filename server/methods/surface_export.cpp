@@ -71,10 +71,11 @@ protocol::SurfaceExportResult surface_export(Context& context, const protocol::S
     if (bytes.size() > context.server.limits().export_bytes)
         throw session::LimitReached("the surface has " + std::to_string(bytes.size() >> 20) +
                                     " MB, more than an export may have; use `ciel extract`");
+    const auto written =
+        wire::exported_polygons(surface.surface, params.triangles || format == wire::SurfaceFormat::stl);
     return {mime_of(format), params.layer + "." + params.format,
             base64({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()}),
-            static_cast<std::int64_t>(surface.surface.polygon_cell.size()),
-            static_cast<std::int64_t>(surface.surface.positions.size())};
+            static_cast<std::int64_t>(written.offset.size() - 1), static_cast<std::int64_t>(written.vertices.size())};
 }
 
 } // namespace ciel::methods

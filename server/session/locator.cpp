@@ -9,7 +9,7 @@ namespace {
 
 constexpr Index cells_per_box = 128; // cells lie on a space-filling curve, so that runs of them are compact
 constexpr std::size_t locators_kept = 4;
-constexpr double on_the_face = 1e-6; // share of 4 pi; a point on a face is half inside either cell
+constexpr double rounding = 1e-6; // in 4 pi; a point on a face, an edge or in a corner is inside each cell by a part
 
 Vec3d minus(const Vec3d& a, const Vec3d& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
 double dot(const Vec3d& a, const Vec3d& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
@@ -95,7 +95,7 @@ double Locator::winding(Index cell, const Vec3d& at) const {
 Index Locator::cell_at(const Vec3d& position) const {
     const Vec3d at = minus(position, mesh_.origin);
     Index best = none;
-    double most = 0.5 - on_the_face;
+    double most = rounding;
     for (std::size_t box = 0; box < boxes_.size(); ++box) {
         const auto& [low, high] = boxes_[box];
         bool inside = true;
@@ -108,7 +108,7 @@ Index Locator::cell_at(const Vec3d& position) const {
             most = here;
             best = cell;
         }
-        if (most > 1 - on_the_face) break;
+        if (most > 1 - rounding) break;
     }
     return best;
 }

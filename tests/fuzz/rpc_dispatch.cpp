@@ -1,0 +1,31 @@
+// Any bytes as a JSON-RPC message to a server without datasets: every answer is nothing, or JSON-RPC 2.0.
+#include "methods/dispatcher.hpp"
+#include "session/server.hpp"
+
+#include <cstdint>
+#include <cstdlib>
+#include <nlohmann/json.hpp>
+
+using nlohmann::json;
+
+namespace {
+
+bool is_answer(const json& answer) {
+    return answer.is_object() && answer.value("jsonrpc", json()) == "2.0" && answer.contains("id") &&
+           answer.contains("result") != answer.contains("error");
+}
+
+} // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    static ciel::session::Server server({});
+    static ciel::session::Connection connection;
+    const std::string text = ciel::methods::dispatch(server, connection, {reinterpret_cast<const char*>(data), size});
+    if (text.empty()) return 0;
+    const json reply = json::parse(text, nullptr, false);
+    bool good = reply.is_array() ? !reply.empty() : is_answer(reply);
+    if (reply.is_array())
+        for (const json& answer : reply) good = good && is_answer(answer);
+    if (!good) std::abort();
+    return 0;
+}

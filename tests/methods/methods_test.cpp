@@ -1,0 +1,289 @@
+// Every method at least once, on a real dataset with a real renderer.
+#include "service.hpp"
+
+#include <cmath>
+#include <gmock/gmock.h>
+
+namespace ciel::test {
+namespace {
+
+class Methods : public Service {
+protected:
+    session::Server server{options()};
+    Client client{server, true};
+    std::string session = client.call("session.open", {{"dataset", "box"}})["session"];
+    json in_session(json params) {
+        params["session"] = session;
+        return params;
+    }
+};
+
+const json iso_scene = json::parse(
+    R"({"dataset": "box", "layers": {"iso": {"type": "iso", "array": "p", "values": [12], "color": {"array": "U:x"}}}})");
+
+std::string decoded(const std::string& text) {
+    static const std::string alphabet = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    std::string bytes;
+    std::uint32_t bits = 0;
+    int count = 0;
+    for (const char c : text) {
+        if (c == '=') break;
+        bits = bits << 6 | static_cast<std::uint32_t>(alphabet.find(c));
+        if ((count += 6) >= 8) bytes += static_cast<char>(bits >> (count -= 8) & 255);
+    }
+    return bytes;
+}
+
+TEST_F(Methods, discover_is_the_contract_and_all_its_methods_exist) {
+    const json document = client.call("rpc.discover");
+    EXPECT_EQ(document["info"]["title"], "CIEL");
+    for (const json& method : document["methods"])
+        EXPECT_NE(client.error_code(method["name"], {{"no such param", 1}}), -32601) << method["name"];
+}
+
+TEST_F(Methods, server_info) {
+    const json info = client.call("server.info");
+    EXPECT_FALSE(info["gl_renderer"].get<std::string>().empty());
+    EXPECT_EQ(info["engine"], "signatures");
+    EXPECT_EQ(info["limits"]["sessions"], 64);
+    EXPECT_THAT(info["color_maps"], testing::Contains("viridis"));
+}
+
+TEST_F(Methods, dataset_describe) {
+    const json box = client.call("dataset.describe", {{"dataset", "box"}});
+    EXPECT_EQ(box["times"], json({0, 1, 2}));
+    EXPECT_EQ(box["bounds"], json({1000, 1006, 0, 6, -50, -44}));
+    EXPECT_EQ(box["length_units"], "m");
+    std::map<std::string, json> arrays;
+    for (const json& array : box["arrays"]) arrays[array["name"]] = array;
+    EXPECT_EQ(arrays.size(), 4U);
+    EXPECT_EQ(arrays["p"]["range"], json::array({0, 56})); // over all steps
+    EXPECT_EQ(arrays["U"]["scalars"].size(), 4U);
+    EXPECT_TRUE(arrays["cell:q"]["scalars"].empty());
+    EXPECT_EQ(arrays["late"]["times"], json::array({2}));
+    EXPECT_EQ(box["groups"].size(), 3U);
+    EXPECT_GT(box["mesh"]["half_edges"], 1000);
+    EXPECT_EQ(box["default_scene"]["dataset"], "box");
+    EXPECT_EQ(client.error_code("dataset.describe", {{"dataset", "../box"}}), -32001);
+    EXPECT_EQ(client.error_code("dataset.describe", {{"dataset", "/etc/passwd"}}), -32001);
+}
+
+TEST_F(Methods, histogram_counts_every_vertex_once) {
+    const json vertices = client.call("dataset.describe", {{"dataset", "box"}})["mesh"]["vertices"];
+    json params{{"dataset", "box"}, {"array", "p"}, {"bins", 10}};
+    const auto total = [](const json& h) {
+        int sum = h["invalid"].get<int>() + h["below"].get<int>() + h["above"].get<int>();
+        for (const json& count : h["counts"]) sum += count.get<int>();
+        return sum;
+    };
+    const json all = client.call("dataset.histogram", params);
+    EXPECT_EQ(all["range"], json({0, 36}));
+    EXPECT_EQ(total(all), vertices);
+    EXPECT_EQ(all["below"], 0);
+    EXPECT_EQ(all["above"], 0);
+    params["range"] = {10, 20};
+    const json part = client.call("dataset.histogram", params);
+    EXPECT_EQ(total(part), vertices);
+    EXPECT_GT(part["below"], 0);
+    EXPECT_GT(part["above"], 0);
+    params["range"] = {20, 10};
+    EXPECT_EQ(client.error_code("dataset.histogram", params), -32602);
+    params["array"] = "nope";
+    params.erase("range");
+    EXPECT_EQ(client.error_code("dataset.histogram", params), -32001);
+    params["array"] = "late"; // not written at the first time
+    EXPECT_EQ(client.error_code("dataset.histogram", params), -32005);
+}
+
+TEST_F(Methods, a_session_is_opened_joined_recreated_and_closed) {
+    const json first = client.call("scene.get", in_session({}));
+    EXPECT_EQ(first["revision"], 1);
+    EXPECT_EQ(first["can_undo"], false);
+    EXPECT_EQ(client.call("session.open", in_session({{"dataset", "bax"}})), first) << "joined, not replaced";
+    client.call("session.close", in_session({}));
+    EXPECT_EQ(client.error_code("scene.get", in_session({})), -32001);
+    const json again = client.call("session.open", in_session({{"scene", iso_scene}}));
+    EXPECT_EQ(again["session"], session);
+    EXPECT_EQ(again["scene"], iso_scene);
+    EXPECT_NE(client.call("session.open")["session"], session);
+}
+
+TEST_F(Methods, patch_undo_redo_and_gestures) {
+    const auto patch = [&](double value, const char* gesture) {
+        return client.call("scene.patch", in_session({{"patch", {{"layers", {{"iso", {{"values", {value}}}}}}}},
+                                                      {"gesture", gesture}}));
+    };
+    const auto value = [&] { return client.call("scene.get", in_session({}))["scene"]["layers"]["iso"]["values"][0]; };
+    const json before = value();
+    EXPECT_EQ(patch(5, "a")["revision"], 2);
+    EXPECT_EQ(patch(6, "a")["revision"], 3);
+    EXPECT_EQ(patch(7, "b")["revision"], 4);
+    EXPECT_EQ(patch(7, "b")["revision"], 4) << "nothing changed";
+    EXPECT_EQ(client.call("scene.undo", in_session({}))["revision"], 5);
+    EXPECT_EQ(value(), 6);
+    EXPECT_EQ(client.call("scene.undo", in_session({}))["can_undo"], false);
+    EXPECT_EQ(value(), before);
+    client.call("scene.redo", in_session({}));
+    EXPECT_EQ(client.call("scene.redo", in_session({}))["can_redo"], false);
+    EXPECT_EQ(value(), 7);
+    client.call("dataset.open", in_session({{"dataset", "bax"}}));
+    EXPECT_EQ(client.call("scene.get", in_session({}))["scene"]["dataset"], "bax");
+    EXPECT_EQ(client.call("scene.undo", in_session({}))["scene"]["dataset"], "box");
+}
+
+TEST_F(Methods, a_patch_that_breaks_the_scene_changes_nothing) {
+    const json before = client.call("scene.get", in_session({}));
+    for (const char* patch : {R"({"layers": {"iso": {"array": "nope"}}})", R"({"dataset": null})",
+                              R"({"layers": {"iso": {"values": 3}}})", R"({"camera": {"position": [0, 0]}})"}) {
+        const json answer = client.request("scene.patch", in_session({{"patch", json::parse(patch)}}));
+        EXPECT_EQ(answer["error"]["code"], -32002) << patch;
+        EXPECT_FALSE(answer["error"]["data"]["path"].get<std::string>().empty()) << patch;
+    }
+    EXPECT_EQ(client.error_code("scene.patch", in_session({{"patch", {{"dataset", "nope"}}}})), -32001);
+    EXPECT_EQ(client.call("scene.get", in_session({})), before);
+}
+
+TEST_F(Methods, others_in_a_session_hear_of_changes_and_the_author_does_not) {
+    Client other(server, true);
+    other.call("session.open", in_session({}));
+    client.call("scene.patch", in_session({{"patch", {{"legend", false}}}}));
+    const json heard = other.next_text();
+    EXPECT_EQ(heard["method"], "scene.changed");
+    EXPECT_EQ(heard["params"]["session"], session);
+    EXPECT_EQ(heard["params"]["revision"], 2);
+    EXPECT_EQ(heard["params"]["scene"], client.call("scene.get", in_session({}))["scene"]);
+    other.call("scene.patch", in_session({{"patch", {{"legend", true}}}}));
+    EXPECT_EQ(client.next_text()["params"]["revision"], 3) << "the first it hears is the other's change";
+}
+
+TEST_F(Methods, views_stream_pictures_that_are_refined) {
+    const auto view =
+        client.call("view.open", in_session({{"width", 320}, {"height", 200}}))["view"].get<std::uint32_t>();
+    const wire::FrameHeader first = client.next_frame();
+    EXPECT_EQ(first.view, view);
+    EXPECT_EQ(first.frame, 1U);
+    EXPECT_EQ(first.revision, 1U);
+    EXPECT_EQ(first.kind, wire::FrameKind::image);
+    EXPECT_EQ(first.flags & wire::still, 0);
+    EXPECT_EQ(first.flags & (wire::first_of_frame | wire::last_of_frame), wire::first_of_frame | wire::last_of_frame);
+    client.acknowledge(first);
+    const auto message = client.next_message();
+    const wire::FrameHeader still = wire::read_frame_header(*message);
+    EXPECT_EQ(still.flags & wire::still, wire::still);
+    EXPECT_EQ(still.frame, 2U);
+    EXPECT_EQ(still.width, 320U);
+    EXPECT_EQ(message->size(), wire::frame_header_bytes + still.payload_bytes);
+    EXPECT_EQ(
+        std::string(message->begin() + wire::frame_header_bytes + 1, message->begin() + wire::frame_header_bytes + 4),
+        "PNG");
+    EXPECT_GT(still.triangles, 0U);
+    client.acknowledge(still);
+
+    client.call("view.resize", {{"view", view}, {"width", 2560}, {"height", 1440}});
+    const auto resized = client.frames_until_still(1);
+    EXPECT_EQ(resized.front().width, 1280U) << "interactive pictures stay small";
+    EXPECT_EQ(resized.back().width, 2560U);
+    client.call("view.close", {{"view", view}});
+    EXPECT_EQ(client.error_code("view.close", {{"view", view}}), -32001);
+}
+
+TEST_F(Methods, a_view_belongs_to_its_connection) {
+    const json view = client.call("view.open", in_session({{"width", 64}, {"height", 64}}))["view"];
+    Client other(server, true);
+    EXPECT_EQ(other.error_code("view.close", {{"view", view}}), -32001);
+    Client script(server, false);
+    EXPECT_EQ(script.error_code("view.open", in_session({{"width", 64}, {"height", 64}})), -32004);
+}
+
+TEST_F(Methods, geometry_is_sent_once_for_any_camera) {
+    client.call("view.open", in_session({{"width", 64}, {"height", 64}, {"stream", "geometry"}}));
+    wire::FrameHeader header = client.next_frame();
+    EXPECT_EQ(header.kind, wire::FrameKind::geometry);
+    EXPECT_EQ(header.flags & wire::first_of_frame, wire::first_of_frame);
+    while ((header.flags & wire::last_of_frame) == 0) header = client.next_frame();
+    client.acknowledge(header);
+    client.call("scene.patch", in_session({{"patch", {{"camera", {{"fov", 40}}}}}}));
+    client.call("scene.patch", in_session({{"patch", {{"layers", {{"iso", {{"visible", false}}}}}}}}));
+    header = client.next_frame();
+    EXPECT_EQ(header.revision, 3U) << "none for the camera";
+    EXPECT_EQ(header.frame, 2U);
+    EXPECT_EQ(client.call("view.stream", {{"view", header.view}, {"stream", "image"}}), nullptr);
+    while (header.kind == wire::FrameKind::geometry) header = client.next_frame();
+    EXPECT_EQ(header.kind, wire::FrameKind::image);
+}
+
+TEST_F(Methods, a_frame_that_cannot_be_made_is_told) {
+    client.call("view.open", in_session({{"width", 64}, {"height", 64}}));
+    client.frames_until_still(1);
+    client.call("scene.patch", in_session({{"patch", {{"layers", {{"iso", {{"array", "late"}}}}}}}}));
+    const json failed = client.next_text();
+    EXPECT_EQ(failed["method"], "view.failed");
+    EXPECT_EQ(failed["params"]["revision"], 2);
+    EXPECT_THAT(failed["params"]["message"].get<std::string>(), testing::HasSubstr("late"));
+    client.call("scene.patch", in_session({{"patch", {{"time", 2}}}}));
+    EXPECT_EQ(client.frames_until_still(3).back().time, 2);
+}
+
+TEST_F(Methods, pictures_of_a_session_and_of_a_scene_in_place) {
+    const json of_session = client.call("picture.render", in_session({{"width", 100}, {"height", 80}}));
+    EXPECT_EQ(of_session["revision"], 1);
+    EXPECT_EQ(decoded(of_session["data"]).substr(1, 3), "PNG");
+    Client script(server, false);
+    json params{{"scene", iso_scene}, {"width", 100}, {"height", 80}};
+    const json picture = script.call("picture.render", params);
+    EXPECT_EQ(picture["time"], 0);
+    params["scene"]["layers"] = json::object();
+    EXPECT_NE(script.call("picture.render", params)["data"], picture["data"]);
+    params["scene"]["layers"] = iso_scene["layers"];
+    EXPECT_EQ(script.call("picture.render", params)["data"], picture["data"]) << "the same bytes for the same scene";
+}
+
+TEST_F(Methods, probe_by_position_and_by_pixel) {
+    json params{{"scene", iso_scene}, {"position", {1001, 1, -49}}};
+    const json here = client.call("probe.point", params);
+    EXPECT_EQ(here["hit"], true);
+    EXPECT_NEAR(here["values"]["p"], 6, 1e-4);
+    params["position"] = {0, 0, 0};
+    EXPECT_EQ(client.call("probe.point", params)["hit"], false);
+
+    // Looks along x through the box's middle at the plane x = 1001.
+    params.erase("position");
+    params["scene"] = json::parse(R"({"dataset": "box",
+        "camera": {"position": [980, 3, -47], "target": [1003, 3, -47]},
+        "layers": {"s": {"type": "slice", "axis": "x", "value": 1001}}})");
+    params.update({{"width", 101}, {"height", 101}, {"pixel", {50, 50}}});
+    const json hit = client.call("probe.point", params);
+    ASSERT_EQ(hit["hit"], true);
+    const Vec3d at = hit["position"];
+    EXPECT_NEAR(at[0], 1001, 0.01);
+    EXPECT_NEAR(at[1], 3, 0.1);
+    EXPECT_NEAR(hit["values"]["p"].get<double>(), pressure({at[0] - 1000, at[1], at[2] + 50}, 0), 1e-3);
+    params["pixel"] = {0, 0};
+    const json background = client.call("probe.point", params);
+    EXPECT_EQ(background["hit"], false);
+    EXPECT_EQ(background["position"], nullptr);
+}
+
+TEST_F(Methods, surfaces_are_exported) {
+    json params{{"scene", iso_scene}, {"layer", "iso"}, {"format", "ply"}};
+    params["scene"]["layers"]["iso"]["values"] = {12, 20};
+    const json ply = client.call("surface.export", params);
+    EXPECT_EQ(ply["name"], "iso.ply");
+    const std::string head = decoded(ply["data"]).substr(0, 400);
+    EXPECT_THAT(head, testing::HasSubstr("element vertex " + ply["vertices"].dump() + "\n"));
+    EXPECT_THAT(head, testing::HasSubstr("element face " + ply["polygons"].dump() + "\n"));
+    params["scene"]["layers"]["iso"]["values"] = {12};
+    const json one = client.call("surface.export", params);
+    params["scene"]["layers"]["iso"]["values"] = {20};
+    EXPECT_EQ(ply["polygons"],
+              one["polygons"].get<int>() + client.call("surface.export", params)["polygons"].get<int>());
+    for (const char* format : {"stl", "vtp"}) {
+        params["format"] = format;
+        EXPECT_FALSE(client.call("surface.export", params)["data"].get<std::string>().empty());
+    }
+    params["layer"] = "nope";
+    EXPECT_EQ(client.error_code("surface.export", params), -32001);
+}
+
+} // namespace
+} // namespace ciel::test

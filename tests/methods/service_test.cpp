@@ -1,0 +1,224 @@
+// What holds across methods: newest wins, one mesh for all, limits, draining, growing datasets.
+#include "service.hpp"
+
+#include "session/errors.hpp"
+
+#include <gmock/gmock.h>
+
+namespace ciel::test {
+namespace {
+
+class Sharing : public Service {};
+
+json values_patch(double value) { return {{"layers", {{"iso", {{"values", {value}}}}}}}; }
+
+TEST_F(Sharing, of_a_burst_of_patches_at_most_the_first_and_the_last_are_drawn) {
+    session::Server server(options());
+    Client client(server, true);
+    const std::string session = client.call("session.open", {{"dataset", "box"}})["session"];
+    client.call("view.open", {{"session", session}, {"width", 320}, {"height", 200}});
+    client.frames_until_still(1);
+    const auto before = server.counters().interactive_frames();
+
+    // The worker is held while the burst arrives, as it is by a frame of a large mesh.
+    std::mutex gate;
+    std::unique_lock closed(gate);
+    for (int i = 0; i < 100; ++i) {
+        if (i == 1) server.frame_workers().post([&](session::Worker&) { const std::scoped_lock open(gate); });
+        const json answer = client.call(
+            "scene.patch", {{"session", session}, {"patch", values_patch(5 + 0.2 * i)}, {"gesture", "drag"}});
+        ASSERT_EQ(answer["revision"], 2 + i) << "every patch is applied, in order";
+    }
+    closed.unlock();
+    const auto frames = client.frames_until_still(101);
+    EXPECT_LE(server.counters().interactive_frames() - before, 2U);
+    EXPECT_EQ(frames.back().revision, 101U);
+    std::uint64_t last = 0;
+    for (const auto& frame : frames) {
+        EXPECT_GE(frame.revision, last) << "a stale frame";
+        last = frame.revision;
+    }
+    EXPECT_EQ(client.call("scene.undo", {{"session", session}})["can_undo"], false) << "one drag is one step";
+}
+
+TEST_F(Sharing, no_more_than_two_frames_wait_for_the_client) {
+    session::Server server(options());
+    Client client(server, true);
+    const std::string session = client.call("session.open", {{"dataset", "box"}})["session"];
+    client.call("view.open", {{"session", session}, {"width", 64}, {"height", 64}});
+    const auto first = client.next_frame(), second = client.next_frame(); // the still
+    for (int i = 0; i < 10; ++i) client.call("scene.patch", {{"session", session}, {"patch", values_patch(5 + i)}});
+    server.frame_workers().run([](session::Worker&) { return 0; }); // whatever was queued has run
+    EXPECT_EQ(server.counters().interactive_frames() + server.counters().still_frames(), 2U);
+    client.acknowledge(first);
+    const auto third = client.next_frame();
+    EXPECT_EQ(third.frame, 3U);
+    EXPECT_EQ(third.revision, 11U) << "what was in between is skipped";
+    (void)second;
+}
+
+TEST_F(Sharing, two_sessions_share_one_topology) {
+    session::Server server(options());
+    Client a(server, true), b(server, true);
+    const auto topology_of = [&](Client& client) {
+        const std::string id = client.call("session.open", {{"dataset", "box"}})["session"];
+        client.call("picture.render", {{"session", id}, {"width", 64}, {"height", 64}});
+        return server.sessions().find(id)->newest()->loaded->topology(0);
+    };
+    EXPECT_EQ(topology_of(a).get(), topology_of(b).get());
+}
+
+TEST_F(Sharing, a_session_outlives_its_connections_until_it_has_been_idle) {
+    session::Server server(options());
+    std::string id;
+    {
+        Client client(server, true);
+        id = client.call("session.open", {{"dataset", "box"}})["session"];
+        server.sessions().expire(session::Clock::now() + std::chrono::hours(1000));
+        EXPECT_NO_THROW((void)server.sessions().find(id)) << "somebody is connected";
+    }
+    Client later(server, true);
+    EXPECT_EQ(later.call("scene.get", {{"session", id}})["session"], id);
+    const auto limit = std::chrono::seconds(server.limits().session_idle_seconds);
+    server.sessions().expire(session::Clock::now() + limit - std::chrono::minutes(1));
+    EXPECT_NO_THROW((void)server.sessions().find(id));
+    server.sessions().expire(session::Clock::now() + limit + std::chrono::minutes(1));
+    EXPECT_THROW((void)server.sessions().find(id), session::NotFound);
+}
+
+TEST_F(Sharing, appended_steps_are_told) {
+    const Folder own;
+    write_small_dataset(own.path() / "run.ciel");
+    session::ServerOptions chosen;
+    chosen.data = {own.path()};
+    session::Server server(chosen);
+    Client client(server, true);
+    client.call("session.open", {{"dataset", "run"}});
+    append_step(own.path() / "run.ciel", 3);
+    const json told = client.next_text();
+    EXPECT_EQ(told["method"], "dataset.changed");
+    EXPECT_EQ(told["params"]["dataset"], "run");
+    EXPECT_EQ(told["params"]["times"], json({0, 1, 2, 3}));
+}
+
+TEST_F(Sharing, draining_tells_and_refuses) {
+    session::Server server(options());
+    Client client(server, true);
+    client.call("session.open", {{"dataset", "box"}});
+    server.drain();
+    EXPECT_EQ(client.next_text()["method"], "server.draining");
+    EXPECT_EQ(client.error_code("session.open", {{"dataset", "box"}}), -32003);
+    EXPECT_EQ(client.error_code("picture.render", {{"scene", {{"dataset", "box"}}}}), -32005);
+}
+
+TEST_F(Sharing, readiness_draws) {
+    session::Server server(options());
+    const session::Readiness readiness = server.readiness();
+    EXPECT_TRUE(readiness.ready) << readiness.problem;
+    EXPECT_FALSE(readiness.gl_renderer.empty());
+    EXPECT_THAT(server.metrics(), testing::HasSubstr("ciel_gl_info{renderer=\"" + readiness.gl_renderer));
+}
+
+TEST_F(Sharing, the_other_engine_serves_the_same_pictures) {
+    const json params = json::parse(R"({"width": 96, "height": 64, "scene": {"dataset": "box", "layers": {
+        "iso": {"type": "iso", "array": "p", "values": [7, 12.5]}, "cut": {"type": "slice", "axis": "z", "value": -47.5}}}})");
+    std::vector<std::string> pictures;
+    for (const Engine engine : {Engine::signatures, Engine::propagation}) {
+        auto chosen = options();
+        chosen.engine = engine;
+        session::Server server(chosen);
+        Client client(server, false);
+        pictures.push_back(client.call("picture.render", params)["data"]);
+    }
+    EXPECT_EQ(pictures[0], pictures[1]);
+}
+
+// One test a row of limits.hpp; message_bytes, json_depth and batch_requests are in json_rpc_test.cpp, connections and
+// request_seconds are the gateway's, field_cache_bytes the store's, unacknowledged_frames and session_idle_seconds
+// above.
+class LimitsOf : public Service {};
+
+TEST_F(LimitsOf, sessions) {
+    session::Limits limits;
+    limits.sessions = 2;
+    session::Server server(options(limits));
+    Client client(server, true);
+    const json first = client.call("session.open", {{"dataset", "box"}});
+    client.call("session.open", {{"dataset", "box"}});
+    EXPECT_EQ(client.error_code("session.open", {{"dataset", "box"}}), -32003);
+    client.call("session.close", {{"session", first["session"]}});
+    EXPECT_EQ(client.error_code("session.open", {{"dataset", "box"}}), 0);
+}
+
+TEST_F(LimitsOf, views_layers_values_and_undo_steps_of_a_session) {
+    session::Limits limits;
+    limits.views_per_session = 2;
+    limits.layers = 4;
+    limits.values_per_layer = 3;
+    limits.undo_steps = 2;
+    session::Server server(options(limits));
+    Client client(server, true);
+    const std::string session = client.call("session.open", {{"dataset", "box"}})["session"];
+    const json view{{"session", session}, {"width", 64}, {"height", 64}};
+    client.call("view.open", view);
+    client.call("view.open", view);
+    EXPECT_EQ(client.error_code("view.open", view), -32003);
+
+    json layers;
+    for (const char* id : {"a", "b"}) layers[id] = {{"type", "outline"}};
+    EXPECT_EQ(client.error_code("scene.patch", {{"session", session}, {"patch", {{"layers", layers}}}}), -32003);
+    const auto values = [&](json list) {
+        return client.error_code("scene.patch",
+                                 {{"session", session}, {"patch", {{"layers", {{"iso", {{"values", list}}}}}}}});
+    };
+    EXPECT_EQ(values({1, 2, 3, 4}), -32003);
+    for (const json& list : {json{1, 2, 3}, json{1, 2}, json{1}}) EXPECT_EQ(values(list), 0);
+    client.call("scene.undo", {{"session", session}});
+    EXPECT_EQ(client.call("scene.undo", {{"session", session}})["can_undo"], false);
+}
+
+TEST_F(LimitsOf, pictures) {
+    session::Limits limits;
+    limits.image_side = 200;
+    limits.image_pixels = 10'000;
+    session::Server server(options(limits));
+    Client client(server, true);
+    const auto code = [&](int width, int height) {
+        return client.error_code("picture.render",
+                                 {{"scene", {{"dataset", "box"}}}, {"width", width}, {"height", height}});
+    };
+    EXPECT_EQ(code(100, 100), 0);
+    EXPECT_EQ(code(201, 20), -32003);
+    EXPECT_EQ(code(200, 51), -32003);
+    const std::string session = client.call("session.open", {{"dataset", "box"}})["session"];
+    EXPECT_EQ(client.error_code("view.open", {{"session", session}, {"width", 200}, {"height", 51}}), -32003);
+    const json view = client.call("view.open", {{"session", session}, {"width", 64}, {"height", 64}})["view"];
+    EXPECT_EQ(client.error_code("view.resize", {{"view", view}, {"width", 201}, {"height", 20}}), -32003);
+}
+
+TEST_F(LimitsOf, histogram_bins_and_export_bytes) {
+    session::Limits limits;
+    limits.histogram_bins = 8;
+    limits.export_bytes = 100;
+    session::Server server(options(limits));
+    Client client(server, false);
+    EXPECT_EQ(client.error_code("dataset.histogram", {{"dataset", "box"}, {"array", "p"}, {"bins", 8}}), 0);
+    EXPECT_EQ(client.error_code("dataset.histogram", {{"dataset", "box"}, {"array", "p"}, {"bins", 9}}), -32003);
+    const json scene{{"dataset", "box"}, {"layers", {{"s", {{"type", "surface"}}}}}};
+    EXPECT_EQ(client.error_code("surface.export", {{"scene", scene}, {"layer", "s"}, {"format", "stl"}}), -32003);
+}
+
+TEST_F(LimitsOf, memory_of_a_session) {
+    session::Limits limits;
+    limits.session_memory_bytes = 1000;
+    session::Server server(options(limits));
+    Client client(server, true);
+    const std::string session = client.call("session.open", {{"dataset", "box"}})["session"];
+    EXPECT_EQ(client.error_code("picture.render", {{"session", session}}), -32003);
+    client.call("scene.patch",
+                {{"session", session}, {"patch", {{"layers", {{"iso", nullptr}, {"surface", nullptr}}}}}});
+    EXPECT_EQ(client.error_code("picture.render", {{"session", session}}), 0) << "it goes on with a smaller scene";
+}
+
+} // namespace
+} // namespace ciel::test
