@@ -1,0 +1,127 @@
+// ciel serve [DATA ...]
+#include "app/commands.hpp"
+#include "ciel/parallel.hpp"
+#include "ciel/types.hpp"
+#include "gateway/gateway.hpp"
+#include "render/renderer.hpp"
+#include "session/server.hpp"
+
+#include <CLI/CLI.hpp>
+#include <cstdlib>
+#include <iostream>
+#include <spdlog/sinks/stdout_color_sinks.h>
+#include <spdlog/spdlog.h>
+
+namespace ciel::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct ServeOptions {
+    std::vector<fs::path> data;
+    std::string gl = "auto", engine = "signatures", log_level = "info";
+    unsigned render_workers = 1, threads = 0;
+    gateway::GatewayOptions gateway;
+};
+
+// Where the web client is when this program was built, and when it was installed.
+fs::path find_webclient() {
+    std::error_code failure;
+    const fs::path folder = fs::read_symlink("/proc/self/exe", failure).parent_path();
+    for (const char* relative : {"../webclient/dist", "webclient/dist", "../share/ciel/webclient"})
+        if (fs::exists(folder / relative / "index.html", failure)) return folder / relative;
+    return {};
+}
+
+void start_log(const std::string& level) {
+    auto logger = spdlog::stderr_color_mt("ciel");
+    logger->set_pattern("%Y-%m-%d %H:%M:%S.%e %^%l%$ %v");
+    logger->set_level(spdlog::level::from_str(level));
+    logger->flush_on(spdlog::level::info);
+    spdlog::set_default_logger(std::move(logger));
+}
+
+void check_data(const std::vector<fs::path>& data) {
+    for (const auto& path : data)
+        if (!fs::exists(path))
+            throw Error(path.string() + " does not exist; name a .ciel directory or a folder that holds some");
+}
+
+// A token given by hand stays out of the process list and the shell's history in the environment.
+void complete_token(gateway::GatewayOptions& options) {
+    if (const char* token = std::getenv("CIEL_TOKEN"); token != nullptr && options.token.empty()) options.token = token;
+    if (options.token.empty() && !gateway::is_loopback(options.host)) options.token = gateway::generate_token();
+}
+
+// The one line on stdout that scripts and people wait for.
+void print_address(const gateway::GatewayOptions& options, const gateway::Listening& listening) {
+    std::cout << "CIEL listening on http://" << listening.host << ':' << listening.port << options.prefix << '/'
+              << (options.token.empty() ? "" : "?token=" + options.token) << std::endl;
+}
+
+void log_renderer(session::Server& server) {
+    const auto readiness = server.readiness();
+    if (readiness.ready)
+        spdlog::info("drawing with {} ({}, OpenGL {})", readiness.gl_renderer, readiness.backend, readiness.gl_version);
+    else
+        spdlog::error("cannot draw: {}", readiness.problem);
+}
+
+int serve(ServeOptions& options) {
+    start_log(options.log_level);
+    check_data(options.data);
+    complete_token(options.gateway);
+    set_thread_count(options.threads);
+    if (options.gateway.webclient.empty()) options.gateway.webclient = find_webclient();
+    if (options.gateway.webclient.empty()) spdlog::warn("no web client found; name its folder with --webclient");
+
+    session::ServerOptions server_options;
+    server_options.data = options.data;
+    server_options.backend = render::backend_named(options.gl);
+    server_options.engine = options.engine == "propagation" ? Engine::propagation : Engine::signatures;
+    server_options.render_workers = options.render_workers;
+    session::Server server(std::move(server_options));
+    options.gateway.version = CIEL_VERSION;
+    return gateway::serve(server, options.gateway, [&](const gateway::Listening& listening) {
+        log_renderer(server);
+        for (const auto& entry : server.catalog().list())
+            spdlog::info("dataset {}{}", entry.name, entry.problem.empty() ? "" : ": " + entry.problem);
+        print_address(options.gateway, listening);
+    });
+}
+
+} // namespace
+
+void add_serve(CLI::App& app, Run& run) {
+    auto options = std::make_shared<ServeOptions>();
+    auto& gateway = options->gateway;
+    CLI::App* command = app.add_subcommand("serve", "Serve datasets to browsers and scripts");
+    command->add_option("DATA", options->data, "datasets (NAME.ciel) or folders of them");
+    command->add_option("--host", gateway.host, "address to listen on; others than loopback need a token")
+        ->capture_default_str();
+    command->add_option("--port", gateway.port, "0: any free one")->capture_default_str();
+    command->add_option("--prefix", gateway.prefix, "path below which a proxy offers the server, such as /ciel");
+    command->add_option("--token", gateway.token, "what clients must know; also CIEL_TOKEN; generated when needed");
+    command->add_option("--origin", gateway.origins,
+                        "another site whose pages may use this server, such as https://example.org");
+    command->add_option("--allowed-host", gateway.allowed_hosts, "a host name that a proxy in front is reached by");
+    command->add_option("--gl", options->gl, "what draws")
+        ->check(CLI::IsMember({"auto", "egl-device", "egl-surfaceless", "osmesa"}))
+        ->capture_default_str();
+    command->add_option("--engine", options->engine, "what extracts surfaces")
+        ->check(CLI::IsMember({"signatures", "propagation"}))
+        ->capture_default_str();
+    command->add_option("--workers", options->render_workers, "frames drawn at the same time")
+        ->check(CLI::Range(1, 64))
+        ->capture_default_str();
+    command->add_option("--threads", options->threads, "threads of the extraction; 0: one per core")
+        ->check(CLI::Range(0, 1024))
+        ->capture_default_str();
+    command->add_option("--webclient", gateway.webclient, "folder of the built web client");
+    command->add_option("--log-level", options->log_level, "how much to log on stderr")
+        ->check(CLI::IsMember({"debug", "info", "warn", "error", "off"}))
+        ->capture_default_str();
+    command->callback([options, &run] { run = [options] { return serve(*options); }; });
+}
+
+} // namespace ciel::app

@@ -1,0 +1,1 @@
+ciel_fuzz(http_headers LINKS gateway)

@@ -1,0 +1,1 @@
+ciel_fuzz(http_target LINKS gateway)

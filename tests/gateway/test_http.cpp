@@ -1,0 +1,221 @@
+// The real gateway on a loopback socket, and bytes that no well-behaved client sends.
+#include "gateway/gateway.hpp"
+
+#include <arpa/inet.h>
+#include <csignal>
+#include <future>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/socket.h>
+#include <thread>
+#include <unistd.h>
+
+namespace ciel::gateway {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+using testing::StartsWith;
+
+class Http : public testing::Test {
+protected:
+    static void SetUpTestSuite() {
+        std::promise<unsigned short> port;
+        auto listening = port.get_future();
+        thread_ = std::thread([promise = std::move(port)]() mutable {
+            session::Server server({});
+            GatewayOptions options;
+            options.port = 0;
+            options.prefix = "/ciel";
+            options.version = "test";
+            options.origins = {"https://lab.example.org"};
+            serve(server, options, [&](const Listening& at) { promise.set_value(at.port); });
+        });
+        port_ = listening.get();
+    }
+    static void TearDownTestSuite() {
+        kill(getpid(), SIGTERM);
+        thread_.join();
+    }
+
+    static int connected() {
+        const int socket = ::socket(AF_INET, SOCK_STREAM, 0);
+        sockaddr_in address{};
+        address.sin_family = AF_INET;
+        address.sin_port = htons(port_);
+        address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+        EXPECT_EQ(::connect(socket, reinterpret_cast<sockaddr*>(&address), sizeof address), 0);
+        const timeval patience{20, 0}; // a server that neither answers nor closes fails the test
+        setsockopt(socket, SOL_SOCKET, SO_RCVTIMEO, &patience, sizeof patience);
+        return socket;
+    }
+
+    // Everything that comes back until the server closes.
+    static std::string exchange(const std::string& request) {
+        const int socket = connected();
+        for (std::size_t sent = 0; sent < request.size();) {
+            const auto some = ::send(socket, request.data() + sent, request.size() - sent, MSG_NOSIGNAL);
+            if (some <= 0) break;
+            sent += static_cast<std::size_t>(some);
+        }
+        ::shutdown(socket, SHUT_WR);
+        std::string answer;
+        char buffer[65536];
+        for (ssize_t got = 0; (got = ::recv(socket, buffer, sizeof buffer, 0)) > 0;)
+            answer.append(buffer, static_cast<std::size_t>(got));
+        ::close(socket);
+        return answer;
+    }
+
+    static std::string request(const std::string& line, const std::string& headers = {}, const std::string& body = {}) {
+        return line + " HTTP/1.1\r\nHost: localhost\r\nConnection: close\r\n" + headers + "\r\n" + body;
+    }
+    static std::string json_post(const std::string& body, const std::string& headers = {}) {
+        return request("POST /rpc",
+                       "Content-Type: application/json\r\nContent-Length: " + std::to_string(body.size()) + "\r\n" +
+                           headers,
+                       body);
+    }
+
+    static std::thread thread_;
+    static unsigned short port_;
+};
+std::thread Http::thread_;
+unsigned short Http::port_ = 0;
+
+const std::string discover = R"({"jsonrpc":"2.0","id":1,"method":"rpc.discover"})";
+
+TEST_F(Http, AnswersByStatus) {
+    const std::string big(2 << 20, 'x');
+    const struct {
+        const char* name;
+        std::string request;
+        const char* answer; // how it begins; empty: closed without a word
+    } rows[]{
+        {"alive", request("GET /healthz"), "HTTP/1.1 200"},
+        {"below the prefix", request("GET /ciel/healthz"), "HTTP/1.1 200"},
+        {"absolute form", request("GET http://localhost/healthz"), "HTTP/1.1 200"},
+        {"old version", "GET /healthz HTTP/1.0\r\n\r\n", "HTTP/1.0 200"},
+        {"the prefix itself", request("GET /ciel"), "HTTP/1.1 308"},
+        {"unknown path", request("GET /nothing"), "HTTP/1.1 404"},
+        {"traversal", request("GET /../../etc/passwd"), "HTTP/1.1 404"},
+        {"encoded traversal", request("GET /%2e%2e%2f%2e%2e%2fetc/passwd"), "HTTP/1.1 404"},
+        {"bad escape", request("GET /%zz"), "HTTP/1.1 400"},
+        {"encoded null", request("GET /%00"), "HTTP/1.1 400"},
+        {"asterisk form", request("OPTIONS *"), "HTTP/1.1 400"},
+        {"other method", request("DELETE /healthz"), "HTTP/1.1 405"},
+        {"made-up method", request("BREW /healthz"), "HTTP/1.1 405"},
+        {"GET where POST is due", request("GET /rpc"), "HTTP/1.1 405"},
+        {"no upgrade", request("GET /ws"), "HTTP/1.1 426"},
+        {"CONNECT", request("CONNECT localhost:22"), "HTTP/1.1 400"},
+        {"method call", json_post(discover), "HTTP/1.1 200"},
+        {"notification", json_post(R"({"jsonrpc":"2.0","method":"rpc.discover"})"), "HTTP/1.1 204"},
+        {"chunked",
+         request("POST /rpc", "Content-Type: application/json\r\nTransfer-Encoding: chunked\r\n",
+                 "2\r\n{}\r\n0\r\n\r\n"),
+         "HTTP/1.1 200"},
+        {"form", request("POST /rpc", "Content-Type: application/x-www-form-urlencoded\r\nContent-Length: 2\r\n", "{}"),
+         "HTTP/1.1 415"},
+        {"no type", request("POST /rpc", "Content-Length: 2\r\n", "{}"), "HTTP/1.1 415"},
+        {"large body", json_post(big), "HTTP/1.1 413"},
+        {"large chunked body",
+         request("POST /rpc", "Content-Type: application/json\r\nTransfer-Encoding: chunked\r\n",
+                 "200000\r\n" + big + "\r\n0\r\n\r\n"),
+         "HTTP/1.1 413"},
+        {"length without a body", request("POST /rpc", "Content-Length: 99999999999\r\n"), "HTTP/1.1 413"},
+        {"length that overflows", request("POST /rpc", "Content-Length: 99999999999999999999999999\r\n"),
+         "HTTP/1.1 400"},
+        {"negative length", request("POST /rpc", "Content-Length: -1\r\n"), "HTTP/1.1 400"},
+        {"two lengths", request("POST /rpc", "Content-Length: 2\r\nContent-Length: 3\r\n", "{}"), "HTTP/1.1 400"},
+        {"length and chunks", request("POST /rpc", "Content-Length: 2\r\nTransfer-Encoding: chunked\r\n", "0\r\n\r\n"),
+         "HTTP/1.1 400"},
+        {"bad chunk size",
+         request("POST /rpc", "Content-Type: application/json\r\nTransfer-Encoding: chunked\r\n", "zz\r\n"),
+         "HTTP/1.1 400"},
+        {"large header", request("GET /", "X: " + std::string(64 << 10, 'x') + "\r\n"), "HTTP/1.1 431"},
+        {"long target", request("GET /" + std::string(64 << 10, 'x')), "HTTP/1.1 431"},
+        {"header without a colon", request("GET /", "nonsense\r\n"), "HTTP/1.1 400"},
+        {"null in a header", request("GET /", std::string("X: a\0b\r\n", 8)), "HTTP/1.1 400"},
+        {"other version", "GET / HTTP/9.9\r\n\r\n", "HTTP/1.1 400"},
+        {"HTTP/2", "PRI * HTTP/2.0\r\n\r\nSM\r\n\r\n", "HTTP/1.1 400"},
+        {"TLS", std::string("\x16\x03\x01\x02\x00\x01\x00\x01\xfc\x03\x03", 11) + std::string(500, '\x01'),
+         "HTTP/1.1 400"},
+        {"garbage", std::string(300, '\xff') + "\r\n\r\n", "HTTP/1.1 400"},
+        {"no host", "GET / HTTP/1.1\r\n\r\n", "HTTP/1.1 400"},
+        {"two hosts", "GET / HTTP/1.1\r\nHost: localhost\r\nHost: localhost\r\n\r\n", "HTTP/1.1 400"},
+        {"another's host", "GET / HTTP/1.1\r\nHost: evil.example\r\nConnection: close\r\n\r\n", "HTTP/1.1 403"},
+        {"another's origin", json_post(discover, "Origin: http://evil.example\r\n"), "HTTP/1.1 403"},
+        {"own origin", json_post(discover, "Origin: http://localhost\r\n"), "HTTP/1.1 200"},
+        {"listed origin", json_post(discover, "Origin: https://lab.example.org\r\n"), "HTTP/1.1 200"},
+        {"nothing", "", ""},
+        {"half a request", "GET / HT", ""},
+        {"half a body", request("POST /rpc", "Content-Type: application/json\r\nContent-Length: 9\r\n", "{}"), ""},
+    };
+    for (const auto& row : rows)
+        EXPECT_THAT(exchange(row.request).substr(0, 12), testing::StrEq(row.answer)) << row.name;
+    EXPECT_THAT(exchange(request("GET /healthz")), StartsWith("HTTP/1.1 200")) << "it still stands";
+}
+
+TEST_F(Http, HeadHasTheHeaderOfGetAndNoBody) {
+    const std::string get = exchange(request("GET /healthz")), head = exchange(request("HEAD /healthz"));
+    EXPECT_EQ(head, get.substr(0, get.find("\r\n\r\n") + 4));
+    EXPECT_THAT(get, testing::EndsWith("\r\n\r\nok\n"));
+}
+
+TEST_F(Http, ConnectionsAreKeptAndRequestsPipelined) {
+    const std::string first = "GET /healthz HTTP/1.1\r\nHost: localhost\r\n\r\n";
+    const std::string answer = exchange(first + first + request("GET /nothing"));
+    std::vector<std::string> statuses;
+    for (auto at = answer.find("HTTP/1.1 "); at != std::string::npos; at = answer.find("HTTP/1.1 ", at + 1))
+        statuses.push_back(answer.substr(at + 9, 3));
+    EXPECT_THAT(statuses, testing::ElementsAre("200", "200", "404"));
+}
+
+TEST_F(Http, EveryAnswerForbidsFramingAndSniffing) {
+    for (const char* path : {"/", "/nothing", "/healthz", "/rpc", "/%zz"}) {
+        const std::string answer = exchange(request(std::string("GET ") + path));
+        EXPECT_THAT(answer, HasSubstr("X-Content-Type-Options: nosniff\r\n")) << path;
+        EXPECT_THAT(answer, HasSubstr("frame-ancestors 'self' https://lab.example.org\r\n")) << path;
+        EXPECT_THAT(answer, HasSubstr("Referrer-Policy: no-referrer\r\n")) << path;
+    }
+    EXPECT_THAT(exchange("garbage\r\n\r\n"), HasSubstr("X-Content-Type-Options: nosniff\r\n"));
+}
+
+TEST_F(Http, RefusalsSayWhatIsAllowed) {
+    EXPECT_THAT(exchange(request("POST /healthz")), HasSubstr("Allow: GET, HEAD\r\n"));
+    EXPECT_THAT(exchange(request("GET /rpc")), HasSubstr("Allow: POST, OPTIONS\r\n"));
+    EXPECT_THAT(exchange(request("GET /ciel?token=x")), HasSubstr("Location: /ciel/?token=x\r\n"));
+    EXPECT_THAT(exchange("GET / HTTP/1.1\r\nHost: evil.example\r\nConnection: close\r\n\r\n"),
+                HasSubstr("--allowed-host"));
+}
+
+TEST_F(Http, OnlyListedOriginsMayRead) {
+    const std::string listed =
+        exchange(request("OPTIONS /rpc", "Origin: https://lab.example.org\r\nAccess-Control-Request-Method: POST\r\n"));
+    EXPECT_THAT(listed, StartsWith("HTTP/1.1 204"));
+    EXPECT_THAT(listed, HasSubstr("Access-Control-Allow-Origin: https://lab.example.org\r\n"));
+    const std::string other =
+        exchange(request("OPTIONS /rpc", "Origin: https://evil.example\r\nAccess-Control-Request-Method: POST\r\n"));
+    EXPECT_THAT(other, StartsWith("HTTP/1.1 403"));
+    EXPECT_THAT(other, Not(HasSubstr("Access-Control-Allow-Origin")));
+}
+
+TEST_F(Http, GoesOnAfter100Continue) {
+    const std::string answer = exchange(json_post(discover, "Expect: 100-continue\r\n"));
+    EXPECT_THAT(answer, StartsWith("HTTP/1.1 100 Continue\r\n\r\nHTTP/1.1 200"));
+}
+
+TEST_F(Http, BytesMayComeOneByOne) {
+    const int socket = connected();
+    for (const char byte : request("GET /healthz")) {
+        ASSERT_EQ(::send(socket, &byte, 1, MSG_NOSIGNAL), 1);
+        std::this_thread::sleep_for(std::chrono::microseconds(200));
+    }
+    char answer[12] = {};
+    ASSERT_EQ(::recv(socket, answer, sizeof answer, MSG_WAITALL), 12);
+    EXPECT_EQ(std::string(answer, 12), "HTTP/1.1 200");
+    ::close(socket);
+}
+
+} // namespace
+} // namespace ciel::gateway

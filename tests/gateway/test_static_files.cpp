@@ -1,0 +1,121 @@
+#include "gateway/static_files.hpp"
+
+#include "ciel/types.hpp"
+#include "gateway/target.hpp"
+
+#include <algorithm>
+#include <fstream>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+namespace ciel::gateway {
+namespace {
+
+namespace fs = std::filesystem;
+
+// secret.txt beside a client's folder that holds links to it.
+class Static : public testing::Test {
+protected:
+    void SetUp() override {
+        top_ = fs::path(testing::TempDir()) / ("ciel_static_" + std::to_string(getpid()));
+        fs::create_directories(top_ / "client/assets");
+        write("secret.txt", "secret");
+        write("client/index.html", "<!doctype html>");
+        write("client/assets/index-1a2B3c4D.js", "1");
+        write("client/assets/plain.css", "2");
+        write("client/.hidden", "3");
+        fs::create_symlink(top_ / "secret.txt", top_ / "client/link.txt");
+        fs::create_directory_symlink(top_, top_ / "client/up");
+        fs::create_symlink("index.html", top_ / "client/start.html");
+        fs::create_symlink("nowhere", top_ / "client/broken.html");
+    }
+    void TearDown() override { fs::remove_all(top_); }
+    void write(const fs::path& name, const std::string& content) { std::ofstream(top_ / name) << content; }
+
+    fs::path top_;
+};
+
+TEST_F(Static, FilesAreFoundWithTheirTypes) {
+    const StaticFiles files(top_ / "client");
+    const struct {
+        const char *path, *mime;
+        bool immutable;
+    } rows[]{
+        {"/", "text/html; charset=utf-8", false},
+        {"/index.html", "text/html; charset=utf-8", false},
+        {"/start.html", "text/html; charset=utf-8", false}, // a link that stays inside
+        {"/assets/index-1a2B3c4D.js", "text/javascript; charset=utf-8", true},
+        {"/assets/plain.css", "text/css; charset=utf-8", false},
+    };
+    for (const auto& row : rows) {
+        const StaticFile* file = files.find(row.path);
+        ASSERT_NE(file, nullptr) << row.path;
+        EXPECT_EQ(file->mime, row.mime) << row.path;
+        EXPECT_EQ(file->immutable, row.immutable) << row.path;
+    }
+}
+
+TEST_F(Static, NoPathLeadsOut) {
+    const StaticFiles files(top_ / "client");
+    for (const char* target : {"/../secret.txt",
+                               "/..%2fsecret.txt",
+                               "/%2e%2e/secret.txt",
+                               "/%2e%2e%2fsecret.txt",
+                               "/%252e%252e%252fsecret.txt",
+                               "/assets/../../secret.txt",
+                               "/assets/%2e%2e/%2e%2e/secret.txt",
+                               "/..\\secret.txt",
+                               "/..%5csecret.txt",
+                               "//secret.txt",
+                               "/./../secret.txt",
+                               "/link.txt",
+                               "/up/secret.txt",
+                               "/up",
+                               "/broken.html",
+                               "/assets",
+                               "/assets/",
+                               "/index.html/",
+                               "/index.html/../../secret.txt",
+                               "/INDEX.HTML",
+                               "/....//secret.txt",
+                               "/%c0%ae%c0%ae/secret.txt"}) {
+        const auto parsed = parse_target(target);
+        EXPECT_TRUE(!parsed || files.find(parsed->path) == nullptr) << target;
+    }
+    const std::string absolute = "/" + (top_ / "secret.txt").string();
+    EXPECT_EQ(files.find(absolute), nullptr);
+    EXPECT_EQ(files.find((top_ / "secret.txt").string()), nullptr);
+}
+
+TEST_F(Static, AnUnchangedFileIsNotSentAgain) {
+    const StaticFiles files(top_ / "client");
+    const StaticFile& file = *files.find("/");
+    EXPECT_EQ(file_response(file, "").status, 200U);
+    EXPECT_EQ(file_response(file, "").body, "<!doctype html>");
+    for (const std::string& known : {file.etag, "\"other\", " + file.etag, "W/" + file.etag, std::string("*")}) {
+        EXPECT_EQ(file_response(file, known).status, 304U) << known;
+        EXPECT_EQ(file_response(file, known).body, "");
+    }
+    EXPECT_EQ(file_response(file, "\"0000000000000000\"").status, 200U);
+    EXPECT_NE(file.etag, files.find("/assets/plain.css")->etag);
+}
+
+TEST_F(Static, OnlyHashedNamesMayBeKeptForGood) {
+    const StaticFiles files(top_ / "client");
+    const auto cache_control = [&](const char* path) {
+        const Response response = file_response(*files.find(path), "");
+        const auto header = std::find_if(response.headers.begin(), response.headers.end(),
+                                         [](const auto& row) { return row.first == "Cache-Control"; });
+        return header->second;
+    };
+    EXPECT_EQ(cache_control("/"), "no-cache");
+    EXPECT_EQ(cache_control("/assets/plain.css"), "no-cache");
+    EXPECT_EQ(cache_control("/assets/index-1a2B3c4D.js"), "public, max-age=31536000, immutable");
+}
+
+TEST_F(Static, AFolderThatIsNoneIsAnError) {
+    for (const fs::path& path : {top_ / "absent", top_ / "secret.txt"}) EXPECT_THROW(StaticFiles{path}, Error);
+}
+
+} // namespace
+} // namespace ciel::gateway

@@ -1,0 +1,152 @@
+"""A real `ciel serve` on a free port, and clients of it."""
+
+import contextlib
+import itertools
+import json
+import os
+import pathlib
+import re
+import signal
+import struct
+import subprocess
+
+import requests
+import websockets
+
+BINARY = os.environ.get("CIEL_BINARY", str(pathlib.Path(__file__).parents[2] / "build" / "ciel"))
+PATIENCE = 60  # seconds after which something is taken to hang
+
+
+class Server:
+    def __init__(self, *arguments: str, environment: dict[str, str] | None = None, log: pathlib.Path | None = None):
+        self.log = open(log, "w+") if log else open(os.devnull, "w+")
+        self.process = subprocess.Popen(
+            [BINARY, "serve", "--port", "0", *map(str, arguments)],
+            stdout=subprocess.PIPE, stderr=self.log, text=True, env={**os.environ, **(environment or {})})
+        self.line = self.process.stdout.readline().strip()
+        match = re.search(r"http://([^/]+?:(\d+))(/[^?\s]*)", self.line)
+        if not match:
+            self.process.kill()
+            raise AssertionError(f"the server did not start: {self.line!r}")
+        self.port = int(match.group(2))
+        self.base = f"http://127.0.0.1:{self.port}"
+        self.path = match.group(3)
+
+    def __enter__(self) -> "Server":
+        return self
+
+    def __exit__(self, *_) -> None:
+        if self.process.poll() is None:
+            self.process.send_signal(signal.SIGTERM)
+            try:
+                self.process.wait(PATIENCE)
+            except subprocess.TimeoutExpired:
+                self.process.kill()
+                raise
+        self.process.stdout.close()
+        self.log.close()
+
+    def stop(self) -> int:
+        self.process.send_signal(signal.SIGTERM)
+        return self.process.wait(PATIENCE)
+
+    def get(self, path: str, **options) -> requests.Response:
+        return requests.get(self.base + path, timeout=PATIENCE, allow_redirects=False, **options)
+
+    def call(self, method: str, **params):
+        """The result of one method over HTTP."""
+        answer = requests.post(self.base + "/rpc", timeout=PATIENCE,
+                               json={"jsonrpc": "2.0", "id": 1, "method": method, "params": params}).json()
+        assert "error" not in answer, answer
+        return answer["result"]
+
+    def socket(self, path: str = "/ws", **options):
+        options = {"subprotocols": ["ciel.v1"], "max_size": None, "open_timeout": PATIENCE, **options}
+        return websockets.connect(f"ws://127.0.0.1:{self.port}{path}", **options)
+
+    def metrics(self) -> dict[str, float]:
+        """Samples by name with labels, as in the text."""
+        samples = {}
+        for line in self.get("/metrics").text.splitlines():
+            if line and not line.startswith("#"):
+                name, value = line.rsplit(" ", 1)
+                samples[name] = float(value)
+        return samples
+
+    def open_files(self) -> int:
+        return len(os.listdir(f"/proc/{self.process.pid}/fd"))
+
+    def resident_kilobytes(self) -> int:
+        status = pathlib.Path(f"/proc/{self.process.pid}/status").read_text()
+        return int(re.search(r"VmRSS:\s+(\d+)", status).group(1))
+
+
+class Frame:
+    """The header of protocol/frame.md and what follows it."""
+
+    def __init__(self, message: bytes):
+        fields = struct.unpack_from("<4sBBHIIQIIdffffII", message)
+        (self.magic, self.version, self.kind, self.flags, self.view, self.number, self.revision, self.width, self.height,
+         self.time, self.wait_ms, self.extract_ms, self.draw_ms, self.encode_ms, self.triangles, payload_bytes) = fields
+        self.payload = message[80:]
+        assert self.magic == b"CIEL" and self.version == 1 and len(self.payload) == payload_bytes
+
+    @property
+    def still(self) -> bool:
+        return bool(self.flags & 1)
+
+
+class Client:
+    """JSON-RPC on a WebSocket: answers by id; frames and notifications are kept in the order they came."""
+
+    def __init__(self, socket):
+        self.socket = socket
+        self.ids = itertools.count(1)
+        self.frames: list[Frame] = []
+        self.notifications: list[dict] = []
+
+    async def send(self, method: str, **params) -> int:
+        number = next(self.ids)
+        await self.socket.send(json.dumps({"jsonrpc": "2.0", "id": number, "method": method, "params": params}))
+        return number
+
+    async def receive(self) -> dict | Frame:
+        message = await self.socket.recv()
+        if isinstance(message, bytes):
+            frame = Frame(message)
+            self.frames.append(frame)
+            return frame
+        answer = json.loads(message)
+        if "method" in answer:
+            self.notifications.append(answer)
+        return answer
+
+    async def answer(self, number: int) -> dict:
+        while True:
+            message = await self.receive()
+            if isinstance(message, dict) and message.get("id") == number:
+                return message
+
+    async def call(self, method: str, **params):
+        answer = await self.answer(await self.send(method, **params))
+        assert "error" not in answer, answer
+        return answer["result"]
+
+    async def acknowledge(self, frame: Frame) -> None:
+        notification = {"jsonrpc": "2.0", "method": "view.ack", "params": {"view": frame.view, "frame": frame.number}}
+        await self.socket.send(json.dumps(notification))
+
+    async def frame(self, revision: int = 0, still: bool = False) -> Frame:
+        """Acknowledges frames until one shows this revision (and is a still)."""
+        while True:
+            message = await self.receive()
+            if isinstance(message, Frame):
+                await self.acknowledge(message)
+                if message.revision >= revision and (message.still or not still):
+                    return message
+
+
+@contextlib.asynccontextmanager
+async def client(server: Server, **options):
+    async with server.socket(**options) as socket:
+        yield Client(socket)

@@ -1,0 +1,165 @@
+"""`ciel serve` as a process: starting, failing to start, stopping, staying small."""
+
+import asyncio
+import os
+import signal
+import socket
+import subprocess
+
+import pytest
+import requests
+import websockets
+
+import box_dataset
+from serve_process import BINARY, PATIENCE, Client, Server, client
+
+
+@pytest.fixture(scope="module")
+def box(tmp_path_factory):
+    return box_dataset.write_box(tmp_path_factory.mktemp("data") / "box.ciel", n=24)
+
+
+def failure(*arguments: str, **environment: str) -> tuple[int, str]:
+    result = subprocess.run([BINARY, "serve", *arguments], capture_output=True, text=True, timeout=PATIENCE,
+                            env={**os.environ, **environment})
+    assert result.stdout == ""
+    return result.returncode, result.stderr
+
+
+def test_the_address_is_one_line(box):
+    with Server(box, "--prefix", "x") as running:
+        assert running.line == f"CIEL listening on http://127.0.0.1:{running.port}/x/"
+        assert running.get("/healthz").status_code == 200
+
+
+@pytest.mark.parametrize(("arguments", "code", "words"), [
+    (["--port", "notaport"], 2, ["--port"]),
+    (["--port", "70000"], 2, ["--port"]),
+    (["--gl", "vulkan"], 2, ["--gl", "osmesa"]),
+    (["--engine", "magic"], 2, ["--engine"]),
+    (["--no-such-option"], 2, ["no-such-option"]),
+    (["/no/such/data.ciel"], 1, ["/no/such/data.ciel", "does not exist"]),
+    (["--port", "0", "--host", "203.0.113.7"], 1, ["203.0.113.7", "--host"]),
+    (["--port", "0", "--host", "no.such.host.invalid"], 1, ["no.such.host.invalid", "--host"]),
+    (["--port", "0", "--prefix", "/a b"], 1, ["/a b", "prefix"]),
+    (["--port", "0", "--token", "short"], 1, ["token", "8 characters"]),
+    (["--port", "0", "--token", "semi;colon;token"], 1, ["token"]),
+    (["--port", "0", "--webclient", "/no/such/folder"], 1, ["/no/such/folder", "--webclient"]),
+])
+def test_what_cannot_be_is_said_in_one_line(arguments, code, words):
+    status, text = failure(*arguments, "--log-level", "off")
+    assert status == code, text
+    for word in words:
+        assert word in text
+    if code == 1:
+        assert text.startswith("ciel: ") and text.count("\n") == 1, text
+
+
+def test_a_port_in_use_is_named(box):
+    with Server(box) as running:
+        status, text = failure("--port", str(running.port), "--log-level", "off")
+        assert status == 1 and f"127.0.0.1:{running.port} is in use" in text and "--port" in text
+
+
+def test_it_comes_back_on_the_same_port(box):
+    with Server(box) as first:
+        first.get("/healthz")
+        assert first.stop() == 0
+        for _ in range(3):
+            with Server(box, "--port", str(first.port)) as again:
+                assert again.port == first.port and again.get("/healthz").status_code == 200
+                assert again.stop() == 0
+
+
+@pytest.mark.parametrize("number", [signal.SIGTERM, signal.SIGINT])
+def test_a_signal_ends_it_cleanly(box, number, tmp_path):
+    with Server(box, log=tmp_path / "log") as running:
+        idle = requests.Session()
+        idle.get(running.base + "/healthz", timeout=PATIENCE)  # a kept connection must not hold it up
+        running.process.send_signal(number)
+        assert running.process.wait(PATIENCE) == 0
+        assert "stopping" in (tmp_path / "log").read_text()
+
+
+def iso(value: float) -> dict:
+    return {"layers": {"iso": {"type": "iso", "array": "r", "values": [value]}}}
+
+
+def test_sigterm_drains_while_frames_stream(box):
+    async def attempt(running: Server) -> None:
+        async with client(running) as caller:
+            session = (await caller.call("session.open", dataset="box"))["session"]
+            await caller.call("view.open", session=session, width=640, height=480)
+            with pytest.raises(websockets.ConnectionClosed) as closed:
+                for i in range(100_000):
+                    await caller.send("scene.patch", session=session, patch=iso(0.4 + i % 100 / 200))
+                    message = await caller.receive()
+                    if not isinstance(message, dict):
+                        await caller.acknowledge(message)
+                    if i == 30:
+                        running.process.send_signal(signal.SIGTERM)
+            assert closed.value.rcvd.code == 1001
+            assert "server.draining" in [notification["method"] for notification in caller.notifications]
+
+    with Server(box) as running:
+        asyncio.run(asyncio.wait_for(attempt(running), PATIENCE))
+        assert running.process.wait(PATIENCE) == 0
+        with pytest.raises(requests.ConnectionError):
+            running.get("/healthz")
+
+
+def test_a_dead_client_does_not_hold_up_the_end(box):
+    async def attempt(running: Server) -> None:
+        async with client(running) as caller:
+            session = (await caller.call("session.open", dataset="box"))["session"]
+            await caller.call("view.open", session=session, width=640, height=480)
+            caller.socket.transport.pause_reading()  # no close will be answered
+            running.process.send_signal(signal.SIGTERM)
+            status = await asyncio.get_running_loop().run_in_executor(None, running.process.wait, PATIENCE)
+            assert status == 0
+
+    with Server(box) as running:
+        asyncio.run(asyncio.wait_for(attempt(running), 2 * PATIENCE))
+
+
+def test_a_second_signal_ends_it_at_once(box):
+    with Server(box) as running:
+        held = socket.create_connection(("127.0.0.1", running.port))
+        # half a body: the connection is busy, so draining waits for it
+        held.sendall(b"POST /rpc HTTP/1.1\r\nHost: localhost\r\nContent-Type: application/json\r\nContent-Length: 9\r\n\r\n{")
+        while running.metrics()["ciel_gateway_connections_open"] < 2:
+            pass
+        running.process.send_signal(signal.SIGTERM)
+        with pytest.raises(requests.ConnectionError):
+            while True:
+                running.get("/healthz")
+        running.process.send_signal(signal.SIGTERM)
+        assert running.process.wait(PATIENCE) in (0, 128 + signal.SIGTERM)
+        held.close()
+
+
+def test_two_hundred_visitors_leave_nothing_behind(box):
+    async def visit(running: Server) -> None:
+        async with running.socket() as opened:
+            caller = Client(opened)
+            session = (await caller.call("session.open", dataset="box"))["session"]
+            await caller.call("view.open", session=session, width=64, height=48)
+            await caller.frame(1)
+            await caller.call("session.close", session=session)
+
+    async def visits(running: Server, count: int) -> None:
+        for _ in range(count):
+            await visit(running)
+
+    with Server(box) as running:
+        def settled() -> int:
+            for _ in range(1000):
+                if running.metrics()["ciel_gateway_websockets_open"] == 0:
+                    break
+            return running.open_files()
+
+        asyncio.run(visits(running, 50))  # caches and arenas have their size after some
+        files, memory = settled(), running.resident_kilobytes()
+        asyncio.run(visits(running, 200))
+        assert settled() <= files
+        assert running.resident_kilobytes() < memory + 16_384

@@ -1,0 +1,198 @@
+"""Frames: newest wins, and slow, dead or rude clients cost the others nothing."""
+
+import asyncio
+import contextlib
+import io
+import json
+import socket
+
+import pytest
+
+import box_dataset
+from serve_process import PATIENCE, Frame, Server, client
+
+
+@pytest.fixture(scope="module")
+def server(tmp_path_factory):
+    box = box_dataset.write_box(tmp_path_factory.mktemp("data") / "box.ciel", n=24)
+    with Server(box) as running:
+        yield running
+
+
+def iso(value: float) -> dict:
+    return {"layers": {"iso": {"type": "iso", "array": "r", "values": [value]}}}
+
+
+async def open_view(caller, stream="image", width=320, height=240) -> tuple[str, int]:
+    session = (await caller.call("session.open", dataset="box"))["session"]
+    view = (await caller.call("view.open", session=session, width=width, height=height, stream=stream))["view"]
+    return session, view
+
+
+def run(task):
+    asyncio.run(asyncio.wait_for(task(), PATIENCE))
+
+
+def test_frames_follow_the_scene(server):
+    async def attempt():
+        async with client(server) as caller:
+            session, view = await open_view(caller)
+            pictures = []
+            for value in (0.5, 0.8):
+                revision = (await caller.call("scene.patch", session=session, patch=iso(value)))["revision"]
+                frame = await caller.frame(revision, still=True)
+                assert (frame.view, frame.kind, frame.revision) == (view, 1, revision)
+                assert (frame.width, frame.height) == (320, 240)
+                assert frame.payload.startswith(b"\x89PNG\r\n\x1a\n") and frame.triangles > 0
+                pictures.append(frame.payload)
+            assert pictures[0] != pictures[1]
+            numbers = [frame.number for frame in caller.frames]
+            assert numbers == sorted(set(numbers))
+
+    run(attempt)
+
+
+def test_a_burst_of_a_hundred_patches_draws_at_most_the_first_and_the_last(server):
+    async def attempt():
+        async with client(server) as caller:
+            session, _ = await open_view(caller)
+            revision = (await caller.call("scene.get", session=session))["revision"]
+            await caller.frame(revision, still=True)  # at rest
+            drawn = len(caller.frames)
+            for i in range(100):
+                await caller.send("scene.patch", session=session, patch=iso(0.4 + i / 200))
+            await caller.frame(revision + 100)
+            shown = [frame.revision for frame in caller.frames[drawn:] if not frame.still]
+            assert len(shown) <= 2 and shown[-1] == revision + 100, shown
+            still = await caller.frame(revision + 100, still=True)
+            assert still.revision == revision + 100
+
+    run(attempt)
+
+
+def test_without_acknowledgements_two_frames_come_and_no_more(server):
+    async def attempt():
+        async with client(server) as caller:
+            session, view = await open_view(caller)
+            for i in range(20):
+                await caller.call("scene.patch", session=session, patch=iso(0.4 + i / 100))
+                with contextlib.suppress(asyncio.TimeoutError):
+                    await asyncio.wait_for(caller.receive(), 0.05)
+            assert 1 <= len(caller.frames) <= 2
+            await caller.acknowledge(caller.frames[-1])
+            newest = (await caller.call("scene.get", session=session))["revision"]
+            assert (await caller.frame(newest)).revision == newest
+
+    run(attempt)
+
+
+def test_geometry_comes_in_batches(server):
+    async def attempt():
+        async with client(server) as caller:
+            session, view = await open_view(caller, stream="geometry")
+            revision = (await caller.call("scene.patch", session=session, patch=iso(0.6)))["revision"]
+            vertices = 0
+            while True:
+                frame = await caller.receive()
+                if not isinstance(frame, Frame) or frame.revision < revision:
+                    continue
+                assert frame.kind == 2 and frame.view == view
+                size = int.from_bytes(frame.payload[:4], "little")
+                batch = json.load(io.BytesIO(frame.payload[4 : 4 + size]))
+                if batch["batches"]:
+                    vertices += batch["vertices"]
+                if frame.flags & 2:
+                    break
+            assert vertices > 0
+
+    run(attempt)
+
+
+def stuck_client(server: Server) -> socket.socket:
+    """Asks for many large pictures and reads none of the answers."""
+    stuck = socket.socket()
+    stuck.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, 4096)
+    stuck.connect(("127.0.0.1", server.port))
+    stuck.sendall(b"GET /ws HTTP/1.1\r\nHost: localhost\r\nUpgrade: websocket\r\nConnection: Upgrade\r\n"
+                  b"Sec-WebSocket-Version: 13\r\nSec-WebSocket-Key: AAAAAAAAAAAAAAAAAAAAAA==\r\n"
+                  b"Sec-WebSocket-Protocol: ciel.v1\r\n\r\n")
+    assert stuck.recv(12) == b"HTTP/1.1 101"
+    return stuck
+
+
+def text_frame(document: dict) -> bytes:
+    payload = json.dumps(document).encode()
+    return bytes([0x81, 0xFE]) + len(payload).to_bytes(2, "big") + b"\0\0\0\0" + payload
+
+
+def test_a_client_that_does_not_read_blocks_nobody(server):
+    stuck = stuck_client(server)
+    discover = text_frame({"jsonrpc": "2.0", "id": 1, "method": "rpc.discover", "params": {}, "pad": "x" * 120})
+    before = server.metrics()["ciel_gateway_websockets_open"]
+    ended = False
+    stuck.settimeout(5)
+    try:
+        for _ in range(2000):  # each answer is some tens of kilobytes: far more than may wait
+            stuck.sendall(discover)
+    except (ConnectionError, TimeoutError):
+        ended = True
+
+    async def attempt():
+        async with client(server) as caller:
+            session, _ = await open_view(caller)
+            revision = (await caller.call("scene.patch", session=session, patch=iso(0.7)))["revision"]
+            assert (await caller.frame(revision)).revision == revision
+
+    run(attempt)
+    while not ended and server.metrics()["ciel_gateway_websockets_open"] >= before:
+        pass
+    stuck.close()
+
+
+def test_clients_that_vanish_are_forgotten(server):
+    def state() -> tuple[float, int]:
+        return server.metrics()["ciel_gateway_websockets_open"], server.open_files()
+
+    async def vanish():
+        async with client(server) as caller:
+            session, _ = await open_view(caller)
+            for i in range(20):
+                await caller.send("scene.patch", session=session, patch=iso(0.4 + i / 100))
+            await caller.send("picture.render", session=session, width=1024, height=1024)
+            sock = caller.socket.transport.get_extra_info("socket")
+            sock.setsockopt(socket.SOL_SOCKET, socket.SO_LINGER, b"\1\0\0\0\0\0\0\0")  # a reset, not a close
+            caller.socket.transport.abort()
+
+    before = state()
+    for _ in range(10):
+        run(vanish)
+    for _ in range(3000):
+        if state() <= before:
+            return
+    pytest.fail(f"{before} before, {state()} after")
+
+
+def test_two_clients_of_a_session_hear_of_each_other(server):
+    async def attempt():
+        async with client(server) as first, client(server) as second:
+            session, _ = await open_view(first)
+            await second.call("session.open", session=session)
+            revision = (await second.call("scene.patch", session=session, patch=iso(0.55)))["revision"]
+            frame = await first.frame(revision)
+            assert frame.revision == revision
+            assert "scene.changed" in [notification["method"] for notification in first.notifications]
+            assert not second.notifications
+
+    run(attempt)
+
+
+def test_a_session_outlives_its_connection(server):
+    async def attempt():
+        async with client(server) as caller:
+            session, _ = await open_view(caller)
+            revision = (await caller.call("scene.patch", session=session, patch=iso(0.65)))["revision"]
+        async with client(server) as caller:
+            state = await caller.call("session.open", session=session)
+            assert state["revision"] == revision and state["scene"]["layers"]["iso"]["values"] == [0.65]
+
+    run(attempt)
