@@ -17,5 +17,6 @@ using Run = std::function<int()>;
 void add_demo(CLI::App& app, Run& run);
 void add_import(CLI::App& app, Run& run);
 void add_info(CLI::App& app, Run& run);
+void add_serve(CLI::App& app, Run& run);
 
 } // namespace ciel::app

@@ -11,7 +11,12 @@ namespace {
 using AddCommand = void (*)(CLI::App& app, ciel::app::Run& run);
 
 // In the order that --help shows.
-const std::vector<AddCommand> commands{ciel::app::add_import, ciel::app::add_info, ciel::app::add_demo};
+const std::vector<AddCommand> commands{
+    ciel::app::add_import,
+    ciel::app::add_info,
+    ciel::app::add_demo,
+    ciel::app::add_serve,
+};
 
 } // namespace
 
