@@ -143,9 +143,9 @@ export function axisView(side: AxisView, bounds: Bounds, aspect: number, fov: nu
   return fit(bounds, forward, axis === 2 ? [0, 1, 0] : [0, 0, 1], aspect, fov, parallel);
 }
 
-/** From in front, to the right and above. */
+/** As the server's own default: from in front, to the right and above. */
 export function defaultView(bounds: Bounds, aspect: number, fov = DEFAULT_FOV, parallel = false): FullCamera {
-  return fit(bounds, normalize([-0.5, 0.8, -0.45]), [0, 0, 1], aspect, fov, parallel);
+  return fit(bounds, normalize([-0.55, 1, -0.5]), [0, 0, 1], aspect, fov, parallel);
 }
 
 /** Pixel of a world position, and its depth along the view; null behind the eye. */

@@ -1,0 +1,142 @@
+import { beforeEach, describe, expect, test } from "vitest";
+import { Connection, HEARTBEAT_MS, LAST_RETRY_MS, retryDelay, type ConnectionState } from "../src/protocol/connection";
+import { Disconnected, Rpc, RpcError } from "../src/protocol/rpc";
+import { FakeClock, FakeSocket } from "./fake_socket";
+
+describe("JSON-RPC", () => {
+  test("answers find their calls, in any order; errors reject", async () => {
+    const sent: string[] = [];
+    const rpc = new Rpc(
+      (text) => sent.push(text),
+      () => undefined,
+    );
+    const first = rpc.call("dataset.list", {});
+    const second = rpc.call("scene.get", { session: "a" });
+    expect(JSON.parse(sent[1] ?? "")).toEqual({ jsonrpc: "2.0", id: 2, method: "scene.get", params: { session: "a" } });
+    const error = { code: -32001, message: "Not found", data: { reason: "no session a" } };
+    rpc.receive(JSON.stringify({ jsonrpc: "2.0", id: 2, error }));
+    rpc.receive(JSON.stringify({ jsonrpc: "2.0", id: 99, result: "to nobody" }));
+    rpc.receive(JSON.stringify({ jsonrpc: "2.0", id: 1, result: [] }));
+    expect(await first).toEqual([]);
+    await expect(second).rejects.toEqual(new RpcError(-32001, "Not found", error.data));
+  });
+
+  test("what is unanswered ends with the connection", async () => {
+    const rpc = new Rpc(
+      () => undefined,
+      () => undefined,
+    );
+    const call = rpc.call("dataset.list", {});
+    rpc.close();
+    await expect(call).rejects.toBeInstanceOf(Disconnected);
+  });
+
+  test("notifications have no id and are told by name", () => {
+    const heard: unknown[] = [];
+    const sent: string[] = [];
+    const rpc = new Rpc(
+      (text) => sent.push(text),
+      (name, params) => heard.push([name, params]),
+    );
+    rpc.notify("view.ack", { view: 1, frame: 2 });
+    expect(JSON.parse(sent[0] ?? "")).not.toHaveProperty("id");
+    rpc.receive('{"jsonrpc":"2.0","method":"server.draining","params":{}}');
+    expect(heard).toEqual([["server.draining", {}]]);
+  });
+});
+
+describe("reconnection", () => {
+  let sockets: FakeSocket[] = [];
+  let states: ConnectionState[] = [];
+  let opened = 0;
+  let clock = new FakeClock();
+  let connection: Connection;
+  const newest = (): FakeSocket => {
+    const socket = sockets.at(-1);
+    if (socket === undefined) throw new Error("no socket was opened");
+    return socket;
+  };
+
+  beforeEach(() => {
+    [sockets, states, opened, clock] = [[], [], 0, new FakeClock()];
+    const open = (): FakeSocket => {
+      sockets.push(new FakeSocket());
+      return newest();
+    };
+    const events = {
+      state: (state: ConnectionState) => void states.push(state),
+      opened: () => void (opened += 1),
+      notification: () => undefined,
+      binary: () => undefined,
+      roundTrip: () => undefined,
+    };
+    connection = new Connection(open, events, clock);
+    connection.start();
+  });
+
+  test("delays double up to a limit, and chance only shortens them", () => {
+    expect([0, 1, 2, 3].map((attempt) => retryDelay(attempt, 1))).toEqual([500, 1000, 2000, 4000]);
+    expect(retryDelay(50, 1)).toBe(LAST_RETRY_MS);
+    expect(retryDelay(0, 0)).toBe(375);
+  });
+
+  test("a socket that closes is followed by another, later each time", () => {
+    newest().onopen?.();
+    expect(states.at(-1)).toEqual({ kind: "open" });
+    for (const delay of [500, 1000, 2000]) {
+      const before = sockets.length;
+      newest().onclose?.();
+      expect(states.at(-1)).toMatchObject({ kind: "waiting", retryAt: clock.now() + delay });
+      clock.advance(delay - 1);
+      expect(sockets.length).toBe(before);
+      clock.advance(1);
+      expect(sockets.length).toBe(before + 1);
+    }
+    newest().onopen?.();
+    newest().onclose?.();
+    expect(states.at(-1)).toMatchObject({ attempt: 0 }); // success starts the delays anew
+    expect(opened).toBe(2);
+  });
+
+  test("a hand that says now does not wait", () => {
+    newest().onclose?.();
+    connection.retryNow();
+    expect(sockets.length).toBe(2);
+    connection.retryNow(); // one is under way
+    expect(sockets.length).toBe(2);
+  });
+
+  test("a socket that never opens is given up", () => {
+    clock.advance(10_000);
+    expect(newest().closed).toBe(true);
+    expect(states.at(-1)?.kind).toBe("waiting");
+  });
+
+  test("a silent server is found out by the heartbeat, an answering one is kept", async () => {
+    newest().onopen?.();
+    await newest().answer({});
+    clock.advance(HEARTBEAT_MS);
+    expect(newest().sent.length).toBe(2);
+    expect(states.at(-1)?.kind).toBe("open");
+    clock.advance(HEARTBEAT_MS);
+    expect(states.at(-1)?.kind).toBe("waiting");
+  });
+
+  test("a late word of a dropped socket changes nothing", () => {
+    const old = newest();
+    const late = old.onclose;
+    connection.lost();
+    connection.retryNow();
+    expect(old.onclose).toBeNull();
+    expect(late).not.toBeNull();
+    expect(sockets.length).toBe(2);
+  });
+
+  test("stopped stays stopped", () => {
+    newest().onopen?.();
+    connection.stop();
+    clock.advance(1e6);
+    expect(sockets.length).toBe(1);
+    expect(states.at(-1)).toEqual({ kind: "closed" });
+  });
+});

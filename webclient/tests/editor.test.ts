@@ -1,0 +1,158 @@
+import { beforeEach, describe, expect, test } from "vitest";
+import type { Revision, Scene, SessionState } from "../src/generated/protocol";
+import { Disconnected, RpcError } from "../src/protocol/rpc";
+import { SceneEditor } from "../src/scene/editor";
+import { settled } from "./fake_socket";
+
+interface Sent {
+  patch: object;
+  gesture: string;
+  answer: (revision: Revision) => void;
+  refuse: (error: Error) => void;
+}
+
+const scene: Scene = {
+  dataset: "d",
+  layers: { iso: { type: "iso", array: "p", values: [0] }, outline: { type: "outline" } },
+};
+const state = (of: Scene, revision = 1): SessionState => ({
+  session: "s",
+  revision,
+  scene: of,
+  can_undo: false,
+  can_redo: false,
+});
+const taken = (revision: number): Revision => ({ revision, can_undo: true, can_redo: false });
+
+let sent: Sent[] = [];
+let frames: (() => void)[] = [];
+let refused: Error[] = [];
+let editor: SceneEditor;
+let held = scene; // what the server has
+
+const server = {
+  patch: (patch: object, gesture: string) =>
+    new Promise<Revision>((answer, refuse) => sent.push({ patch, gesture, answer, refuse })),
+  undo: () => Promise.resolve(state(scene, 9)),
+  redo: () => Promise.resolve(state(scene, 10)),
+  get: () => Promise.resolve(state(held, 11)),
+};
+const runFrame = (): void => frames.splice(0).forEach((frame) => frame());
+const values = (): number[] | undefined => {
+  const layer = editor.scene?.layers?.iso;
+  return layer?.type === "iso" ? layer.values : undefined;
+};
+const setValue = (value: number, gesture?: string): void =>
+  editor.change({ layers: { iso: { values: [value] } } }, gesture);
+
+beforeEach(() => {
+  [sent, frames, refused, held] = [[], [], [], scene];
+  const events = {
+    changed: () => undefined,
+    accepted: () => undefined,
+    refused: (error: Error) => void refused.push(error),
+  };
+  editor = new SceneEditor(events, { now: () => 0, requestFrame: (callback) => void frames.push(callback) }, "g");
+  editor.connected(server, state(scene));
+});
+
+describe("scene editor", () => {
+  test("a drag is seen at once and sent once a frame, as one gesture", () => {
+    const gesture = editor.newGesture();
+    for (const value of [1, 2, 3]) setValue(value, gesture);
+    expect(values()).toEqual([3]);
+    expect(sent.length).toBe(0);
+    runFrame();
+    expect(sent).toMatchObject([{ patch: { layers: { iso: { values: [3] } } }, gesture }]);
+    setValue(4, gesture);
+    runFrame();
+    expect(sent.map((s) => s.gesture)).toEqual([gesture, gesture]);
+  });
+
+  test("different gestures are different patches", () => {
+    setValue(1);
+    editor.change({ background: "light" });
+    runFrame();
+    expect(sent.length).toBe(2);
+    expect(sent[0]?.gesture).not.toBe(sent[1]?.gesture);
+  });
+
+  test("a slow server gets the newest, not everything", async () => {
+    const gesture = editor.newGesture();
+    for (let value = 1; value <= 50; value += 1) {
+      setValue(value, gesture);
+      runFrame();
+    }
+    expect(sent.length).toBe(2);
+    sent[0]?.answer(taken(2));
+    await settled();
+    expect(sent.length).toBe(3);
+    expect(sent[2]?.patch).toEqual({ layers: { iso: { values: [50] } } });
+    expect(editor.canUndo).toBe(true);
+  });
+
+  test("what changes nothing is not sent", () => {
+    setValue(0);
+    runFrame();
+    expect(sent.length).toBe(0);
+  });
+
+  test("an undo first sends what the hand did last, then takes the server's word", async () => {
+    setValue(7);
+    await editor.undo();
+    expect(sent.length).toBe(1);
+    expect(editor.scene).toEqual(scene);
+  });
+
+  test("a refused change is taken back and said", async () => {
+    setValue(7);
+    runFrame();
+    sent[0]?.refuse(new RpcError(-32002, "Invalid scene", { path: "/layers/iso/values/0" }));
+    await settled();
+    expect(refused.length).toBe(1);
+    expect(values()).toEqual([0]);
+  });
+
+  test("another client's change arrives under what is not sent yet", () => {
+    setValue(7);
+    editor.adopt({ scene: { ...scene, background: "light" } });
+    expect(editor.scene?.background).toBe("light");
+    expect(values()).toEqual([7]);
+  });
+});
+
+describe("without a connection", () => {
+  test("the hand goes on, and one patch brings the server up to date", () => {
+    editor.disconnected();
+    setValue(5);
+    editor.change({ background: "light", layers: { outline: null } });
+    runFrame();
+    expect(sent.length).toBe(0);
+    editor.connected(server, state(scene, 20));
+    runFrame();
+    expect(sent.length).toBe(1);
+    expect(sent[0]?.patch).toEqual({ background: "light", layers: { iso: { values: [5] }, outline: null } });
+    expect(values()).toEqual([5]);
+  });
+
+  test("a change that was on its way when the line broke is not lost", async () => {
+    setValue(5);
+    runFrame();
+    sent[0]?.refuse(new Disconnected());
+    editor.disconnected();
+    await settled();
+    expect(refused).toEqual([]);
+    editor.connected(server, state(scene, 3)); // it never arrived
+    runFrame();
+    expect(sent.at(-1)?.patch).toEqual({ layers: { iso: { values: [5] } } });
+  });
+
+  test("with nothing unsent the server's scene stands", () => {
+    editor.disconnected();
+    const other: Scene = { dataset: "other" };
+    editor.connected(server, state(other, 4));
+    expect(editor.scene).toEqual(other);
+    runFrame();
+    expect(sent.length).toBe(0);
+  });
+});

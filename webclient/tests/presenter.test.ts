@@ -1,0 +1,139 @@
+import { beforeEach, describe, expect, test } from "vitest";
+import { decodeGeometry, type GeometryBatch } from "../src/decoders/geometry";
+import { Presenter } from "../src/display/presenter";
+import { frameBytes, geometryPayload, PNG_SIGNATURE } from "./frames";
+import { settled } from "./fake_socket";
+
+interface FakeImage {
+  frame: number;
+  closed: boolean;
+}
+
+let acknowledged: number[] = [];
+let drawn: (number | GeometryBatch[])[] = [];
+let failures: Error[] = [];
+let frames: (() => void)[] = [];
+let decoding = new Map<number, { finish: () => void; fail: (error: Error) => void; image: FakeImage }>();
+let presenter: Presenter;
+
+const runFrame = (): void => frames.splice(0).forEach((frame) => frame());
+const image = (frame: number, view = 1): void => presenter.receive(frameBytes({ frame, view }, PNG_SIGNATURE));
+const finish = async (frame: number): Promise<void> => {
+  decoding.get(frame)?.finish();
+  await settled();
+};
+
+beforeEach(() => {
+  [acknowledged, drawn, failures, frames, decoding] = [[], [], [], [], new Map()];
+  presenter = new Presenter(
+    {
+      showImage: (bitmap) => void drawn.push((bitmap as unknown as FakeImage).frame),
+      showGeometry: (batches) => void drawn.push(batches),
+    },
+    {
+      image: (message) =>
+        new Promise((resolve, reject) => {
+          const frame = new DataView(message).getUint32(12, true);
+          const bitmap = { frame, closed: false, close: () => void (bitmap.closed = true) };
+          decoding.set(frame, {
+            finish: () => resolve(bitmap as unknown as ImageBitmap),
+            fail: reject,
+            image: bitmap,
+          });
+        }),
+      geometry: decodeGeometry,
+    },
+    {
+      acknowledge: (_, frame) => void acknowledged.push(frame),
+      presented: () => undefined,
+      failed: (error) => void failures.push(error),
+    },
+    (callback) => void frames.push(callback),
+  );
+  presenter.show(1);
+});
+
+describe("images", () => {
+  test("acknowledged when drawn, not when received or decoded", async () => {
+    image(1);
+    await finish(1);
+    expect(acknowledged).toEqual([]);
+    runFrame();
+    expect(drawn).toEqual([1]);
+    expect(acknowledged).toEqual([1]);
+    expect(decoding.get(1)?.image.closed).toBe(true);
+  });
+
+  test("only the newest of two is drawn, both are acknowledged", async () => {
+    image(1);
+    image(2);
+    await finish(1);
+    await finish(2);
+    runFrame();
+    expect(drawn).toEqual([2]);
+    expect(acknowledged.sort()).toEqual([1, 2]);
+    expect(decoding.get(1)?.image.closed).toBe(true);
+  });
+
+  test("one that is decoded after a newer one was drawn is never seen", async () => {
+    image(1);
+    image(2);
+    await finish(2);
+    runFrame();
+    await finish(1);
+    runFrame();
+    expect(drawn).toEqual([2]);
+    expect(acknowledged.sort()).toEqual([1, 2]);
+  });
+
+  test("another view's frames are not this one's", async () => {
+    image(1, 5);
+    image(2);
+    presenter.show(6);
+    await finish(2);
+    runFrame();
+    expect(drawn).toEqual([]);
+    expect(acknowledged).toEqual([]);
+  });
+
+  test("one that cannot be decoded is said, and does not stop the stream", async () => {
+    image(1);
+    decoding.get(1)?.fail(new Error("damaged"));
+    await settled();
+    expect(failures.length).toBe(1);
+    expect(acknowledged).toEqual([1]);
+    presenter.receive(new ArrayBuffer(3));
+    presenter.receive(frameBytes({ kind: 9 }, PNG_SIGNATURE));
+    expect(failures.length).toBe(3);
+  });
+});
+
+describe("geometry", () => {
+  const part = (layer: string): Uint8Array => {
+    const description = { layer, kind: "lines", vertices: 2, indices: 2, normals: false, scalars: false, batches: 2 };
+    return geometryPayload(description, [new Float32Array(6), Uint32Array.of(0, 1)]);
+  };
+
+  test("a frame is shown when its last message is here, and acknowledged once", () => {
+    presenter.receive(frameBytes({ kind: 2, flags: 4, frame: 3 }, part("a")));
+    runFrame();
+    expect(drawn).toEqual([]);
+    presenter.receive(frameBytes({ kind: 2, flags: 2, frame: 3 }, part("b")));
+    runFrame();
+    expect(drawn).toMatchObject([[{ layer: "a" }, { layer: "b" }]]);
+    expect(acknowledged).toEqual([3]);
+  });
+
+  test("a new frame does not take over an unfinished one's parts", () => {
+    presenter.receive(frameBytes({ kind: 2, flags: 4, frame: 3 }, part("old")));
+    presenter.receive(frameBytes({ kind: 2, flags: 6, frame: 4 }, part("new")));
+    runFrame();
+    expect(drawn).toMatchObject([[{ layer: "new" }]]);
+  });
+
+  test("a frame without polygons clears the view", () => {
+    presenter.receive(frameBytes({ kind: 2, flags: 6, frame: 1 }, geometryPayload({ batches: 0 }, [])));
+    runFrame();
+    expect(drawn).toEqual([[]]);
+  });
+});
