@@ -14,6 +14,7 @@ namespace ciel::app {
 // left out.
 using Run = std::function<int()>;
 
+void add_append(CLI::App& app, Run& run);
 void add_demo(CLI::App& app, Run& run);
 void add_import(CLI::App& app, Run& run);
 void add_info(CLI::App& app, Run& run);

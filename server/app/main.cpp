@@ -12,10 +12,7 @@ using AddCommand = void (*)(CLI::App& app, ciel::app::Run& run);
 
 // In the order that --help shows.
 const std::vector<AddCommand> commands{
-    ciel::app::add_import,
-    ciel::app::add_info,
-    ciel::app::add_demo,
-    ciel::app::add_serve,
+    ciel::app::add_import, ciel::app::add_info, ciel::app::add_append, ciel::app::add_demo, ciel::app::add_serve,
 };
 
 } // namespace

@@ -7,7 +7,9 @@
 #include "demo/flow.hpp"
 #include "store/writer.hpp"
 
+#include <algorithm>
 #include <array>
+#include <numeric>
 
 namespace ciel::demo {
 namespace {
@@ -83,14 +85,14 @@ void compute(const FaceMesh& mesh, const Bed& bed, const std::vector<bool>& on_w
     });
 }
 
-Assembled make_mesh(const Bed& bed) {
+FaceMesh make_mesh(const Bed& bed) {
     CellSoup soup = voronoi_cells(bed);
     soup.add(hexahedra(bed));
     const WeldedCells welded = weld(soup);
     Assembled assembled = assemble(welded.view());
     if (!assembled.report.bad_cells.empty() || assembled.report.inverted_cells > 0)
         throw Error("the demo's mesh has cells that do not close; report this with the version of voro++ installed");
-    return assembled;
+    return std::move(assembled.mesh);
 }
 
 store::DatasetHeader header_of(const FaceMesh& mesh) {
@@ -111,12 +113,15 @@ void write_demo(const std::filesystem::path& directory, bool overwrite,
                 const std::function<void(double share, const char* what)>& progress) {
     progress(0, "Voronoi cells and hexahedra");
     const Bed bed;
-    const Assembled assembled = make_mesh(bed);
-    const FaceMesh& mesh = assembled.mesh;
+    const FaceMesh mesh = make_mesh(bed);
     store::Writer writer(directory, header_of(mesh), overwrite);
     progress(0.3, "writing the mesh");
     const auto groups = name_groups(mesh, bed);
-    writer.add_mesh(mesh, assembled.original_vertex, assembled.original_cell, groups);
+    // There is no file: what is stored is the original.
+    std::vector<Index> ids(std::max(mesh.positions.size() / 3, mesh.cell_types.size()));
+    std::iota(ids.begin(), ids.end(), 0U);
+    writer.add_mesh(mesh, std::span(ids).first(mesh.positions.size() / 3), std::span(ids).first(mesh.cell_types.size()),
+                    groups);
 
     progress(0.5, "dye");
     const Dye dye({bed.x.front(), bed.x.back(), bed.y.front(), bed.y.back()});

@@ -1,5 +1,5 @@
 // Whatever happens to a writer, nothing half-made is left in the dataset's place.
-#include "box.hpp"
+#include "store/box/box.hpp"
 
 #include <csignal>
 #include <fstream>

@@ -1,5 +1,5 @@
 // Datasets in memory and the catalog of names.
-#include "box.hpp"
+#include "store/box/box.hpp"
 
 #include "store/cache.hpp"
 #include "store/catalog.hpp"

@@ -1,5 +1,5 @@
 // Damaged, truncated, foreign and hostile directories are refused with a sentence that names the file.
-#include "box.hpp"
+#include "store/box/box.hpp"
 
 #include "store/checksum.hpp"
 #include "store/files.hpp"

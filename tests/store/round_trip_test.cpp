@@ -1,5 +1,5 @@
 // What is written is what is read: topology, groups, values, gaps, moved meshes, remeshing, appended steps.
-#include "box.hpp"
+#include "store/box/box.hpp"
 
 #include <cmath>
 #include <gmock/gmock.h>

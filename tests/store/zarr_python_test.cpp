@@ -1,5 +1,5 @@
 // Another implementation of Zarr reads what was written, and appends a step that a served dataset sees.
-#include "box.hpp"
+#include "store/box/box.hpp"
 
 #include <cstdlib>
 #include <gmock/gmock.h>

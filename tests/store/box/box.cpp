@@ -1,4 +1,4 @@
-#include "box.hpp"
+#include "store/box/box.hpp"
 
 #include <array>
 #include <cstdlib>

@@ -1,0 +1,1 @@
+ciel_fuzz(store_metadata LINKS store ciel)

@@ -1,0 +1,79 @@
+// A whole dataset of which one file is the fuzzer's: the first byte chooses the file, the second whether its checksum
+// is mended, the rest is its content. What opens is used as the server would: topology, field, surface, slice.
+#include "store/box/box.hpp"
+
+#include "ciel/extract.hpp"
+#include "store/checksum.hpp"
+#include "store/files.hpp"
+#include "store/loaded.hpp"
+
+#include <string_view>
+
+namespace {
+
+namespace fs = std::filesystem;
+using namespace ciel;
+
+constexpr const char* files[] = {".zattrs",
+                                 "steps.json",
+                                 "meshes/0/.zattrs",
+                                 "meshes/0/arrays/p/.zarray",
+                                 "meshes/0/arrays/p/.zattrs",
+                                 "meshes/0/owner/.zarray",
+                                 "meshes/0/cell_types/0",
+                                 "meshes/0/face_offset/0",
+                                 "meshes/0/face_vertex/0",
+                                 "meshes/0/owner/0",
+                                 "meshes/0/neighbour/0",
+                                 "meshes/0/groups/0/0",
+                                 "meshes/0/positions/0.0.0",
+                                 "meshes/0/arrays/p/0.0",
+                                 "meshes/0/arrays/U/0.0.0"};
+
+void mend_checksums(const fs::path& dataset, const std::string& before, const std::string& after) {
+    const std::string old = store::checksum(store::bytes_of(before)), now = store::checksum(store::bytes_of(after));
+    for (const char* document : {"meshes/0/.zattrs", "steps.json"}) {
+        std::string text = test::read_file(dataset / document);
+        for (auto at = text.find(old); at != std::string::npos; at = text.find(old, at + now.size()))
+            text.replace(at, old.size(), now);
+        test::overwrite_file(dataset / document, text);
+    }
+}
+
+void use(const fs::path& directory) {
+    store::LoadedDataset loaded(store::Dataset::open(directory), 1 << 20);
+    const auto dataset = loaded.dataset();
+    for (std::size_t step = 0; step < dataset->steps().size(); ++step)
+        for (const store::ScalarField& scalar :
+             {loaded.scalar("p", step), loaded.scalar("U:magnitude", step), loaded.plane(step, {1, 1, 1}, {0, 0, 1})})
+            for (const Engine engine : {Engine::signatures, Engine::propagation}) {
+                Query query(*scalar.topology, scalar.mesh, engine);
+                query.set_field(*scalar.field);
+                Surface surface;
+                for (const double nu : {3.5, 0.0, 13.0}) query.extract(nu, true, surface);
+            }
+}
+
+} // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    static const test::Scratch scratch;
+    static const fs::path directory = scratch / "box.ciel";
+    if (!fs::exists(directory)) test::write_box(directory, test::box(2, 2, 2));
+    if (size < 2) return 0;
+    const fs::path file = directory / files[data[0] % std::size(files)];
+    const std::string content(reinterpret_cast<const char*>(data + 2), size - 2), before = test::read_file(file);
+    // Two documents hold checksums; they are put back whole.
+    const std::string mesh = test::read_file(directory / "meshes/0/.zattrs"),
+                      steps = test::read_file(directory / "steps.json");
+    test::overwrite_file(file, content);
+    if (data[1] % 2 == 1) mend_checksums(directory, before, content);
+    try {
+        use(directory);
+    } catch (const Error&) { // the only way to refuse
+    }
+    test::overwrite_file(file, before);
+    test::overwrite_file(directory / "meshes/0/.zattrs", mesh);
+    test::overwrite_file(directory / "steps.json", steps);
+    return 0;
+}
