@@ -1,0 +1,157 @@
+"""ciel demo, info and append, as a user and as another process sees them."""
+
+import json
+import os
+import pathlib
+import shutil
+import signal
+import subprocess
+import time
+
+import numpy
+import pytest
+import zarr
+
+CIEL = os.environ["CIEL_BINARY"]
+
+
+def ciel(*arguments):
+    return subprocess.run([CIEL, *map(str, arguments)], capture_output=True, text=True)
+
+
+def info(dataset):
+    result = ciel("info", dataset, "--json")
+    assert result.returncode == 0, result.stderr
+    return json.loads(result.stdout)
+
+
+@pytest.fixture(scope="module")
+def demo(tmp_path_factory):
+    path = tmp_path_factory.mktemp("demo") / "demo.ciel"
+    result = ciel("demo", "-o", path)
+    assert result.returncode == 0, result.stderr
+    return path
+
+
+@pytest.fixture
+def copy(demo, tmp_path):
+    """A dataset of its own to change. Files are links: the store's are replaced, never rewritten."""
+    return pathlib.Path(shutil.copytree(demo, tmp_path / "copy.ciel", copy_function=os.link))
+
+
+def test_info_has_the_promised_keys(demo):
+    told = info(demo)
+    assert set(told["input"]) == {"vertices", "edges", "cells"}
+    assert set(told["mesh"]) == {"vertices", "edges", "faces", "half_edges", "boundary_faces", "components", "cells"}
+    assert told["mesh"]["cells"]["polyhedron"] >= 100_000 and told["mesh"]["components"] == 1
+    assert len(told["bounds"]) == 6
+    keys = {"name", "association", "components", "range", "units", "times", "ambiguous_faces"}
+    assert all(keys <= set(array) for array in told["arrays"])
+    assert {array["name"]: array["components"] for array in told["arrays"]} == {"U": 3, "tracer": 1, "vorticity": 1}
+    assert told["memory"]["topology_bytes"] > told["mesh"]["half_edges"]
+    assert told["memory"]["bytes_per_half_edge"] == pytest.approx(told["memory"]["topology_bytes"] / told["mesh"]["half_edges"])
+    assert told["checksums"]["verified"] == 60 and told["checksums"]["without_checksum"] == 0
+
+
+def test_info_counts_what_zarr_reads(demo):
+    mesh = zarr.open_group(str(demo), mode="r")["meshes/0"]
+    told = info(demo)
+    offsets, corners = mesh["face_offset"][:], mesh["face_vertex"][:]
+    boundary = mesh["neighbour"][:] == 0xFFFFFFFF
+    assert told["mesh"]["boundary_faces"] == boundary.sum()
+    assert told["mesh"]["half_edges"] == (numpy.diff(offsets.astype("i8")) * numpy.where(boundary, 1, 2)).sum()
+    after = numpy.arange(1, len(corners) + 1)
+    after[offsets[1:].astype("i8") - 1] = offsets[:-1]
+    pairs = numpy.sort(numpy.stack([corners, corners[after]], 1).astype("u8"), axis=1)
+    assert told["mesh"]["edges"] == len(numpy.unique(pairs[:, 0] << numpy.uint64(32) | pairs[:, 1]))
+    speed = max(numpy.linalg.norm(mesh["arrays/U"][step].astype("f8"), axis=1).max() for step in range(20))
+    assert next(a for a in told["arrays"] if a["name"] == "U")["range"][1] == pytest.approx(speed)
+
+
+def test_info_reads_well(demo):
+    text = ciel("info", demo).stdout
+    for word in ("polyhedron", "cylinder", "vorticity", "per half-edge", "Chaos 3, 555", "60 chunks verified"):
+        assert word in text
+
+
+def test_info_finds_one_damaged_chunk(copy):
+    chunk = copy / "meshes/0/arrays/tracer/7.0"
+    content = bytearray(chunk.read_bytes())
+    content[1000] ^= 1
+    chunk.unlink()
+    chunk.write_bytes(content)
+    result = ciel("info", copy)
+    assert result.returncode == 1 and "tracer/7.0" in result.stderr and "checksum" in result.stderr
+    assert len(result.stderr.splitlines()) == 1
+
+
+def test_demo_does_not_overwrite_unless_told(demo):
+    before = (demo / ".zattrs").read_bytes()
+    result = ciel("demo", "-o", demo)
+    assert result.returncode == 1 and "exists already" in result.stderr
+    assert (demo / ".zattrs").read_bytes() == before
+
+
+def test_a_killed_demo_leaves_no_dataset(tmp_path):
+    process = subprocess.Popen([CIEL, "demo", "-o", str(tmp_path / "a.ciel")])
+    deadline = time.monotonic() + 120
+    while not any(tmp_path.glob(".a.ciel.writing-*/meshes/0/arrays/U/*")):
+        assert process.poll() is None and time.monotonic() < deadline
+        time.sleep(0.01)
+    process.send_signal(signal.SIGKILL)
+    process.wait()
+    assert not (tmp_path / "a.ciel").exists()
+
+
+def test_append_npy(copy, tmp_path):
+    vertices = info(copy)["mesh"]["vertices"]
+    values = numpy.random.default_rng(1).random(vertices)
+    numpy.save(tmp_path / "t.npy", values)
+    numpy.save(tmp_path / "u.npy", numpy.ones((vertices, 3), "<f4"))
+    result = ciel("append", copy, "--time", 2, "--array", f"tracer={tmp_path}/t.npy", "--array", f"U={tmp_path}/u.npy")
+    assert result.returncode == 0, result.stderr
+    told = info(copy)
+    assert told["times"][-1] == 2 and len(told["times"]) == 21
+    arrays = {array["name"]: array for array in told["arrays"]}
+    assert arrays["tracer"]["times"][-1] == 2 and arrays["vorticity"]["times"][-1] < 2
+    group = zarr.open_group(str(copy), mode="r")["meshes/0/arrays"]
+    assert (group["tracer"][20] == values.astype("<f4")).all()
+    assert numpy.isnan(group["vorticity"][20]).all(), "not written at that time"
+
+
+def test_append_other_dataset(demo, copy, tmp_path):
+    marker = json.loads((copy / "steps.json").read_text())
+    marker["steps"] = marker["steps"][:15]
+    (tmp_path / "new").write_text(json.dumps(marker))
+    os.replace(tmp_path / "new", copy / "steps.json")
+    result = ciel("append", copy, "--from", demo)
+    assert result.returncode == 0 and "5 of 20" in result.stdout, result.stderr
+    assert info(copy)["times"] == info(demo)["times"]
+    again = ciel("append", copy, "--from", demo)
+    assert again.returncode == 1 and "no step later" in again.stderr
+
+
+@pytest.mark.parametrize(
+    "arguments, error",
+    [
+        ([], "--from"),
+        (["--time", 5], "--array"),
+        (["--time", 5, "--array", "p"], "NAME=FILE.npy"),
+        (["--time", 5, "--array", "p=nothing.npy"], "nothing.npy"),
+        (["--time", 5, "--array", "tracer={few}"], "3 x 1 values where 'tracer' needs"),
+        (["--time", 5, "--array", "tracer={text}"], "not a .npy"),
+        (["--time", 5, "--array", "tracer={integers}"], "float32"),
+        (["--time", 0.1, "--array", "tracer={good}"], "not later"),
+        (["--from", "{text}"], "is a file"),
+    ],
+)
+def test_append_refuses(demo, tmp_path, arguments, error):
+    vertices = zarr.open_group(str(demo), mode="r")["meshes/0/original_vertex"].shape[0]
+    files = {name: tmp_path / f"{name}.npy" for name in ("few", "text", "integers", "good")}
+    numpy.save(files["few"], numpy.zeros(3))
+    files["text"].write_text("no numbers")
+    numpy.save(files["integers"], numpy.zeros(3, "i8"))
+    numpy.save(files["good"], numpy.zeros(vertices, "f4"))
+    result = ciel("append", demo, *[str(a).format(**files) for a in arguments])
+    assert result.returncode in (1, 2) and error in result.stderr + result.stdout
+    assert len(json.loads((demo / "steps.json").read_text())["steps"]) == 20
