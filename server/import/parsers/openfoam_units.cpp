@@ -27,6 +27,19 @@ std::optional<Exponents> read_exponents(const std::string& text) {
     return exponents;
 }
 
+// What stands between the brackets; empty when there is no such entry.
+std::string dimensions_entry(std::string_view head) {
+    constexpr std::string_view keyword = "dimensions";
+    for (std::size_t at = head.find(keyword); at != std::string_view::npos; at = head.find(keyword, at + 1)) {
+        if (at > 0 && std::isspace(static_cast<unsigned char>(head[at - 1])) == 0) continue;
+        const std::size_t open = head.find_first_not_of(" \t\r\n", at + keyword.size());
+        if (open == std::string_view::npos || head[open] != '[') continue;
+        const std::size_t close = head.find(']', open);
+        return close == std::string_view::npos ? "" : std::string(head.substr(open + 1, close - open - 1));
+    }
+    return "";
+}
+
 std::string powers(const Exponents& exponents, int sign) {
     std::string text;
     for (std::size_t i = 0; i < exponents.size(); ++i) {
@@ -42,16 +55,8 @@ std::string powers(const Exponents& exponents, int sign) {
 } // namespace
 
 std::string openfoam_units(std::string_view head) {
-    constexpr std::string_view keyword = "dimensions";
-    std::size_t at = head.find(keyword);
-    while (at != std::string_view::npos && at > 0 && std::isspace(static_cast<unsigned char>(head[at - 1])) == 0)
-        at = head.find(keyword, at + 1);
-    if (at == std::string_view::npos) return "";
-    const std::size_t open = head.find_first_not_of(" \t\r\n", at + keyword.size());
-    if (open == std::string_view::npos || head[open] != '[') return "";
-    const std::size_t close = head.find(']', open);
-    if (close == std::string_view::npos) return "";
-    const auto exponents = read_exponents(std::string(head.substr(open + 1, close - open - 1)));
+    const std::string inside = dimensions_entry(head);
+    const auto exponents = read_exponents(inside);
     if (!exponents) return "";
     if (*exponents == Exponents{1, -1, -2}) return "Pa";
     const std::string above = powers(*exponents, 1);

@@ -1,0 +1,34 @@
+// The first byte chooses the parser: a PVD collection, a file series, or the dimensions of an OpenFOAM field.
+#include "ciel/types.hpp"
+#include "import/parsers/index_entry.hpp"
+#include "import/parsers/openfoam_units.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
+
+namespace {
+
+void check(const std::vector<ciel::importer::IndexEntry>& entries) {
+    const bool sound = !entries.empty() && std::all_of(entries.begin(), entries.end(), [](const auto& entry) {
+        return !entry.file.empty() && std::isfinite(entry.time);
+    });
+    const bool sorted =
+        std::is_sorted(entries.begin(), entries.end(), [](const auto& a, const auto& b) { return a.time < b.time; });
+    if (!sound || !sorted) std::abort();
+}
+
+} // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    if (size == 0) return 0;
+    const std::string_view text(reinterpret_cast<const char*>(data) + 1, size - 1);
+    try {
+        if (data[0] % 3 == 0) check(ciel::importer::parse_pvd(text, "x"));
+        if (data[0] % 3 == 1) check(ciel::importer::parse_series(text, "x"));
+        if (data[0] % 3 == 2 && ciel::importer::openfoam_units(text).size() > 200) std::abort();
+    } catch (const ciel::Error&) { // a refusal
+    }
+    return 0;
+}
