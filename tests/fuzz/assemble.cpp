@@ -9,6 +9,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <iterator>
 #include <limits>
 
 namespace {
@@ -118,12 +119,14 @@ void check_operators(const Topology& topology, Index cells) {
     require(count == topology.counts().half_edges, "the count of half-edges");
 }
 
-// Cells that touch a vertex without a finite value are not cut.
+// Cells that touch a vertex without a finite value are not cut; a face that collapsed to a point touches nothing.
 std::vector<bool> cells_with_values(const FaceMeshView& mesh, std::span<const float> values) {
     std::vector<bool> result(mesh.cell_count(), true);
     for (Index f = 0; f < mesh.face_count(); ++f) {
-        for (Index v : mesh.loop(f)) {
-            if (std::isfinite(values[v])) continue;
+        const auto loop = mesh.loop(f);
+        for (Index v : loop) {
+            const bool is_point = std::count(loop.begin(), loop.end(), v) == std::ssize(loop);
+            if (is_point || std::isfinite(values[v])) continue;
             result[mesh.owner[f]] = false;
             if (mesh.neighbour[f] != none) result[mesh.neighbour[f]] = false;
         }
