@@ -16,8 +16,10 @@ using Run = std::function<int()>;
 
 void add_append(CLI::App& app, Run& run);
 void add_demo(CLI::App& app, Run& run);
+void add_extract(CLI::App& app, Run& run);
 void add_import(CLI::App& app, Run& run);
 void add_info(CLI::App& app, Run& run);
+void add_render(CLI::App& app, Run& run);
 void add_serve(CLI::App& app, Run& run);
 
 } // namespace ciel::app

@@ -27,7 +27,7 @@ void write_ply_header(const ExportSurface& surface, const ExportedPolygons& poly
 
 } // namespace
 
-void write_ply(const ExportSurface& surface, std::ostream& out) {
+ExportedCounts write_ply(const ExportSurface& surface, std::ostream& out) {
     const ExportedPolygons polygons = exported_polygons(surface.surface, surface.triangles);
     write_ply_header(surface, polygons, out);
     for (const Index vertex : polygons.vertices) {
@@ -42,6 +42,7 @@ void write_ply(const ExportSurface& surface, std::ostream& out) {
         write_raw(out, static_cast<std::int32_t>(end - begin));
         for (Index c = begin; c < end; ++c) write_raw(out, static_cast<std::int32_t>(polygons.corner[c]));
     }
+    return polygons.counts();
 }
 
 } // namespace ciel::wire

@@ -23,7 +23,7 @@ Vec3f facet_normal(const std::array<Vec3f, 3>& corners) {
 
 } // namespace
 
-void write_stl(const ExportSurface& surface, std::ostream& out) {
+ExportedCounts write_stl(const ExportSurface& surface, std::ostream& out) {
     const ExportedPolygons triangles = exported_polygons(surface.surface, true);
     std::array<char, 80> title{};
     constexpr std::string_view text = "CIEL surface"; // must not begin with "solid": that marks the text form
@@ -42,6 +42,7 @@ void write_stl(const ExportSurface& surface, std::ostream& out) {
         write_raw(out, world);
         write_raw(out, std::uint16_t{0});
     }
+    return triangles.counts();
 }
 
 } // namespace ciel::wire

@@ -97,7 +97,7 @@ void declare_geometry(const ExportSurface& surface, const ExportedPolygons& poly
 
 } // namespace
 
-void write_vtp(const ExportSurface& surface, std::ostream& out) {
+ExportedCounts write_vtp(const ExportSurface& surface, std::ostream& out) {
     const ExportedPolygons polygons = exported_polygons(surface.surface, surface.triangles);
     AppendedArrays arrays;
     out << "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"LittleEndian\" "
@@ -110,6 +110,7 @@ void write_vtp(const ExportSurface& surface, std::ostream& out) {
     out << "</Piece>\n</PolyData>\n";
     arrays.write(out);
     out << "</VTKFile>\n";
+    return polygons.counts();
 }
 
 } // namespace ciel::wire

@@ -63,7 +63,7 @@ SurfaceFormat surface_format(const std::string& extension) {
     throw Error("'" + extension + "' is no surface format; there are .ply, .stl and .vtp");
 }
 
-void write_surface(SurfaceFormat format, const ExportSurface& surface, std::ostream& out) {
+ExportedCounts write_surface(SurfaceFormat format, const ExportSurface& surface, std::ostream& out) {
     switch (format) {
     case SurfaceFormat::ply:
         return write_ply(surface, out);
@@ -72,6 +72,7 @@ void write_surface(SurfaceFormat format, const ExportSurface& surface, std::ostr
     case SurfaceFormat::vtp:
         return write_vtp(surface, out);
     }
+    return {};
 }
 
 ExportedPolygons exported_polygons(const Surface& surface, bool triangles) {

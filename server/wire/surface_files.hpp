@@ -24,18 +24,24 @@ struct ExportSurface {
 enum class SurfaceFormat { ply, stl, vtp };
 [[nodiscard]] SurfaceFormat surface_format(const std::string& extension); // ".ply"; throws Error with the known ones
 
+struct ExportedCounts {
+    std::size_t polygons = 0, vertices = 0;
+};
+
 // Polygons without area (a value that hits vertices exactly makes them) and vertices that no polygon uses are left out.
-// A failed stream is the caller's to check.
-void write_ply(const ExportSurface& surface, std::ostream& out); // binary little-endian, double positions
-void write_stl(const ExportSurface& surface, std::ostream& out); // binary; float32 positions and no values
-void write_vtp(const ExportSurface& surface, std::ostream& out); // VTK XML, appended raw, double positions
-void write_surface(SurfaceFormat format, const ExportSurface& surface, std::ostream& out);
+// What was written is returned; a failed stream is the caller's to check.
+ExportedCounts write_ply(const ExportSurface& surface, std::ostream& out); // binary little-endian, double positions
+ExportedCounts write_stl(const ExportSurface& surface, std::ostream& out); // binary; float32 positions and no values
+ExportedCounts write_vtp(const ExportSurface& surface, std::ostream& out); // VTK XML, appended raw, double positions
+ExportedCounts write_surface(SurfaceFormat format, const ExportSurface& surface, std::ostream& out);
 
 // What every format writes.
 struct ExportedPolygons {
     std::vector<Index> vertices;  // of the surface
     std::vector<Index> offset{0}; // polygons + 1
     std::vector<Index> corner;    // into `vertices`
+
+    [[nodiscard]] ExportedCounts counts() const { return {offset.size() - 1, vertices.size()}; }
 };
 [[nodiscard]] ExportedPolygons exported_polygons(const Surface& surface, bool triangles);
 

@@ -1,0 +1,113 @@
+#include "app/scene_options.hpp"
+
+#include <CLI/CLI.hpp>
+#include <charconv>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+namespace ciel::app {
+namespace {
+
+constexpr std::size_t field_cache_bytes = std::size_t{1} << 30;
+
+// At the last '=': array names may hold one, values not.
+std::pair<std::string, std::string> split_assignment(const std::string& option, const std::string& text,
+                                                     const char* form) {
+    const auto equals = text.rfind('=');
+    if (equals == std::string::npos || equals == 0 || equals + 1 == text.size())
+        throw Error(option + " " + text + " is not of the form " + form);
+    return {text.substr(0, equals), text.substr(equals + 1)};
+}
+
+nlohmann::json iso_layer(const std::string& text) {
+    const auto [array, values] = split_assignment("--iso", text, "ARRAY=VALUE[,VALUE...]");
+    return {{"type", "iso"}, {"array", array}, {"values", parse_numbers("--iso", values)}};
+}
+
+nlohmann::json slice_layer(const std::string& text) {
+    const auto [axis, value] = split_assignment("--slice", text, "x=VALUE, y=VALUE or z=VALUE");
+    const std::vector<double> numbers = parse_numbers("--slice", value);
+    if ((axis != "x" && axis != "y" && axis != "z") || numbers.size() != 1)
+        throw Error("--slice " + text + " is not of the form x=VALUE, y=VALUE or z=VALUE");
+    return {{"type", "slice"}, {"axis", axis}, {"value", numbers[0]}};
+}
+
+nlohmann::json plane_layer(const std::string& text) {
+    const std::vector<double> n = parse_numbers("--plane", text);
+    if (n.size() != 6) throw Error("--plane " + text + " needs six numbers: a point and a normal, ox,oy,oz,nx,ny,nz");
+    if (std::hypot(n[3], n[4], n[5]) == 0) throw Error("--plane " + text + " has a normal without length");
+    return {{"type", "slice"}, {"origin", {n[0], n[1], n[2]}}, {"normal", {n[3], n[4], n[5]}}};
+}
+
+} // namespace
+
+void SceneOptions::add_to(CLI::App& command) {
+    command.add_option("dataset", dataset, "The dataset, NAME.ciel.")->required()->type_name("NAME.ciel");
+    command.add_option("--iso", isos, "Iso-surface of a point scalar at one or several values; may be repeated.")
+        ->type_name("ARRAY=VALUE[,VALUE...]");
+    command.add_option("--slice", slices, "Slice across an axis; may be repeated.")->type_name("x|y|z=VALUE");
+    command.add_option("--plane", planes, "Slice through a point, across a normal; may be repeated.")
+        ->type_name("ox,oy,oz,nx,ny,nz");
+    command.add_option("--time", time, "The step nearest to this time; the first by default.")->type_name("T");
+}
+
+nlohmann::json SceneOptions::document(const store::Dataset& loaded) const {
+    nlohmann::json layers = nlohmann::json::object();
+    double order = 0;
+    const auto add = [&](const char* kind, const std::vector<std::string>& texts, auto layer_of) {
+        for (std::size_t i = 0; i < texts.size(); ++i) {
+            nlohmann::json layer = layer_of(texts[i]);
+            layer["order"] = order++;
+            layers[kind + std::to_string(i + 1)] = std::move(layer);
+        }
+    };
+    add("iso", isos, iso_layer);
+    add("slice", slices, slice_layer);
+    add("plane", planes, plane_layer);
+    nlohmann::json document{{"dataset", loaded.info().name}, {"layers", std::move(layers)}};
+    if (time)
+        document["time"] = *time;
+    else if (!loaded.steps().empty())
+        document["time"] = loaded.steps().front().time;
+    return document;
+}
+
+std::shared_ptr<store::LoadedDataset> load_dataset(const std::string& path) {
+    return std::make_shared<store::LoadedDataset>(store::Dataset::open(path), field_cache_bytes);
+}
+
+scene::Scene parse_scene(const nlohmann::json& document) {
+    try {
+        return scene::parse(document);
+    } catch (const scene::Invalid& error) {
+        throw Error("the scene cannot be shown: " + error.path + ": " + error.what());
+    }
+}
+
+std::shared_ptr<const session::Geometry> make_geometry(const scene::Scene& scene,
+                                                       const std::shared_ptr<store::LoadedDataset>& loaded) {
+    try {
+        return session::SceneGeometry(Engine::signatures).update(scene, loaded);
+    } catch (const scene::Invalid& error) {
+        throw Error(error.path + ": " + error.what());
+    }
+}
+
+std::vector<double> parse_numbers(const std::string& option, const std::string& text) {
+    std::vector<double> numbers;
+    const char* at = text.data();
+    const char* const end = at + text.size();
+    while (true) {
+        double number = 0;
+        const auto [stop, problem] = std::from_chars(at, end, number);
+        if (problem != std::errc{} || !std::isfinite(number))
+            throw Error(option + " " + text + " has something that is not a number");
+        numbers.push_back(number);
+        if (stop == end) return numbers;
+        if (*stop != ',') throw Error(option + " " + text + " has something that is not a number");
+        at = stop + 1;
+    }
+}
+
+} // namespace ciel::app

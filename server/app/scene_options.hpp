@@ -1,0 +1,39 @@
+// What `ciel extract` and `ciel render` are asked to show, as options; the result is a scene document, so that pictures
+// and files are made the way the server makes them.
+#pragma once
+
+#include "session/scene_geometry.hpp"
+
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace CLI {
+class App;
+}
+
+namespace ciel::app {
+
+struct SceneOptions {
+    std::string dataset; // path of NAME.ciel
+    std::vector<std::string> isos, slices, planes;
+    std::optional<double> time;
+
+    void add_to(CLI::App& command);
+    [[nodiscard]] bool has_layers() const { return !isos.empty() || !slices.empty() || !planes.empty(); }
+    // The layers without colours, at the asked time or else at the first step. Throws Error on an option that cannot
+    // be read.
+    [[nodiscard]] nlohmann::json document(const store::Dataset& dataset) const;
+};
+
+[[nodiscard]] std::shared_ptr<store::LoadedDataset> load_dataset(const std::string& path);
+// Throws Error with the place in the document when it cannot be shown.
+[[nodiscard]] scene::Scene parse_scene(const nlohmann::json& document);
+[[nodiscard]] std::shared_ptr<const session::Geometry>
+make_geometry(const scene::Scene& scene, const std::shared_ptr<store::LoadedDataset>& loaded);
+
+// "a,b,c" as finite numbers. Throws Error naming the option.
+[[nodiscard]] std::vector<double> parse_numbers(const std::string& option, const std::string& text);
+
+} // namespace ciel::app
