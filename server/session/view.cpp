@@ -8,7 +8,7 @@
 namespace ciel::session {
 namespace {
 
-constexpr std::chrono::milliseconds quiet{150};    // without a change before a still is drawn: a pause of the hand
+constexpr std::chrono::milliseconds quiet{150};    // without a change or a frame before a still: a pause of the hand
 constexpr std::chrono::milliseconds patience{500}; // younger interactive work is finished, though superseded
 
 } // namespace
@@ -53,8 +53,9 @@ void View::set_stream(Stream stream) {
 
 void View::acknowledge(std::uint32_t frame) {
     const std::scoped_lock lock(mutex_);
-    if (frame > sent_) return; // not sent yet: nothing to acknowledge
-    acknowledged_ = std::max(acknowledged_, frame);
+    if (frame > sent_ || frame <= acknowledged_) return;
+    acknowledged_ = frame;
+    quiet_until_ = Clock::now() + quiet; // the hand answers to what it sees now
     schedule();
 }
 
@@ -110,6 +111,7 @@ void View::deliver(const FrameRequest& request, std::vector<std::vector<std::uin
     still_wanted_ = nullptr;
     if (!request.still && request.stream == Stream::image && mailbox_.empty()) still_wanted_ = request.version;
     gave_up_ = false;
+    quiet_until_ = Clock::now() + quiet; // else a slow frame would be followed by its still at once, in the hand's way
     finish();
     lock.unlock();
     if (bytes > 0) services_.metrics.count_frame(request.still, bytes, times);
