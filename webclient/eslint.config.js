@@ -14,4 +14,18 @@ export default tseslint.config(
       "@typescript-eslint/no-confusing-void-expression": ["error", { ignoreArrowShorthand: true }],
     },
   },
+  {
+    files: ["**/*.test.ts"],
+    rules: {
+      "max-lines-per-function": "off", // a describe block is a list
+      "@typescript-eslint/no-floating-promises": [
+        "error",
+        {
+          allowForKnownSafeCalls: [
+            { from: "package", package: "node:test", name: ["test", "describe", "before", "after"] },
+          ],
+        },
+      ],
+    },
+  },
 );

@@ -2,7 +2,9 @@
 import { createRequire } from "node:module";
 import type * as Playwright from "playwright-core";
 
-const require = createRequire(new URL("../../webclient/package.json", import.meta.url));
+const require = createRequire(
+  new URL("../../webclient/package.json", import.meta.url),
+);
 const playwright = require("playwright-core") as typeof Playwright;
 
 export type { Browser, BrowserContext, Locator, Page } from "playwright-core";
@@ -19,5 +21,8 @@ const FLAGS = [
 
 export function launch(): Promise<Playwright.Browser> {
   const executablePath = process.env.CIEL_CHROMIUM ?? "/usr/bin/chromium";
-  return playwright.chromium.launch({ executablePath, args: [...FLAGS, "--enable-unsafe-swiftshader"] });
+  return playwright.chromium.launch({
+    executablePath,
+    args: [...FLAGS, "--enable-unsafe-swiftshader"],
+  });
 }

@@ -11,22 +11,31 @@ export const webclient = join(root, "webclient/dist");
 
 /** The datasets of CIEL_BROWSER_DATA: paths parted by colons, each a dataset or a folder of them. */
 export function datasets(): string[] {
-  const paths = (process.env.CIEL_BROWSER_DATA ?? "").split(":").filter((path) => path !== "");
+  const paths = (process.env.CIEL_BROWSER_DATA ?? "")
+    .split(":")
+    .filter((path) => path !== "");
   return paths.flatMap((path) =>
     path.replace(/\/$/, "").endsWith(".ciel") || !existsSync(path)
       ? [path]
-      : readdirSync(path).flatMap((name) => (name.endsWith(".ciel") ? [join(path, name)] : [])),
+      : readdirSync(path).flatMap((name) =>
+          name.endsWith(".ciel") ? [join(path, name)] : [],
+        ),
   );
 }
 
-export const nameOf = (path: string): string => path.replace(/\/$/, "").replace(/^.*\//, "").replace(/\.ciel$/, "");
+export const nameOf = (path: string): string =>
+  path
+    .replace(/\/$/, "")
+    .replace(/^.*\//, "")
+    .replace(/\.ciel$/, "");
 
 export async function freePort(): Promise<number> {
   const probe = createServer();
   await new Promise<void>((done) => probe.listen(0, "127.0.0.1", done));
   const address = probe.address();
   await new Promise((done) => probe.close(done));
-  if (address === null || typeof address === "string") throw new Error("no free port");
+  if (address === null || typeof address === "string")
+    throw new Error("no free port");
   return address.port;
 }
 
@@ -34,12 +43,15 @@ export class Server {
   private process: ChildProcess | null = null;
   log = "";
 
-  constructor(
-    readonly port: number,
-    private readonly data: string[],
-    private readonly options: string[] = [],
-    private readonly prefix = "",
-  ) {}
+  private readonly port: number;
+  private readonly data: string[];
+  private readonly prefix: string;
+
+  constructor(port: number, data: string[], prefix = "") {
+    this.port = port;
+    this.data = data;
+    this.prefix = prefix;
+  }
 
   get address(): string {
     return `http://127.0.0.1:${this.port}${this.prefix}/`;
@@ -48,8 +60,18 @@ export class Server {
   /** Resolves when it listens. */
   async start(): Promise<void> {
     const prefix = this.prefix === "" ? [] : ["--prefix", this.prefix];
-    const fixed = ["serve", ...this.data, "--port", String(this.port), "--webclient", webclient, ...prefix];
-    const child = spawn(binary, [...fixed, ...this.options], { stdio: ["ignore", "pipe", "pipe"] });
+    const options = [
+      "serve",
+      ...this.data,
+      "--port",
+      String(this.port),
+      "--webclient",
+      webclient,
+      ...prefix,
+    ];
+    const child = spawn(binary, options, {
+      stdio: ["ignore", "pipe", "pipe"],
+    });
     this.process = child;
     await new Promise<void>((listening, failed) => {
       const heard = (text: Buffer): void => {
@@ -60,7 +82,11 @@ export class Server {
       child.stdout.on("data", heard);
       child.stderr.on("data", heard);
       child.on("error", failed);
-      child.on("exit", (code) => failed(new Error(`ciel serve ended with ${String(code)}:\n${this.log}`)));
+      child.on("exit", (code) =>
+        failed(
+          new Error(`ciel serve ended with ${String(code)}:\n${this.log}`),
+        ),
+      );
     });
   }
 

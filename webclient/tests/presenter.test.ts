@@ -24,7 +24,7 @@ const finish = async (frame: number): Promise<void> => {
 };
 
 beforeEach(() => {
-  [acknowledged, drawn, failures, frames, decoding] = [[], [], [], [], new Map()];
+  [acknowledged, drawn, failures, frames, decoding] = [[], [], [], [], new Map<number, never>()];
   presenter = new Presenter(
     {
       showImage: (bitmap) => void drawn.push((bitmap as unknown as FakeImage).frame),

@@ -16,7 +16,13 @@ export function StatusBar(): JSX.Element {
   const mesh = useAppState((state) => state.description?.mesh);
   const cells = Object.values(mesh?.cells ?? {}).reduce((sum, count) => sum + count, 0);
   return (
-    <footer class="status-bar">
+    <footer
+      class="status-bar"
+      data-stream={readout.stream}
+      data-still={String(readout.still)}
+      data-frame={readout.frame}
+      data-revision={readout.revision}
+    >
       {mesh !== undefined && <span>{formatCount(cells)} cells</span>}
       {readout.stream !== "none" && (
         <>

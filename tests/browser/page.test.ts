@@ -1,0 +1,279 @@
+// The page around the picture: links, time, themes, sizes, a lost server, clear words.
+import assert from "node:assert/strict";
+import { readFile } from "node:fs/promises";
+import { after, before, describe, test } from "node:test";
+import { launch, type Browser } from "./chromium.ts";
+import { Client } from "./page.ts";
+import { decodePng, difference, distance } from "./png.ts";
+import { datasets, freePort, Server } from "./server.ts";
+
+const data = datasets();
+const skip = data.length === 0 ? "no dataset: set CIEL_BROWSER_DATA" : false;
+
+describe("page", { skip }, () => {
+  let browser: Browser;
+  let server: Server;
+
+  before(async () => {
+    server = new Server(await freePort(), data);
+    await server.start();
+    browser = await launch();
+  });
+  after(async () => {
+    await browser.close();
+    await server.stop();
+  });
+  const fresh = async (
+    options: Parameters<typeof Client.open>[2] = {},
+  ): Promise<Client> => {
+    const client = await Client.open(browser, server.address, options);
+    await client.settled();
+    return client;
+  };
+
+  test("a link opens the same view in another browser", async () => {
+    const client = await fresh();
+    await client.dragIso(0.7);
+    await client.dragCanvas([0.4, 0.5], [0.6, 0.3]);
+    await client.settled();
+    const picture = await client.picture();
+    await client.page.waitForTimeout(800); // the address follows after a pause
+    const link = client.page.url();
+    assert.match(link, /#s=[A-Za-z0-9_-]{40,}$/);
+    const other = await Client.open(browser, link);
+    await other.settled();
+    assert.ok(difference(picture, await other.picture()) < 0.005);
+    assert.equal(await other.value(), await client.value());
+    await client.close();
+    await other.close();
+  });
+
+  test("a damaged link is said, and the page works all the same", async () => {
+    const client = await Client.open(browser, `${server.address}#s=abc`);
+    await client.page.getByText("does not hold a whole scene").waitFor();
+    await client.settled();
+    await client.close();
+  });
+
+  test("reloading keeps the session and its undo", async () => {
+    const client = await fresh();
+    const before = await client.value();
+    await client.dragIso(0.3);
+    await client.settled();
+    const value = await client.value();
+    await client.page.waitForTimeout(800);
+    await client.page.reload();
+    await client.settled();
+    assert.equal(await client.value(), value);
+    await client.button("Undo").click();
+    await client.settled();
+    assert.equal(await client.value(), before);
+    await client.close();
+  });
+
+  test("the server dies and comes back: the scene is kept, and what the hand did meanwhile", async () => {
+    const client = await fresh();
+    await client.dragIso(0.65);
+    await client.settled();
+    const picture = await client.picture();
+    const value = await client.value();
+    await server.stop("SIGKILL");
+    await client.page.getByText("The server does not answer").waitFor();
+    await client.keep("server-gone");
+    await client.isoValue.focus();
+    await client.page.keyboard.press("PageUp");
+    const moved = await client.value();
+    assert.notEqual(moved, value);
+    await server.start();
+    await client.button("Try now").click();
+    await client.page.getByText("Connected", { exact: true }).waitFor();
+    await client.settled();
+    assert.equal(await client.value(), moved);
+    await client.isoValue.focus();
+    await client.page
+      .getByLabel("Iso-value", { exact: true })
+      .fill(String(value));
+    await client.page.keyboard.press("Enter");
+    await client.settled();
+    assert.ok(difference(picture, await client.picture()) < 0.005);
+    assert.deepEqual(client.problems, []);
+    await client.close();
+  });
+
+  test("it comes back by itself", async () => {
+    const client = await fresh();
+    await server.stop();
+    await client.page.getByText("Not connected").waitFor();
+    await server.start();
+    await client.page
+      .getByText("Connected", { exact: true })
+      .waitFor({ timeout: 30_000 });
+    await client.settled();
+    await client.close();
+  });
+
+  test("offline is said at once", async () => {
+    const client = await fresh();
+    await client.page.context().setOffline(true);
+    await client.page.getByText("This computer is offline").waitFor();
+    await client.page.context().setOffline(false);
+    await client.page
+      .getByText("Connected", { exact: true })
+      .waitFor({ timeout: 30_000 });
+    await client.settled();
+    await client.close();
+  });
+
+  test("time plays, pauses and steps", async (context) => {
+    const client = await fresh();
+    const slider = client.page.getByLabel("Time step", { exact: true });
+    if ((await slider.count()) === 0) {
+      context.skip("the first dataset has one time step");
+    } else {
+      const first = await client.picture();
+      const step = await slider.inputValue();
+      client.patches.length = 0;
+      await client.button("Play").click();
+      await client.page.waitForFunction(
+        ([label, before]) =>
+          document.querySelector<HTMLInputElement>(`[aria-label="${label}"]`)
+            ?.value !== before,
+        ["Time step", step] as const,
+      );
+      await client.page.waitForTimeout(1500);
+      await client.button("Pause").click();
+      await client.settled();
+      assert.ok(
+        client.patches.length >= 2,
+        `${client.patches.length} steps were asked for`,
+      );
+      assert.equal(
+        new Set(client.patches.map(({ gesture }) => gesture)).size,
+        1,
+      );
+      await client.button("Undo").click();
+      await client.settled();
+      assert.equal(await slider.inputValue(), step);
+      await client.button("Step on").click();
+      await client.settled();
+      assert.ok(difference(first, await client.picture()) > 0.001);
+    }
+    await client.close();
+  });
+
+  test("light and dark", async () => {
+    const light = await fresh({ scheme: "light" });
+    await light.keep("light");
+    const bright = (await light.picture()).at(3, 3);
+    assert.ok(
+      distance(bright, [255, 255, 255]) < 12,
+      `light: ${bright.join()}`,
+    );
+    await light.button(/^Theme/).click();
+    await light.button(/^Theme/).click();
+    await light.settled();
+    const dark = (await light.picture()).at(3, 3);
+    assert.ok(distance(dark, [26, 31, 41]) < 12, `dark: ${dark.join()}`);
+    await light.close();
+  });
+
+  test("another size, and more pixels for a sharper screen", async () => {
+    const client = await fresh({ scale: 2, width: 1000, height: 640 });
+    const size = (): Promise<number[]> =>
+      client.page
+        .locator("canvas")
+        .first()
+        .evaluate((canvas: HTMLCanvasElement) => [
+          canvas.width,
+          canvas.clientWidth,
+        ]);
+    const [pixels = 0, css = 1] = await size();
+    assert.equal(pixels, 2 * css);
+    await client.page.setViewportSize({ width: 1280, height: 720 });
+    await client.settled();
+    const [more = 0, wider = 1] = await size();
+    assert.ok(wider > css);
+    assert.equal(more, 2 * wider);
+    await client.close();
+  });
+
+  test("the saved picture is a lossless still of the view's size", async () => {
+    const client = await fresh();
+    const [file] = await Promise.all([
+      client.page.waitForEvent("download"),
+      client.button("Save a picture").click(),
+    ]);
+    const saved = decodePng(await readFile(await file.path()));
+    const seen = await client.picture();
+    assert.deepEqual([saved.width, saved.height], [seen.width, seen.height]);
+    assert.ok(difference(saved, seen) < 0.002);
+    await client.close();
+  });
+
+  test("a surface leaves as a file", async () => {
+    const client = await fresh();
+    await client.button("Export a surface").click();
+    await client.page.getByLabel("Surface").selectOption("iso");
+    const [file] = await Promise.all([
+      client.page.waitForEvent("download"),
+      client.button("PLY").click(),
+    ]);
+    const text = (await readFile(await file.path())).toString("latin1");
+    assert.match(text, /^ply\n/);
+    assert.match(text, /element face [1-9]/);
+    await client.close();
+  });
+
+  test("help opens by key and closes by Escape", async () => {
+    const client = await fresh();
+    await client.page.keyboard.press("?");
+    await client.page.getByRole("dialog").waitFor();
+    await client.keep("help");
+    await client.page.keyboard.press("Escape");
+    await client.page.getByRole("dialog").waitFor({ state: "detached" });
+    await client.close();
+  });
+
+  test("every control has a name and the tab key reaches the iso-value", async () => {
+    const client = await fresh();
+    const nameless = await client.page.evaluate(() =>
+      [...document.querySelectorAll("button, select, input, [role=slider]")]
+        .filter(
+          (e) =>
+            !(
+              e.getAttribute("aria-label") ??
+              e.closest("label")?.textContent ??
+              e.textContent
+            ),
+        )
+        .map((e) => e.outerHTML),
+    );
+    assert.deepEqual(nameless, []);
+    const reached = async (): Promise<boolean> =>
+      client.page.evaluate(
+        () => document.activeElement?.getAttribute("role") === "slider",
+      );
+    for (let i = 0; i < 60 && !(await reached()); i += 1)
+      await client.page.keyboard.press("Tab");
+    assert.ok(await reached());
+    await client.close();
+  });
+
+  test("below a path prefix", async () => {
+    const below = new Server(await freePort(), data, "/some/where");
+    await below.start();
+    const client = await Client.open(browser, below.address);
+    await client.settled();
+    await client.close();
+    await below.stop();
+  });
+
+  test("a server without datasets says so", async () => {
+    const empty = new Server(await freePort(), []);
+    await empty.start();
+    const client = await Client.open(browser, empty.address);
+    await client.page.getByText("The server offers no dataset").waitFor();
+    await client.close();
+    await empty.stop();
+  });
+});

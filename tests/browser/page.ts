@@ -1,0 +1,184 @@
+// The page as a person meets it: what they see, what they take hold of.
+import { mkdirSync, writeFileSync } from "node:fs";
+import { dirname, join, resolve } from "node:path";
+import { fileURLToPath } from "node:url";
+import type { Browser, Locator, Page } from "./chromium.ts";
+import { decodePng, type Picture } from "./png.ts";
+
+const root = resolve(dirname(fileURLToPath(import.meta.url)), "../..");
+export const screenshots =
+  process.env.CIEL_SCREENSHOTS ?? join(root, "build/screenshots");
+
+export interface PageOptions {
+  width?: number;
+  height?: number;
+  scale?: number;
+  scheme?: "dark" | "light";
+}
+
+export interface Frame {
+  frame: number;
+  revision: number;
+  still: boolean;
+  stream: string;
+}
+
+export class Client {
+  readonly problems: string[] = [];
+  readonly patches: { patch: Record<string, unknown>; gesture: string }[] = [];
+
+  readonly page: Page;
+
+  private constructor(page: Page) {
+    this.page = page;
+    page.on("pageerror", (error) => this.problems.push(error.message));
+    page.on("console", (message) => {
+      if (message.type() === "error" && !/WebSocket|ERR_/.test(message.text()))
+        this.problems.push(message.text());
+    });
+    page.on("websocket", (socket) =>
+      socket.on("framesent", ({ payload }) => {
+        const call = JSON.parse(String(payload)) as {
+          method: string;
+          params: Client["patches"][number];
+        };
+        if (call.method === "scene.patch") this.patches.push(call.params);
+      }),
+    );
+  }
+
+  static async open(
+    browser: Browser,
+    address: string,
+    options: PageOptions = {},
+  ): Promise<Client> {
+    const context = await browser.newContext({
+      viewport: { width: options.width ?? 1280, height: options.height ?? 720 },
+      deviceScaleFactor: options.scale ?? 1,
+      colorScheme: options.scheme ?? "dark",
+    });
+    const client = new Client(await context.newPage());
+    await client.page.goto(address);
+    return client;
+  }
+
+  async close(): Promise<void> {
+    await this.page.context().close();
+  }
+
+  get canvas(): Locator {
+    return this.page.getByRole("application");
+  }
+
+  get isoValue(): Locator {
+    return this.page.getByRole("slider", { name: /iso-value$/ }).first();
+  }
+
+  async value(): Promise<number> {
+    return Number(await this.isoValue.getAttribute("aria-valuenow"));
+  }
+
+  private shown(): Promise<Frame> {
+    return this.page.locator("[data-frame]").evaluate((element) => {
+      const { frame, revision, still, stream } = (element as HTMLElement)
+        .dataset;
+      return {
+        frame: Number(frame),
+        revision: Number(revision),
+        still: still === "true",
+        stream: stream ?? "",
+      };
+    });
+  }
+
+  /** Until the picture of the newest scene stands: a still, or polygons, and nothing newer for a moment. */
+  async settled(stream = "image"): Promise<void> {
+    const deadline = Date.now() + 60_000;
+    let last = -1;
+    let since = Date.now();
+    for (;;) {
+      const frame = await this.shown();
+      if (frame.frame !== last) [last, since] = [frame.frame, Date.now()];
+      const complete =
+        frame.stream === stream && (frame.still || stream === "geometry");
+      if (complete && Date.now() - since > 500) return;
+      if (Date.now() > deadline)
+        throw new Error(
+          `no settled ${stream} picture: ${JSON.stringify(frame)}`,
+        );
+      await this.page.waitForTimeout(50);
+    }
+  }
+
+  /** What the canvas shows, without what lies over it. */
+  async picture(): Promise<Picture> {
+    const hidden =
+      ".triad, .legends, .probe, .probe-mark, .busy, .toasts, .banner { visibility: hidden !important }";
+    return decodePng(await this.canvas.screenshot({ style: hidden }));
+  }
+
+  /** For a person to look at. */
+  async keep(name: string): Promise<void> {
+    mkdirSync(screenshots, { recursive: true });
+    writeFileSync(
+      join(screenshots, `${name}.png`),
+      await this.page.screenshot(),
+    );
+  }
+
+  async drag(
+    from: [number, number],
+    to: [number, number],
+    steps = 8,
+  ): Promise<void> {
+    await this.page.mouse.move(...from);
+    await this.page.mouse.down();
+    await this.page.mouse.move(...to, { steps });
+    await this.page.mouse.up();
+  }
+
+  /** By parts of the canvas's width and height. */
+  async dragCanvas(
+    from: [number, number],
+    to: [number, number],
+  ): Promise<void> {
+    const box = await this.canvas.boundingBox();
+    if (box === null) throw new Error("the canvas is not on the page");
+    const at = ([x, y]: [number, number]): [number, number] => [
+      box.x + x * box.width,
+      box.y + y * box.height,
+    ];
+    await this.drag(at(from), at(to));
+  }
+
+  /** The iso-value's handle, to a part of the range. */
+  async dragIso(to: number): Promise<void> {
+    const handle = await this.isoValue.boundingBox();
+    const track = await this.page
+      .locator(".histogram-track")
+      .first()
+      .boundingBox();
+    if (handle === null || track === null)
+      throw new Error("the histogram is not on the page");
+    const y = track.y + track.height / 2;
+    await this.drag(
+      [handle.x + handle.width / 2, y],
+      [track.x + to * track.width, y],
+      12,
+    );
+  }
+
+  button(name: string | RegExp): Locator {
+    return this.page.getByRole("button", { name });
+  }
+
+  async choose(dataset: string): Promise<void> {
+    await this.page
+      .getByLabel("Dataset", { exact: true })
+      .selectOption(dataset);
+    await this.page.waitForFunction(
+      (name) => document.title.startsWith(`${name} `),
+      dataset,
+    );
+  }
+}

@@ -1,0 +1,266 @@
+// What is seen, and that the hand changes it.
+import assert from "node:assert/strict";
+import { after, before, describe, test } from "node:test";
+import { launch, type Browser } from "./chromium.ts";
+import { Client } from "./page.ts";
+import {
+  difference,
+  distance,
+  hue,
+  share,
+  type Color,
+  type Picture,
+} from "./png.ts";
+import { datasets, freePort, nameOf, Server } from "./server.ts";
+
+const data = datasets();
+const skip = data.length === 0 ? "no dataset: set CIEL_BROWSER_DATA" : false;
+
+/** Background differs from row to row only; its colour stands at the left edge of every row. */
+const foreground = (picture: Picture): number =>
+  share(picture, (color, _x, y) => distance(color, picture.at(1, y)) > 10);
+const isColoured = (color: Color): boolean => hue(color) !== null;
+
+describe("view", { skip }, () => {
+  let browser: Browser;
+  let server: Server;
+  let client: Client;
+
+  before(async () => {
+    server = new Server(await freePort(), data);
+    await server.start();
+    browser = await launch();
+    client = await Client.open(browser, server.address);
+    await client.settled();
+  });
+  after(async () => {
+    await client.close();
+    await browser.close();
+    await server.stop();
+  });
+
+  test("the first picture shows something on a background", async () => {
+    await client.keep("first");
+    const picture = await client.picture();
+    const part = foreground(picture);
+    assert.ok(
+      part > 0.02 && part < 0.9,
+      `${part} of the picture is not background`,
+    );
+    assert.ok(
+      distance(picture.at(4, 4), [26, 31, 41]) < 12,
+      `the top left is ${picture.at(4, 4).join()}`,
+    );
+    assert.ok(share(picture, isColoured) > 0.01, "no colour of a map is seen");
+  });
+
+  test("a drag over the canvas turns the view and is one step of undo", async () => {
+    const before = await client.picture();
+    await client.dragCanvas([0.5, 0.5], [0.7, 0.4]);
+    await client.settled();
+    const turned = await client.picture();
+    assert.ok(difference(before, turned) > 0.02);
+    await client.button("Undo").click();
+    await client.settled();
+    assert.ok(
+      difference(before, await client.picture()) < 0.005,
+      "one undo brings the view back",
+    );
+    await client.button("Redo").click();
+    await client.settled();
+    assert.ok(
+      difference(turned, await client.picture()) < 0.005,
+      "redo turns it again",
+    );
+    await client.button("Undo").click();
+    await client.settled();
+  });
+
+  test("a drag of the iso-value changes the picture and is one step of undo", async () => {
+    const before = await client.picture();
+    const value = await client.value();
+    client.patches.length = 0;
+    await client.dragIso(0.75);
+    await client.settled();
+    assert.notEqual(await client.value(), value);
+    assert.ok(difference(before, await client.picture()) > 0.01);
+    assert.ok(
+      client.patches.length > 0 && client.patches.length <= 13,
+      `${client.patches.length} patches`,
+    );
+    assert.equal(new Set(client.patches.map(({ gesture }) => gesture)).size, 1);
+    await client.page.keyboard.press("Control+z");
+    await client.settled();
+    assert.equal(await client.value(), value);
+    assert.ok(difference(before, await client.picture()) < 0.005);
+    await client.page.keyboard.press("Control+Shift+Z");
+    await client.settled();
+    assert.notEqual(await client.value(), value);
+    await client.button("Undo").click();
+    await client.settled();
+  });
+
+  test("the iso-value by keyboard and by typing", async () => {
+    const value = await client.value();
+    await client.isoValue.focus();
+    await client.page.keyboard.press("PageUp");
+    await client.settled();
+    const paged = await client.value();
+    assert.ok(paged > value);
+    const field = client.page.getByLabel("Iso-value", { exact: true });
+    await field.fill(String(value));
+    await field.press("Enter");
+    await client.settled();
+    assert.equal(await client.value(), value);
+    await field.fill("not a number");
+    await field.press("Enter");
+    assert.equal(await client.value(), value);
+  });
+
+  test("the wheel zooms to the cursor, R shows everything again", async () => {
+    await client.page.keyboard.press("r");
+    await client.settled();
+    const before = await client.picture();
+    const box = await client.canvas.boundingBox();
+    await client.page.mouse.move((box?.x ?? 0) + 480, (box?.y ?? 0) + 300);
+    for (let i = 0; i < 4; i += 1) await client.page.mouse.wheel(0, -120);
+    await client.settled();
+    assert.ok(difference(before, await client.picture()) > 0.02);
+    await client.canvas.focus();
+    await client.page.keyboard.press("r");
+    await client.settled();
+    assert.ok(difference(before, await client.picture()) < 0.005);
+  });
+
+  test("axis views and the projection", async () => {
+    const before = await client.picture();
+    await client.button("Look from plus z").click();
+    await client.settled();
+    const fromAbove = await client.picture();
+    assert.ok(difference(before, fromAbove) > 0.02);
+    await client.page.getByLabel("Parallel projection").check();
+    await client.settled();
+    assert.ok(difference(fromAbove, await client.picture()) > 0.001);
+    await client.page.getByLabel("Parallel projection").uncheck();
+    await client.button("Show everything").click();
+    await client.settled();
+  });
+
+  test("a slice appears, moves and goes", async () => {
+    const before = await client.picture();
+    await client.page.getByLabel("X", { exact: true }).check();
+    await client.settled();
+    const sliced = await client.picture();
+    await client.keep("slice");
+    assert.ok(difference(before, sliced) > 0.01);
+    await client.page.getByLabel("Position of the x slice").focus();
+    for (let i = 0; i < 3; i += 1) await client.page.keyboard.press("PageUp");
+    await client.settled();
+    assert.ok(difference(sliced, await client.picture()) > 0.005);
+    await client.page.getByLabel("X", { exact: true }).uncheck();
+    await client.settled();
+    assert.ok(difference(before, await client.picture()) < 0.005);
+  });
+
+  test("another colour map changes hues, not the silhouette", async () => {
+    const before = await client.picture();
+    const map = client.page.getByLabel("Map", { exact: true }).first();
+    const old = await map.inputValue();
+    await map.selectOption("grayscale");
+    await client.settled();
+    const grey = await client.picture();
+    assert.ok(
+      share(grey, isColoured) < share(before, isColoured) / 2,
+      "grey takes the hues away",
+    );
+    assert.ok(Math.abs(foreground(grey) - foreground(before)) < 0.03);
+    await map.selectOption(old);
+    await client.settled();
+  });
+
+  test("the legend's range is edited and reset", async () => {
+    const low = client.page.getByLabel(/^Lowest value of/).first();
+    const high = client.page.getByLabel(/^Highest value of/).first();
+    const old = [await low.inputValue(), await high.inputValue()];
+    const before = await client.picture();
+    await high.fill(String(Number(old[0]?.replace("\u2212", "-")) + 1e-6));
+    await high.press("Enter");
+    await client.settled();
+    assert.ok(difference(before, await client.picture()) > 0.005);
+    await client
+      .button(/^Range of the data/)
+      .first()
+      .click();
+    await client.settled();
+    assert.deepEqual([await low.inputValue(), await high.inputValue()], old);
+  });
+
+  test("a click reads the values, a double click centres", async () => {
+    const picture = await client.picture();
+    let [x, y] = [0, 0];
+    share(picture, (color, px, py) => {
+      if (
+        x === 0 &&
+        isColoured(color) &&
+        px > picture.width * 0.4 &&
+        py > picture.height * 0.4
+      )
+        [x, y] = [px, py];
+      return false;
+    });
+    await client.canvas.click({ position: { x: x + 2, y: y + 2 } });
+    const card = client.page.getByLabel("Values at the clicked point");
+    await card.waitFor();
+    assert.match((await card.textContent()) ?? "", /\d/);
+    await client.keep("probe");
+    await client.canvas.dblclick({ position: { x: x + 2, y: y + 2 } });
+    await client.settled();
+    assert.ok(difference(picture, await client.picture()) > 0.005);
+    await client.button("Close the values").click();
+    await client.button("Show everything").click();
+    await client.settled();
+  });
+
+  test("the geometry stream draws the same silhouette", async () => {
+    const image = await client.picture();
+    await client.page.getByLabel("Stream").selectOption("geometry");
+    await client.settled("geometry");
+    const geometry = await client.picture();
+    await client.keep("geometry");
+    const [a, b] = [foreground(image), foreground(geometry)];
+    assert.ok(
+      Math.abs(a - b) < 0.02,
+      `${a} of the image and ${b} of the geometry are not background`,
+    );
+    assert.ok(
+      difference(image, geometry) < 0.08,
+      `${difference(image, geometry)} differ`,
+    );
+    client.patches.length = 0;
+    await client.dragCanvas([0.5, 0.5], [0.6, 0.5]);
+    assert.ok(
+      difference(geometry, await client.picture()) > 0.01,
+      "the camera answers without the server",
+    );
+    await client.button("Undo").click();
+    await client.page.getByLabel("Stream").selectOption("image");
+    await client.settled();
+    assert.ok(difference(image, await client.picture()) < 0.005);
+  });
+
+  test("nothing went wrong on the way", () =>
+    assert.deepEqual(client.problems, []));
+
+  test("every dataset opens", async () => {
+    for (const path of data) {
+      await client.choose(nameOf(path));
+      await client.settled();
+      await client.keep(`dataset-${nameOf(path)}`);
+      const part = foreground(await client.picture());
+      assert.ok(
+        part > 0.01 && part < 0.95,
+        `${nameOf(path)}: ${part} of the picture is not background`,
+      );
+    }
+  });
+});
