@@ -28,7 +28,8 @@ public:
 
     // Looks for steps appended by other processes, about once a second, and calls on_change(dataset name) from a thread
     // of its own; also when a dataset was replaced by another (open() then gives the new one). Ends when the returned
-    // handle is destroyed, which must happen before the catalog is, and never from within on_change.
+    // handle is destroyed, which must happen before the catalog is, and never from within on_change. on_change must not
+    // throw.
     [[nodiscard]] std::shared_ptr<void> watch(std::function<void(const std::string&)> on_change);
 
 private:

@@ -66,31 +66,37 @@ struct Writer::State {
         appending() ? replace_file(file, bytes) : write_file(file, bytes);
     }
 
+    // Nothing is flushed again that an append leaves as it was.
+    void put_text(const fs::path& file, const std::string& text) const {
+        if (appending() && fs::exists(file) && read_text(file, layout::marker_bytes) == text) return;
+        put(file, bytes_of(text));
+    }
+
     void put_array(const ArrayInfo& array, const WrittenMesh& on, const fs::path& path, std::uint64_t steps) const {
         const std::uint64_t items =
             array.association == Association::point ? on.attributes.info.vertices : on.attributes.info.cells;
-        put(path / layout::attributes_document, bytes_of(to_text(array)));
-        put(path / layout::array_document, bytes_of(to_text(values_shape(steps, items, array.components))));
+        put_text(path / layout::attributes_document, to_text(array));
+        put_text(path / layout::array_document, to_text(values_shape(steps, items, array.components)));
     }
 
     void put_mesh(std::size_t index) const {
         const WrittenMesh& written = meshes[index];
         const fs::path path = layout::mesh(directory, index);
-        put(path / layout::attributes_document, bytes_of(to_text(written.attributes)));
-        put(path / "positions" / layout::array_document,
-            bytes_of(to_text(
-                positions_shape(written.attributes.coordinate_checksums.size(), written.attributes.info.vertices))));
+        put_text(path / layout::attributes_document, to_text(written.attributes));
+        put_text(
+            path / "positions" / layout::array_document,
+            to_text(positions_shape(written.attributes.coordinate_checksums.size(), written.attributes.info.vertices)));
         for (const auto& [name, array] : written.arrays)
             put_array(array, written, layout::values(path, name), written.steps);
     }
 
     void put_root() const {
-        put(directory / layout::attributes_document, bytes_of(root_attributes_text(info)));
-        put(directory / layout::group_document, bytes_of(group_text()));
-        put(directory / "meshes" / layout::group_document, bytes_of(group_text()));
+        put_text(directory / layout::attributes_document, root_attributes_text(info));
+        put_text(directory / layout::group_document, group_text());
+        put_text(directory / "meshes" / layout::group_document, group_text());
     }
 
-    void put_marker() const { put(directory / layout::commit_marker, bytes_of(to_text(marker))); }
+    void put_marker() const { put_text(directory / layout::commit_marker, to_text(marker)); }
 
     void check_array(const ArrayValues& array, const WrittenMesh& on) const {
         const std::uint64_t items =
@@ -148,6 +154,12 @@ Writer Writer::append(const fs::path& directory) {
     for (std::size_t m = 0; m < state->marker.meshes; ++m) {
         const auto file = layout::mesh(directory, m) / layout::attributes_document;
         state->meshes.push_back({parse_mesh_attributes(read_text(file, layout::document_bytes), file), {}, 0});
+        // Coordinates that came by plain Zarr have no checksum yet.
+        const auto positions = layout::mesh(directory, m) / "positions" / layout::array_document;
+        auto& sums = state->meshes.back().attributes.coordinate_checksums;
+        for (const auto sets = parse_zarr_array(read_text(positions, layout::document_bytes), positions).shape[0];
+             sums.size() < sets;)
+            sums.push_back(checksum(std::as_bytes(dataset->mesh(m, sums.size()).positions)));
     }
     for (const MarkedStep& step : state->marker.steps) {
         WrittenMesh& mesh = state->meshes[step.mesh];

@@ -28,9 +28,11 @@ assert numpy.isnan(arrays["p"][1]).all(), "not written at that time"
 
 p = group["meshes/0/arrays/p"]
 p.append(numpy.arange(100, 127, dtype="<f4")[None])
+moved = group["meshes/0/positions"]
+moved.append(moved[0][None] + 1)
 with open(path + "/steps.json") as file:
     marker = json.load(file)
-marker["steps"].append({"time": 1.5, "arrays": {"p": {"chunk": p.shape[0] - 1}}})
+marker["steps"].append({"time": 1.5, "coordinates": 1, "arrays": {"p": {"chunk": p.shape[0] - 1}}})
 with open(path + "/steps.json.new", "w") as file:
     json.dump(marker, file)
 os.replace(path + "/steps.json.new", path + "/steps.json")
