@@ -1,6 +1,7 @@
 #include "wire/joined_surface.hpp"
 
 #include <algorithm>
+#include <unordered_map>
 
 namespace ciel::wire {
 namespace {
@@ -13,6 +14,21 @@ void append(std::vector<T>& to, const std::vector<T>& more) {
 const NamedValues* find(const std::vector<NamedValues>& values, const std::string& name) {
     const auto found = std::find_if(values.begin(), values.end(), [&](const auto& one) { return one.name == name; });
     return found != values.end() ? &*found : nullptr;
+}
+
+// Where the value is a mesh vertex's own, every edge there has a point of its own at the same place. As one vertex they
+// keep the surface closed once the polygons without area between them are left out.
+std::vector<Index> one_vertex_per_place(const Surface& surface) {
+    std::vector<Index> kept(surface.positions.size());
+    std::unordered_map<Index, Index> at_mesh_vertex;
+    for (Index v = 0; v < kept.size(); ++v) {
+        kept[v] = v;
+        if (v >= surface.points.size()) continue;
+        const EdgePoint& point = surface.points[v];
+        if (point.t == 0) kept[v] = at_mesh_vertex.try_emplace(point.a, v).first->second;
+        if (point.t == 1) kept[v] = at_mesh_vertex.try_emplace(point.b, v).first->second;
+    }
+    return kept;
 }
 
 } // namespace
@@ -34,7 +50,8 @@ void JoinedSurface::add(const Surface& surface, const std::vector<NamedValues>& 
     append(surface_.positions, surface.positions);
     append(surface_.points, surface.points);
     append(surface_.polygon_cell, surface.polygon_cell);
-    for (const Index vertex : surface.polygon_vertex) surface_.polygon_vertex.push_back(first_vertex + vertex);
+    const std::vector<Index> kept = one_vertex_per_place(surface);
+    for (const Index vertex : surface.polygon_vertex) surface_.polygon_vertex.push_back(first_vertex + kept[vertex]);
     for (std::size_t i = 1; i < surface.polygon_offset.size(); ++i)
         surface_.polygon_offset.push_back(first_corner + surface.polygon_offset[i]);
     is_first_ = false;

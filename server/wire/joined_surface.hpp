@@ -5,7 +5,8 @@
 
 namespace ciel::wire {
 
-// Owns its arrays. Normals are kept only while every surface added has them, and values by name likewise.
+// Owns its arrays. Vertices of one surface that lie on the same mesh vertex become one. Normals are kept only while
+// every surface added has them, and values by name likewise.
 class JoinedSurface {
 public:
     // values: each one per vertex of `surface`.

@@ -36,8 +36,12 @@ public:
     explicit Compactor(const Surface& surface) : surface_(surface), local_(surface.positions.size(), none) {}
 
     void add(std::span<const Index> polygon) {
-        if (!has_area(surface_, polygon)) return;
-        for (const Index vertex : polygon) {
+        distinct_.clear();
+        for (const Index vertex : polygon)
+            if (distinct_.empty() || distinct_.back() != vertex) distinct_.push_back(vertex);
+        while (distinct_.size() > 1 && distinct_.front() == distinct_.back()) distinct_.pop_back();
+        if (!has_area(surface_, distinct_)) return;
+        for (const Index vertex : distinct_) {
             if (local_[vertex] == none) {
                 local_[vertex] = static_cast<Index>(out_.vertices.size());
                 out_.vertices.push_back(vertex);
@@ -50,7 +54,7 @@ public:
 
 private:
     const Surface& surface_;
-    std::vector<Index> local_;
+    std::vector<Index> local_, distinct_;
     ExportedPolygons out_;
 };
 

@@ -1,0 +1,168 @@
+"""ciel extract and ciel render, as a user sees them: files read by VTK, pictures measured."""
+
+import json
+import os
+import subprocess
+
+import numpy as np
+import pytest
+import vtk
+from vtk.util.numpy_support import vtk_to_numpy
+
+from box_dataset import write_box
+
+CIEL = os.environ["CIEL_BINARY"]
+
+
+def ciel(*arguments, cwd=None):
+    return subprocess.run([CIEL, *map(str, arguments)], capture_output=True, text=True, cwd=cwd)
+
+
+def works(*arguments, cwd=None):
+    result = ciel(*arguments, cwd=cwd)
+    assert result.returncode == 0, result.stderr
+    return result.stdout
+
+
+@pytest.fixture(scope="module")
+def box(tmp_path_factory):
+    return write_box(tmp_path_factory.mktemp("box") / "box.ciel", 24)
+
+
+def read(path):
+    reader = {".vtp": vtk.vtkXMLPolyDataReader, ".ply": vtk.vtkPLYReader, ".stl": vtk.vtkSTLReader}[path.suffix]()
+    reader.SetFileName(str(path))
+    reader.Update()
+    return reader.GetOutput()
+
+
+def area(surface):
+    triangles, mass = vtk.vtkTriangleFilter(), vtk.vtkMassProperties()
+    triangles.SetInputData(surface)
+    mass.SetInputConnection(triangles.GetOutputPort())
+    return mass.GetSurfaceArea()
+
+
+@pytest.mark.parametrize("extension", [".ply", ".stl", ".vtp"])
+@pytest.mark.parametrize("triangles", [False, True])
+def test_iso_surface_is_the_sphere(box, tmp_path, extension, triangles):
+    path = tmp_path / f"sphere{extension}"
+    works("extract", box, "--iso", "r=0.75", "-o", path, *(["--triangles"] if triangles else []))
+    surface = read(path)
+    assert area(surface) == pytest.approx(4 * np.pi * 0.75**2, rel=0.01)
+    corners = {surface.GetCell(i).GetNumberOfPoints() for i in range(surface.GetNumberOfCells())}
+    assert corners == {3} if triangles or extension == ".stl" else max(corners) > 3
+    edges = vtk.vtkFeatureEdges()
+    edges.SetInputData(surface)
+    edges.FeatureEdgesOff()
+    edges.Update()
+    assert edges.GetOutput().GetNumberOfCells() == 0, "an open or non-manifold edge"
+
+
+def test_values_and_normals_of_the_field(box, tmp_path):
+    works("extract", box, "--iso", "r=0.5", "--color", "x", "--color", "r", "-o", tmp_path / "s.vtp")
+    surface = read(tmp_path / "s.vtp")
+    points = vtk_to_numpy(surface.GetPoints().GetData())
+    assert np.allclose(vtk_to_numpy(surface.GetPointData().GetArray("x")), points[:, 0], atol=1e-6)
+    assert np.allclose(vtk_to_numpy(surface.GetPointData().GetArray("r")), 0.5, atol=1e-6)
+    normals = vtk_to_numpy(surface.GetPointData().GetNormals())
+    outwards = points / np.linalg.norm(points, axis=1)[:, None]
+    assert (normals * outwards).sum(axis=1).min() > 0.99
+
+
+def test_several_values_slices_and_planes_join(box, tmp_path):
+    works("extract", box, "--iso", "r=0.3,0.6", "--slice", "x=0.1", "--plane", "0,0,0,0,1,1", "-o", tmp_path / "s.vtp")
+    surface = read(tmp_path / "s.vtp")
+    exact = 4 * np.pi * (0.3**2 + 0.6**2) + 4 + 4 * np.sqrt(2)
+    assert area(surface) == pytest.approx(exact, rel=0.01)
+
+
+def test_time_chooses_the_nearest_step(box, tmp_path):
+    works("extract", box, "--iso", "r=0.5", "--time", 0.6, "-o", tmp_path / "s.vtp")
+    bounds = read(tmp_path / "s.vtp").GetBounds()
+    assert (bounds[0] + bounds[1]) / 2 == pytest.approx(0.15, abs=0.01)
+
+
+def test_nothing_found_is_said_and_an_empty_file_written(box, tmp_path):
+    result = ciel("extract", box, "--iso", "r=99", "-o", tmp_path / "s.ply")
+    assert result.returncode == 0 and "no surface" in result.stderr
+    assert read(tmp_path / "s.ply").GetNumberOfPoints() == 0
+
+
+def pixels(path):
+    reader = vtk.vtkPNGReader()
+    reader.SetFileName(str(path))
+    reader.Update()
+    width, height, _ = reader.GetOutput().GetDimensions()
+    return vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars()).reshape(height, width, 3)[::-1].astype(int)
+
+
+def test_picture_shows_the_coloured_sphere(box, tmp_path):
+    works("render", box, "--iso", "r=0.75", "--color", "x", "--range", "-1,1", "--size", "320x200", "-o", "p.png", cwd=tmp_path)
+    picture = pixels(tmp_path / "p.png")
+    assert picture.shape == (200, 320, 3)
+    middle = picture[100, 160]
+    assert middle[1] > 90 and middle[1] > middle[0], "viridis is green in the middle of its range"
+    assert picture[2, 2].max() < 60
+    assert 0.1 < (picture.max(axis=2) > 70).mean() < 0.5
+
+
+def test_default_view_scene_file_and_every_back_end_agree(box, tmp_path):
+    works("render", box, "-o", tmp_path / "default.png", "--size", "160x100")
+    assert (pixels(tmp_path / "default.png").max(axis=2) > 70).mean() > 0.02
+    scene = {"dataset": "box", "background": "#000000", "layers": {"s": {"type": "slice", "axis": "y", "value": 0}}}
+    (tmp_path / "scene.json").write_text(json.dumps(scene))
+    pictures = []
+    for name in ("auto", "egl-device", "egl-surfaceless", "osmesa"):
+        path = tmp_path / f"{name}.png"
+        result = ciel("render", box, "--scene", tmp_path / "scene.json", "--gl", name, "--size", "160x100", "-o", path)
+        if result.returncode == 0:
+            pictures.append(pixels(path))
+        else:
+            assert name in result.stderr and name != "auto"
+    for other in pictures[1:]:
+        assert np.abs(other - pictures[0]).mean() < 0.5
+
+
+REFUSED = [
+    ("no layers", ["extract", "-o", "s.ply"], "nothing to extract", 1),
+    ("unknown format", ["extract", "--iso", "r=1", "-o", "s.obj"], ".ply, .stl and .vtp", 1),
+    ("unknown array", ["extract", "--iso", "q=1", "-o", "s.ply"], "q", 1),
+    ("no value", ["extract", "--iso", "r", "-o", "s.ply"], "ARRAY=VALUE", 1),
+    ("not a number", ["extract", "--iso", "r=1,two", "-o", "s.ply"], "not a number", 1),
+    ("infinite", ["extract", "--iso", "r=inf", "-o", "s.ply"], "not a number", 1),
+    ("comma at the end", ["extract", "--iso", "r=1,", "-o", "s.ply"], "not a number", 1),
+    ("unknown axis", ["extract", "--slice", "w=1", "-o", "s.ply"], "x=VALUE", 1),
+    ("short plane", ["extract", "--plane", "0,0,0,1", "-o", "s.ply"], "six numbers", 1),
+    ("no normal", ["extract", "--plane", "0,0,0,0,0,0", "-o", "s.ply"], "normal", 1),
+    ("unknown colour", ["extract", "--iso", "r=0.5", "--color", "q", "-o", "s.ply"], "q", 1),
+    ("no folder", ["extract", "--iso", "r=0.5", "-o", "nowhere/s.ply"], "nowhere/s.ply", 1),
+    ("no output", ["extract", "--iso", "r=0.5"], "--output", 2),
+    ("unknown map", ["render", "--iso", "r=0.5", "--map", "jet", "-o", "p.png"], "viridis", 1),
+    ("unknown back end", ["render", "--gl", "glx", "-o", "p.png"], "osmesa", 1),
+    ("bad size", ["render", "--size", "12", "-o", "p.png"], "WIDTHxHEIGHT", 1),
+    ("no pixels", ["render", "--size", "0x5", "-o", "p.png"], "WIDTHxHEIGHT", 1),
+    ("too large", ["render", "--size", "99999x10", "-o", "p.png"], "99999", 1),
+    ("not a picture", ["render", "-o", "p.jpg"], ".png", 1),
+    ("no scene file", ["render", "--scene", "none.json", "-o", "p.png"], "none.json", 1),
+    ("bad scene file", ["render", "--scene", "bad.json", "-o", "p.png"], "bad.json", 1),
+    ("bad scene", ["render", "--scene", "wrong.json", "-o", "p.png"], "/layers", 1),
+    ("bad range", ["render", "--iso", "r=0.5", "--range", "1", "-o", "p.png"], "range", 1),
+]
+
+
+@pytest.mark.parametrize("arguments,message,code", [row[1:] for row in REFUSED], ids=[row[0] for row in REFUSED])
+def test_refused_in_one_line_and_nothing_is_written(box, tmp_path, arguments, message, code):
+    (tmp_path / "bad.json").write_text("{")
+    (tmp_path / "wrong.json").write_text('{"dataset": "box", "layers": {"a": {"type": "fog"}}}')
+    before = set(os.listdir(tmp_path))
+    result = ciel(arguments[0], box, *arguments[1:], cwd=tmp_path)
+    assert result.returncode == code, result.stderr
+    assert message in result.stderr
+    assert code == 2 or result.stderr.count("\n") == 1, result.stderr
+    assert set(os.listdir(tmp_path)) == before
+
+
+def test_a_dataset_that_is_not_there(tmp_path):
+    result = ciel("render", tmp_path / "none.ciel", "-o", tmp_path / "p.png")
+    assert result.returncode == 1 and "none.ciel" in result.stderr and not (tmp_path / "p.png").exists()
