@@ -59,7 +59,7 @@ std::string openfoam_units(std::string_view head) {
     const auto exponents = read_exponents(inside);
     if (!exponents) return "";
     if (*exponents == Exponents{1, -1, -2}) return "Pa";
-    const std::string above = powers(*exponents, 1);
+    std::string above = powers(*exponents, 1);
     const std::string below = powers(*exponents, -1);
     if (below.empty()) return above;
     return (above.empty() ? "1" : above) + '/' + (below.find(' ') == std::string::npos ? below : '(' + below + ')');
