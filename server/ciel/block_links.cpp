@@ -58,10 +58,11 @@ void Linker::number_half_edges() {
     std::uint64_t half_edges = 0, vertices = 0;
     for (BuiltBlock& b : built_) {
         b.block.half_edge_begin = static_cast<Index>(half_edges);
-        b.block.vertex_begin = vertices;
+        b.block.vertex_begin = static_cast<Index>(vertices);
         half_edges += b.block.with([](const auto& arrays) { return arrays.mate_face.size(); });
         vertices += b.block.vertex.size();
-        if (half_edges >= none) throw Error("a mesh holds fewer than 4,294,967,295 half-edges: split the dataset");
+        if (half_edges >= none || vertices >= none)
+            throw Error("a mesh holds fewer than 4,294,967,295 half-edges: split the dataset");
     }
     out_.counts.half_edges = half_edges;
     out_.block_at.resize((half_edges >> 12) + 1);
@@ -73,31 +74,29 @@ void Linker::number_half_edges() {
 }
 
 void Linker::ring_vertices() {
-    out_.first_of_vertex.assign(mesh_.vertex_count(), {none, none});
-    std::vector<BlockVertex> last(mesh_.vertex_count());
-    std::vector<std::vector<BlockVertex>> next(built_.size()); // per local vertex
-    for (Index b = 0; b < built_.size(); ++b) {
-        const std::vector<Index>& vertices = built_[b].block.vertex;
-        next[b].assign(vertices.size(), {none, none});
-        for (Index local = 0; local < vertices.size(); ++local) {
-            const Index v = vertices[local];
-            if (out_.first_of_vertex[v].block == none) {
-                out_.first_of_vertex[v] = {b, local};
+    out_.first_slot.assign(mesh_.vertex_count(), none);
+    std::vector<Index> last(mesh_.vertex_count(), none), next; // slots
+    for (const BuiltBlock& b : built_) {
+        Index slot = b.block.vertex_begin;
+        next.resize(slot + b.block.vertex.size(), none);
+        for (const Index v : b.block.vertex) {
+            if (last[v] == none) {
+                out_.first_slot[v] = slot;
             } else {
-                next[last[v].block][last[v].vertex] = {b, local};
-                next[b][local] = out_.first_of_vertex[v]; // until a later block has it too
+                next[last[v]] = slot;
+                next[slot] = out_.first_slot[v]; // until a later block has it too
             }
-            last[v] = {b, local};
+            last[v] = slot++;
         }
     }
     for_blocks(built_.size(), [&](Index b) {
         Block& block = built_[b].block;
         std::visit(
             [&](auto& arrays) {
-                for (Index local = 0; local < next[b].size(); ++local) {
-                    if (next[b][local].block == none) continue;
+                for (Index local = 0; local < block.vertex.size(); ++local) {
+                    if (next[block.vertex_begin + local] == none) continue;
                     arrays.border_vertex.push_back(static_cast<std::decay_t<decltype(arrays.end_of_list)>>(local));
-                    block.border_next.push_back(next[b][local]);
+                    block.border_next.push_back(next[block.vertex_begin + local]);
                 }
                 arrays.border_vertex.shrink_to_fit();
             },

@@ -45,18 +45,18 @@ struct BlockVertex {
 
 struct Block {
     Index cell_begin = 0, cell_count = 0;
-    Index half_edge_begin = 0;            // prefix of half-edge ids
-    Index edge_begin = 0;                 // id of the first edge the block owns
-    Index inner_corners = 0;              // corners below this belong to inner faces
-    Index far_corner = 0;                 // corners from here on belong to tail faces whose owner is in another block
-    Index inner_faces = 0;                // local faces below this are inner
-    std::uint64_t vertex_begin = 0;       // prefix of local vertices over all blocks
-    std::vector<Index> vertex;            // local -> mesh vertex, ascending
-    std::vector<Index> face_begin;        // local face -> first corner; one more at the end
-    std::vector<Index> cell_face_begin;   // local cell -> first of its cell_face; one more at the end
-    std::vector<Index> ghost_edge;        // mesh-wide ids of the first local edges
-    std::vector<HalfEdge> tail_twin;      // tail face -> half-edge of the other side at its first corner, or none
-    std::vector<BlockVertex> border_next; // the ring of a vertex through its blocks, ascending and then round again
+    Index half_edge_begin = 0;          // prefix of half-edge ids
+    Index edge_begin = 0;               // id of the first edge the block owns
+    Index inner_corners = 0;            // corners below this belong to inner faces
+    Index far_corner = 0;               // corners from here on belong to tail faces whose owner is in another block
+    Index inner_faces = 0;              // local faces below this are inner
+    Index vertex_begin = 0;             // prefix of local vertices; + local vertex: a "slot"
+    std::vector<Index> vertex;          // local -> mesh vertex, ascending
+    std::vector<Index> face_begin;      // local face -> first corner; one more at the end
+    std::vector<Index> cell_face_begin; // local cell -> first of its cell_face; one more at the end
+    std::vector<Index> ghost_edge;      // mesh-wide ids of the first local edges
+    std::vector<HalfEdge> tail_twin;    // tail face -> half-edge of the other side at its first corner, or none
+    std::vector<Index> border_next; // slots: the ring of a vertex through its blocks, ascending and then round again
     std::variant<BlockArrays<std::uint16_t>, BlockArrays<std::uint32_t>> arrays;
 
     [[nodiscard]] Index corner(Index local_half_edge) const {
@@ -89,9 +89,9 @@ struct Block {
 
 struct Topology::Blocks {
     std::vector<Block> block;
-    std::vector<BlockVertex> first_of_vertex; // mesh vertex -> the first block that has it; block none: no cell uses it
-    std::vector<Index> block_at;              // half-edge id / 4096 -> block of the first half-edge there
-    std::vector<Index> edge_begin;            // block -> its first edge id; one more at the end
+    std::vector<Index> first_slot; // mesh vertex -> its slot in the first block that has it, or none
+    std::vector<Index> block_at;   // half-edge id / 4096 -> block of the first half-edge there
+    std::vector<Index> edge_begin; // block -> its first edge id; one more at the end
     TopologyCounts counts;
 
     [[nodiscard]] Index block_of(HalfEdge h) const {
@@ -100,6 +100,7 @@ struct Topology::Blocks {
         return b;
     }
     [[nodiscard]] Index block_of_cell(Index cell) const;
+    [[nodiscard]] BlockVertex at_slot(Index slot) const;
     [[nodiscard]] BlockVertex next_in_ring(BlockVertex at) const;
     // Cells around a vertex, ascending.
     void cells_around(Index vertex, std::vector<Index>& cells) const;

@@ -39,7 +39,7 @@ void Field::Blocks::make_extrema() const {
                 rule_out(all.block[b], of_block(static_cast<Index>(b)), not_minimum, not_maximum);
         });
         for (Index v = 0; v < values.size(); ++v) {
-            if (!std::isfinite(values[v]) || all.first_of_vertex[v].block == none) continue;
+            if (!std::isfinite(values[v]) || all.first_slot[v] == none) continue;
             if (!not_minimum[v]) minima.push_back(v);
             if (!not_maximum[v]) maxima.push_back(v);
         }

@@ -154,8 +154,8 @@ HalfEdge Topology::next_around_vertex(HalfEdge h) const {
 }
 
 HalfEdge Topology::half_edge_of_vertex(Index vertex) const {
-    const BlockVertex first = blocks_->first_of_vertex[vertex];
-    if (first.block == none) return none;
+    if (blocks_->first_slot[vertex] == none) return none;
+    const BlockVertex first = blocks_->at_slot(blocks_->first_slot[vertex]);
     const Index corner =
         blocks_->block[first.block].with([&](const auto& arrays) { return Index{arrays.first_corner[first.vertex]}; });
     return first_at_corner(*blocks_, first.block, corner);
@@ -192,7 +192,7 @@ Index Topology::block_count() const { return static_cast<Index>(blocks_->block.s
 
 std::size_t Topology::memory_bytes() const {
     std::size_t sum =
-        sizeof(Blocks) + bytes(blocks_->first_of_vertex) + bytes(blocks_->block_at) + bytes(blocks_->edge_begin);
+        sizeof(Blocks) + bytes(blocks_->first_slot) + bytes(blocks_->block_at) + bytes(blocks_->edge_begin);
     for (const Block& block : blocks_->block) sum += bytes_of(block);
     return sum;
 }
@@ -202,19 +202,24 @@ Index Topology::Blocks::block_of_cell(Index cell) const {
     return static_cast<Index>(after - block.begin() - 1);
 }
 
+BlockVertex Topology::Blocks::at_slot(Index slot) const {
+    const auto after = std::ranges::upper_bound(block, slot, {}, &Block::vertex_begin);
+    return {static_cast<Index>(after - block.begin() - 1), slot - (after - 1)->vertex_begin};
+}
+
 BlockVertex Topology::Blocks::next_in_ring(BlockVertex at) const {
     const Block& from = block[at.block];
     return from.with([&](const auto& arrays) {
         const auto found = std::ranges::lower_bound(arrays.border_vertex, at.vertex);
         if (found == arrays.border_vertex.end() || *found != at.vertex) return at;
-        return from.border_next[static_cast<std::size_t>(found - arrays.border_vertex.begin())];
+        return at_slot(from.border_next[static_cast<std::size_t>(found - arrays.border_vertex.begin())]);
     });
 }
 
 void Topology::Blocks::cells_around(Index vertex, std::vector<Index>& cells) const {
     cells.clear();
-    const BlockVertex first = first_of_vertex[vertex];
-    if (first.block == none) return;
+    if (first_slot[vertex] == none) return;
+    const BlockVertex first = at_slot(first_slot[vertex]);
     BlockVertex at = first;
     do {
         const Block& here = block[at.block];
