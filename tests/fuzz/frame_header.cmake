@@ -1,0 +1,1 @@
+ciel_fuzz(frame_header LINKS wire ciel)
