@@ -1,5 +1,6 @@
 // ciel serve [DATA ...]
 #include "app/commands.hpp"
+#include "app/import_once.hpp"
 #include "ciel/parallel.hpp"
 #include "ciel/types.hpp"
 #include "gateway/gateway.hpp"
@@ -19,6 +20,7 @@ namespace fs = std::filesystem;
 
 struct ServeOptions {
     std::vector<fs::path> data;
+    fs::path import_folder = default_import_folder();
     std::string gl = "auto", engine = "signatures", log_level = "info";
     unsigned render_workers = 1, threads = 0;
     gateway::GatewayOptions gateway;
@@ -41,12 +43,6 @@ void start_log(const std::string& level) {
     spdlog::set_default_logger(std::move(logger));
 }
 
-void check_data(const std::vector<fs::path>& data) {
-    for (const auto& path : data)
-        if (!fs::exists(path))
-            throw Error(path.string() + " does not exist; name a .ciel directory or a folder that holds some");
-}
-
 // A token given by hand stays out of the process list and the shell's history in the environment.
 void complete_token(gateway::GatewayOptions& options) {
     if (const char* token = std::getenv("CIEL_TOKEN"); token != nullptr && options.token.empty()) options.token = token;
@@ -55,7 +51,7 @@ void complete_token(gateway::GatewayOptions& options) {
 
 // The one line on stdout that scripts and people wait for.
 void print_address(const gateway::GatewayOptions& options, const gateway::Listening& listening) {
-    std::cout << "CIEL listening on http://" << listening.host << ':' << listening.port << options.prefix << '/'
+    std::cout << "CIEL listening on http://" << listening.host << ':' << listening.port << listening.prefix << '/'
               << (options.token.empty() ? "" : "?token=" + options.token) << std::endl;
 }
 
@@ -69,7 +65,7 @@ void log_renderer(session::Server& server) {
 
 int serve(ServeOptions& options) {
     start_log(options.log_level);
-    check_data(options.data);
+    for (auto& path : options.data) path = import_once(path, options.import_folder);
     complete_token(options.gateway);
     set_thread_count(options.threads);
     if (options.gateway.webclient.empty()) options.gateway.webclient = find_webclient();
@@ -96,7 +92,8 @@ void add_serve(CLI::App& app, Run& run) {
     auto options = std::make_shared<ServeOptions>();
     auto& gateway = options->gateway;
     CLI::App* command = app.add_subcommand("serve", "Serve datasets to browsers and scripts");
-    command->add_option("DATA", options->data, "datasets (NAME.ciel) or folders of them");
+    command->add_option("DATA", options->data, "datasets (NAME.ciel), folders of them, or files to import first");
+    command->add_option("--data-dir", options->import_folder, "where what is imported is kept")->capture_default_str();
     command->add_option("--host", gateway.host, "address to listen on; others than loopback need a token")
         ->capture_default_str();
     command->add_option("--port", gateway.port, "0: any free one")->capture_default_str();

@@ -55,7 +55,7 @@ public:
 private:
     Listening listening() const {
         const std::string text = address_.to_string();
-        return {address_.is_v6() ? "[" + text + "]" : text, acceptor_.local_endpoint().port(), address_.is_loopback()};
+        return {address_.is_v6() ? "[" + text + "]" : text, acceptor_.local_endpoint().port(), context_.prefix};
     }
 
     asio::awaitable<void> drain_on_signal() {

@@ -27,7 +27,7 @@ struct GatewayOptions {
 struct Listening {
     std::string host; // as it stands in a URL: "127.0.0.1", "[::1]"
     unsigned short port = 0;
-    bool loopback = true;
+    std::string prefix; // normalised: empty or "/ciel"
 };
 
 // Whether `host` names the loopback interface: elsewhere a token is required. Throws Error when it cannot be resolved.

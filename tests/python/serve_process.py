@@ -21,7 +21,7 @@ class Server:
     def __init__(self, *arguments: str, environment: dict[str, str] | None = None, log: pathlib.Path | None = None):
         self.log = open(log, "w+") if log else open(os.devnull, "w+")
         self.process = subprocess.Popen(
-            [BINARY, "serve", "--port", "0", *map(str, arguments)],
+            [BINARY, "serve", *([] if "--port" in arguments else ["--port", "0"]), *map(str, arguments)],
             stdout=subprocess.PIPE, stderr=self.log, text=True, env={**os.environ, **(environment or {})})
         self.line = self.process.stdout.readline().strip()
         match = re.search(r"http://([^/]+?:(\d+))(/[^?\s]*)", self.line)

@@ -110,7 +110,7 @@ def test_sigterm_drains_while_frames_stream(box):
 
 def test_a_dead_client_does_not_hold_up_the_end(box):
     async def attempt(running: Server) -> None:
-        async with client(running) as caller:
+        async with client(running, close_timeout=1) as caller:
             session = (await caller.call("session.open", dataset="box"))["session"]
             await caller.call("view.open", session=session, width=640, height=480)
             caller.socket.transport.pause_reading()  # no close will be answered
