@@ -57,8 +57,9 @@ export class Server {
     return `http://127.0.0.1:${this.port}${this.prefix}/`;
   }
 
-  /** Resolves when it listens. */
+  /** Resolves when it listens; at once where it does already. */
   async start(): Promise<void> {
+    if (this.process?.exitCode === null) return;
     const prefix = this.prefix === "" ? [] : ["--prefix", this.prefix];
     const options = [
       "serve",
