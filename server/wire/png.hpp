@@ -7,10 +7,7 @@
 
 namespace ciel::wire {
 
-enum class PngEffort {
-    interactive,
-    still
-}; // level 1 + SUB (+ RLE where it wins) against libpng's own choices at level 6
+enum class PngEffort { interactive, still }; // level 1 + SUB + run lengths against libpng's own choices at level 6
 
 // rgb: rows from the top, 3 bytes a pixel. Appends to `out`. Throws Error when sizes do not agree.
 void encode_png(int width, int height, std::span<const std::uint8_t> rgb, PngEffort effort,
