@@ -14,7 +14,7 @@ render::Renderer& Worker::renderer() {
 
 FrameWorkers::FrameWorkers(unsigned threads, render::Backend backend) : backend_(backend) {
     for (unsigned i = 0; i < std::max(threads, 1U); ++i)
-        threads_.emplace_back([this](std::stop_token stop) { work(std::move(stop)); });
+        threads_.emplace_back([this](const std::stop_token& stop) { work(stop); });
 }
 
 FrameWorkers::~FrameWorkers() {
@@ -74,7 +74,7 @@ FrameWorkers::Job FrameWorkers::next(std::unique_lock<std::mutex>& lock, const s
     return {};
 }
 
-void FrameWorkers::work(std::stop_token stop) {
+void FrameWorkers::work(const std::stop_token& stop) {
     Worker worker(backend_);
     std::unique_lock lock(mutex_);
     while (Job job = next(lock, stop)) {

@@ -63,7 +63,7 @@ public:
     void drain(); // no new jobs; returns when those under way have ended
 
 private:
-    void work(std::stop_token stop);
+    void work(const std::stop_token& stop);
     [[nodiscard]] Job next(std::unique_lock<std::mutex>& lock, const std::stop_token& stop);
 
     render::Backend backend_;

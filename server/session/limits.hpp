@@ -1,4 +1,4 @@
-// Every limit in one table. server.info tells clients; tests/limits has one test a row.
+// Every limit in one table. server.info tells clients; tests/methods has a test of each (the gateway its own).
 #pragma once
 
 #include <cstddef>

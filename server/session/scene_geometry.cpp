@@ -139,7 +139,7 @@ SceneGeometry& SceneGeometry::operator=(SceneGeometry&&) noexcept = default;
 
 std::shared_ptr<const Geometry> SceneGeometry::update(const scene::Scene& scene,
                                                       const std::shared_ptr<store::LoadedDataset>& loaded,
-                                                      std::stop_token stop) {
+                                                      const std::stop_token& stop) {
     if (loaded != loaded_) {
         cuts_.clear();
         boundaries_.clear();

@@ -56,8 +56,9 @@ public:
 
     // Brings the geometry to `scene`, whose dataset `loaded` is. Returns null when `stop` was requested. Throws Error
     // or scene::Invalid, and can be called again with another scene then.
-    [[nodiscard]] std::shared_ptr<const Geometry>
-    update(const scene::Scene& scene, const std::shared_ptr<store::LoadedDataset>& loaded, std::stop_token stop = {});
+    [[nodiscard]] std::shared_ptr<const Geometry> update(const scene::Scene& scene,
+                                                         const std::shared_ptr<store::LoadedDataset>& loaded,
+                                                         const std::stop_token& stop = {});
     [[nodiscard]] std::size_t memory_bytes() const; // query state and surfaces
 
 private:

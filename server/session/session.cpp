@@ -154,9 +154,9 @@ void Session::offer_again() {
     for (const auto& [id, view] : views_) view->offer(version_);
 }
 
-std::shared_ptr<const Geometry> Session::geometry(const SceneVersion& version, std::stop_token stop) {
+std::shared_ptr<const Geometry> Session::geometry(const SceneVersion& version, const std::stop_token& stop) {
     const std::scoped_lock lock(geometry_mutex_);
-    auto made = scene_geometry_.update(version.scene, version.loaded, std::move(stop));
+    auto made = scene_geometry_.update(version.scene, version.loaded, stop);
     bytes_ = scene_geometry_.memory_bytes();
     if (bytes_ <= services_.limits.session_memory_bytes) return made;
     const auto megabytes = [](std::size_t bytes) { return std::to_string(bytes >> 20) + " MB"; };
