@@ -2,9 +2,7 @@
 import { createRequire } from "node:module";
 import type * as Playwright from "playwright-core";
 
-const require = createRequire(
-  new URL("../../webclient/package.json", import.meta.url),
-);
+const require = createRequire(new URL("../../webclient/package.json", import.meta.url));
 const playwright = require("playwright-core") as typeof Playwright;
 
 export type { Browser, BrowserContext, Locator, Page } from "playwright-core";

@@ -23,9 +23,7 @@ describe("page", { skip }, () => {
     await browser.close();
     await server.stop();
   });
-  const fresh = async (
-    options: Parameters<typeof Client.open>[2] = {},
-  ): Promise<Client> => {
+  const fresh = async (options: Parameters<typeof Client.open>[2] = {}): Promise<Client> => {
     await server.start(); // where a test before left it dead
     const client = await Client.open(browser, server.address, options);
     await client.settled();
@@ -86,15 +84,11 @@ describe("page", { skip }, () => {
     const moved = await client.value();
     assert.notEqual(moved, value);
     await server.start();
-    await client.page
-      .getByText("Connected", { exact: true })
-      .waitFor({ timeout: 30_000 });
+    await client.page.getByText("Connected", { exact: true }).waitFor({ timeout: 30_000 });
     await client.settled();
     assert.equal(await client.value(), moved);
     await client.isoValue.focus();
-    await client.page
-      .getByLabel("Iso-value", { exact: true })
-      .fill(String(value));
+    await client.page.getByLabel("Iso-value", { exact: true }).fill(String(value));
     await client.page.keyboard.press("Enter");
     await client.settled();
     assert.ok(difference(picture, await client.picture()) < 0.005);
@@ -107,9 +101,7 @@ describe("page", { skip }, () => {
     await server.stop();
     await client.page.getByText("The server does not answer").waitFor();
     await server.start();
-    await client.page
-      .getByText("Connected", { exact: true })
-      .waitFor({ timeout: 30_000 });
+    await client.page.getByText("Connected", { exact: true }).waitFor({ timeout: 30_000 });
     await client.settled();
     await client.close();
   });
@@ -119,9 +111,7 @@ describe("page", { skip }, () => {
     await client.page.context().setOffline(true);
     await client.page.getByText("This computer is offline").waitFor();
     await client.page.context().setOffline(false);
-    await client.page
-      .getByText("Connected", { exact: true })
-      .waitFor({ timeout: 30_000 });
+    await client.page.getByText("Connected", { exact: true }).waitFor({ timeout: 30_000 });
     await client.settled();
     await client.close();
   });
@@ -142,22 +132,14 @@ describe("page", { skip }, () => {
       client.patches.length = 0;
       await client.button("Play").click();
       await client.page.waitForFunction(
-        ([label, before]) =>
-          document.querySelector<HTMLInputElement>(`[aria-label="${label}"]`)
-            ?.value !== before,
+        ([label, before]) => document.querySelector<HTMLInputElement>(`[aria-label="${label}"]`)?.value !== before,
         ["Time step", step] as const,
       );
       await client.page.waitForTimeout(1500);
       await client.button("Pause").click();
       await client.settled();
-      assert.ok(
-        client.patches.length >= 2,
-        `${client.patches.length} steps were asked for`,
-      );
-      assert.equal(
-        new Set(client.patches.map(({ gesture }) => gesture)).size,
-        1,
-      );
+      assert.ok(client.patches.length >= 2, `${client.patches.length} steps were asked for`);
+      assert.equal(new Set(client.patches.map(({ gesture }) => gesture)).size, 1);
       await client.button("Undo").click();
       await client.settled();
       assert.equal(await slider.inputValue(), step);
@@ -172,10 +154,7 @@ describe("page", { skip }, () => {
     const light = await fresh({ scheme: "light" });
     await light.keep("light");
     const bright = (await light.picture()).at(3, 3);
-    assert.ok(
-      distance(bright, [255, 255, 255]) < 12,
-      `light: ${bright.join()}`,
-    );
+    assert.ok(distance(bright, [255, 255, 255]) < 12, `light: ${bright.join()}`);
     await light.button(/^Theme/).click();
     await light.button(/^Theme/).click();
     await light.settled();
@@ -190,10 +169,7 @@ describe("page", { skip }, () => {
       client.page
         .locator("canvas")
         .first()
-        .evaluate((canvas: HTMLCanvasElement) => [
-          canvas.width,
-          canvas.clientWidth,
-        ]);
+        .evaluate((canvas: HTMLCanvasElement) => [canvas.width, canvas.clientWidth]);
     const [pixels = 0, css = 1] = await size();
     assert.equal(pixels, 2 * css);
     await client.page.setViewportSize({ width: 1280, height: 720 });
@@ -206,10 +182,7 @@ describe("page", { skip }, () => {
 
   test("the saved picture is a lossless still of the view's size", async () => {
     const client = await fresh();
-    const [file] = await Promise.all([
-      client.page.waitForEvent("download"),
-      client.button("Save a picture").click(),
-    ]);
+    const [file] = await Promise.all([client.page.waitForEvent("download"), client.button("Save a picture").click()]);
     const saved = decodePng(await readFile(await file.path()));
     const seen = await client.picture();
     assert.deepEqual([saved.width, saved.height], [seen.width, seen.height]);
@@ -221,10 +194,7 @@ describe("page", { skip }, () => {
     const client = await fresh();
     await client.button("Export a surface").click();
     await client.page.getByLabel("Surface").selectOption("iso");
-    const [file] = await Promise.all([
-      client.page.waitForEvent("download"),
-      client.button("PLY").click(),
-    ]);
+    const [file] = await Promise.all([client.page.waitForEvent("download"), client.button("PLY").click()]);
     const text = (await readFile(await file.path())).toString("latin1");
     assert.match(text, /^ply\n/);
     assert.match(text, /element face [1-9]/);
@@ -245,23 +215,13 @@ describe("page", { skip }, () => {
     const client = await fresh();
     const nameless = await client.page.evaluate(() =>
       [...document.querySelectorAll("button, select, input, [role=slider]")]
-        .filter(
-          (e) =>
-            !(
-              e.getAttribute("aria-label") ??
-              e.closest("label")?.textContent ??
-              e.textContent
-            ),
-        )
+        .filter((e) => !(e.getAttribute("aria-label") ?? e.closest("label")?.textContent ?? e.textContent))
         .map((e) => e.outerHTML),
     );
     assert.deepEqual(nameless, []);
     const reached = async (): Promise<boolean> =>
-      client.page.evaluate(
-        () => document.activeElement?.getAttribute("role") === "slider",
-      );
-    for (let i = 0; i < 60 && !(await reached()); i += 1)
-      await client.page.keyboard.press("Tab");
+      client.page.evaluate(() => document.activeElement?.getAttribute("role") === "slider");
+    for (let i = 0; i < 60 && !(await reached()); i += 1) await client.page.keyboard.press("Tab");
     assert.ok(await reached());
     await client.close();
   });

@@ -6,8 +6,7 @@ import type { Browser, Locator, Page } from "./chromium.ts";
 import { decodePng, type Picture } from "./png.ts";
 
 const root = resolve(dirname(fileURLToPath(import.meta.url)), "../..");
-export const screenshots =
-  process.env.CIEL_SCREENSHOTS ?? join(root, "build/screenshots");
+export const screenshots = process.env.CIEL_SCREENSHOTS ?? join(root, "build/screenshots");
 
 export interface PageOptions {
   width?: number;
@@ -19,6 +18,8 @@ export interface PageOptions {
 export interface Frame {
   frame: number;
   revision: number;
+  /** NaN while the server has not taken the newest change. */
+  wanted: number;
   still: boolean;
   stream: string;
 }
@@ -33,8 +34,7 @@ export class Client {
     this.page = page;
     page.on("pageerror", (error) => this.problems.push(error.message));
     page.on("console", (message) => {
-      if (message.type() === "error" && !/WebSocket|ERR_/.test(message.text()))
-        this.problems.push(message.text());
+      if (message.type() === "error" && !/WebSocket|ERR_/.test(message.text())) this.problems.push(message.text());
     });
     page.on("websocket", (socket) =>
       socket.on("framesent", ({ payload }) => {
@@ -47,11 +47,7 @@ export class Client {
     );
   }
 
-  static async open(
-    browser: Browser,
-    address: string,
-    options: PageOptions = {},
-  ): Promise<Client> {
+  static async open(browser: Browser, address: string, options: PageOptions = {}): Promise<Client> {
     const context = await browser.newContext({
       viewport: { width: options.width ?? 1280, height: options.height ?? 720 },
       deviceScaleFactor: options.scale ?? 1,
@@ -80,11 +76,11 @@ export class Client {
 
   private shown(): Promise<Frame> {
     return this.page.locator("[data-frame]").evaluate((element) => {
-      const { frame, revision, still, stream } = (element as HTMLElement)
-        .dataset;
+      const { frame, revision, wanted, still, stream } = (element as HTMLElement).dataset;
       return {
         frame: Number(frame),
         revision: Number(revision),
+        wanted: Number(wanted),
         still: still === "true",
         stream: stream ?? "",
       };
@@ -99,38 +95,29 @@ export class Client {
     for (;;) {
       const frame = await this.shown();
       if (frame.frame !== last) [last, since] = [frame.frame, Date.now()];
-      const complete =
-        frame.stream === stream && (frame.still || stream === "geometry");
+      // A camera that turns brings no new polygons, and so no newer revision.
+      const current =
+        stream === "geometry" ? !Number.isNaN(frame.wanted) : frame.still && frame.revision >= frame.wanted;
+      const complete = frame.stream === stream && current;
       if (complete && Date.now() - since > 500) return;
-      if (Date.now() > deadline)
-        throw new Error(
-          `no settled ${stream} picture: ${JSON.stringify(frame)}`,
-        );
+      if (Date.now() > deadline) throw new Error(`no settled ${stream} picture: ${JSON.stringify(frame)}`);
       await this.page.waitForTimeout(50);
     }
   }
 
   /** What the canvas shows, without what lies over it. */
   async picture(): Promise<Picture> {
-    const hidden =
-      ".triad, .legends, .probe, .probe-mark, .busy, .toasts, .banner { visibility: hidden !important }";
+    const hidden = ".triad, .legends, .probe, .probe-mark, .busy, .toasts, .banner { visibility: hidden !important }";
     return decodePng(await this.canvas.screenshot({ style: hidden }));
   }
 
   /** For a person to look at. */
   async keep(name: string): Promise<void> {
     mkdirSync(screenshots, { recursive: true });
-    writeFileSync(
-      join(screenshots, `${name}.png`),
-      await this.page.screenshot(),
-    );
+    writeFileSync(join(screenshots, `${name}.png`), await this.page.screenshot());
   }
 
-  async drag(
-    from: [number, number],
-    to: [number, number],
-    steps = 8,
-  ): Promise<void> {
+  async drag(from: [number, number], to: [number, number], steps = 8): Promise<void> {
     await this.page.mouse.move(...from);
     await this.page.mouse.down();
     await this.page.mouse.move(...to, { steps });
@@ -138,34 +125,20 @@ export class Client {
   }
 
   /** By parts of the canvas's width and height. */
-  async dragCanvas(
-    from: [number, number],
-    to: [number, number],
-  ): Promise<void> {
+  async dragCanvas(from: [number, number], to: [number, number]): Promise<void> {
     const box = await this.canvas.boundingBox();
     if (box === null) throw new Error("the canvas is not on the page");
-    const at = ([x, y]: [number, number]): [number, number] => [
-      box.x + x * box.width,
-      box.y + y * box.height,
-    ];
+    const at = ([x, y]: [number, number]): [number, number] => [box.x + x * box.width, box.y + y * box.height];
     await this.drag(at(from), at(to));
   }
 
   /** The iso-value's handle, to a part of the range. */
   async dragIso(to: number): Promise<void> {
     const handle = await this.isoValue.boundingBox();
-    const track = await this.page
-      .locator(".histogram-track")
-      .first()
-      .boundingBox();
-    if (handle === null || track === null)
-      throw new Error("the histogram is not on the page");
+    const track = await this.page.locator(".histogram-track").first().boundingBox();
+    if (handle === null || track === null) throw new Error("the histogram is not on the page");
     const y = track.y + track.height / 2;
-    await this.drag(
-      [handle.x + handle.width / 2, y],
-      [track.x + to * track.width, y],
-      12,
-    );
+    await this.drag([handle.x + handle.width / 2, y], [track.x + to * track.width, y], 12);
   }
 
   button(name: string | RegExp): Locator {
@@ -173,12 +146,7 @@ export class Client {
   }
 
   async choose(dataset: string): Promise<void> {
-    await this.page
-      .getByLabel("Dataset", { exact: true })
-      .selectOption(dataset);
-    await this.page.waitForFunction(
-      (name) => document.title.startsWith(`${name} `),
-      dataset,
-    );
+    await this.page.getByLabel("Dataset", { exact: true }).selectOption(dataset);
+    await this.page.waitForFunction((name) => document.title.startsWith(`${name} `), dataset);
   }
 }

@@ -11,20 +11,11 @@ export interface Picture {
 
 function paeth(left: number, up: number, corner: number): number {
   const estimate = left + up - corner;
-  const [a, b, c] = [
-    Math.abs(estimate - left),
-    Math.abs(estimate - up),
-    Math.abs(estimate - corner),
-  ];
+  const [a, b, c] = [Math.abs(estimate - left), Math.abs(estimate - up), Math.abs(estimate - corner)];
   return a <= b && a <= c ? left : b <= c ? up : corner;
 }
 
-function unfilter(
-  raw: Buffer,
-  width: number,
-  height: number,
-  channels: number,
-): Uint8Array {
+function unfilter(raw: Buffer, width: number, height: number, channels: number): Uint8Array {
   const stride = width * channels;
   const pixels = new Uint8Array(stride * height);
   for (let y = 0; y < height; y += 1) {
@@ -32,12 +23,8 @@ function unfilter(
     for (let i = 0; i < stride; i += 1) {
       const left = i >= channels ? (pixels[y * stride + i - channels] ?? 0) : 0;
       const up = y > 0 ? (pixels[(y - 1) * stride + i] ?? 0) : 0;
-      const corner =
-        i >= channels && y > 0
-          ? (pixels[(y - 1) * stride + i - channels] ?? 0)
-          : 0;
-      const guess =
-        [0, left, up, (left + up) >> 1, paeth(left, up, corner)][filter] ?? 0;
+      const corner = i >= channels && y > 0 ? (pixels[(y - 1) * stride + i - channels] ?? 0) : 0;
+      const guess = [0, left, up, (left + up) >> 1, paeth(left, up, corner)][filter] ?? 0;
       pixels[y * stride + i] = (raw[y * (stride + 1) + 1 + i] ?? 0) + guess;
     }
   }
@@ -50,23 +37,12 @@ export function decodePng(file: Buffer): Picture {
   for (let at = 8; at < file.length; at += 12 + file.readUInt32BE(at)) {
     const name = file.toString("latin1", at + 4, at + 8);
     const data = file.subarray(at + 8, at + 8 + file.readUInt32BE(at));
-    if (name === "IHDR")
-      [width, height, type] = [
-        data.readUInt32BE(0),
-        data.readUInt32BE(4),
-        data[9] ?? 0,
-      ];
+    if (name === "IHDR") [width, height, type] = [data.readUInt32BE(0), data.readUInt32BE(4), data[9] ?? 0];
     if (name === "IDAT") parts.push(data);
   }
   const channels = type === 6 ? 4 : 3;
-  const pixels = unfilter(
-    inflateSync(Buffer.concat(parts)),
-    width,
-    height,
-    channels,
-  );
-  const channel = (x: number, y: number, c: number): number =>
-    pixels[(y * width + x) * channels + c] ?? 0;
+  const pixels = unfilter(inflateSync(Buffer.concat(parts)), width, height, channels);
+  const channel = (x: number, y: number, c: number): number => pixels[(y * width + x) * channels + c] ?? 0;
   return {
     width,
     height,
@@ -75,14 +51,10 @@ export function decodePng(file: Buffer): Picture {
 }
 
 /** The share of pixels for which the test holds. */
-export function share(
-  picture: Picture,
-  holds: (color: Color, x: number, y: number) => boolean,
-): number {
+export function share(picture: Picture, holds: (color: Color, x: number, y: number) => boolean): number {
   let count = 0;
   for (let y = 0; y < picture.height; y += 1) {
-    for (let x = 0; x < picture.width; x += 1)
-      if (holds(picture.at(x, y), x, y)) count += 1;
+    for (let x = 0; x < picture.width; x += 1) if (holds(picture.at(x, y), x, y)) count += 1;
   }
   return count / (picture.width * picture.height);
 }
@@ -99,11 +71,6 @@ export function hue([r, g, b]: Color): number | null {
   const most = Math.max(r, g, b);
   const span = most - Math.min(r, g, b);
   if (span < 24) return null;
-  const sector =
-    most === r
-      ? (g - b) / span
-      : most === g
-        ? 2 + (b - r) / span
-        : 4 + (r - g) / span;
+  const sector = most === r ? (g - b) / span : most === g ? 2 + (b - r) / span : 4 + (r - g) / span;
   return (60 * sector + 360) % 360;
 }

@@ -11,15 +11,11 @@ export const webclient = join(root, "webclient/dist");
 
 /** The datasets of CIEL_BROWSER_DATA: paths parted by colons, each a dataset or a folder of them. */
 export function datasets(): string[] {
-  const paths = (process.env.CIEL_BROWSER_DATA ?? "")
-    .split(":")
-    .filter((path) => path !== "");
+  const paths = (process.env.CIEL_BROWSER_DATA ?? "").split(":").filter((path) => path !== "");
   return paths.flatMap((path) =>
     path.replace(/\/$/, "").endsWith(".ciel") || !existsSync(path)
       ? [path]
-      : readdirSync(path).flatMap((name) =>
-          name.endsWith(".ciel") ? [join(path, name)] : [],
-        ),
+      : readdirSync(path).flatMap((name) => (name.endsWith(".ciel") ? [join(path, name)] : [])),
   );
 }
 
@@ -34,8 +30,7 @@ export async function freePort(): Promise<number> {
   await new Promise<void>((done) => probe.listen(0, "127.0.0.1", done));
   const address = probe.address();
   await new Promise((done) => probe.close(done));
-  if (address === null || typeof address === "string")
-    throw new Error("no free port");
+  if (address === null || typeof address === "string") throw new Error("no free port");
   return address.port;
 }
 
@@ -61,15 +56,7 @@ export class Server {
   async start(): Promise<void> {
     if (this.process?.exitCode === null) return;
     const prefix = this.prefix === "" ? [] : ["--prefix", this.prefix];
-    const options = [
-      "serve",
-      ...this.data,
-      "--port",
-      String(this.port),
-      "--webclient",
-      webclient,
-      ...prefix,
-    ];
+    const options = ["serve", ...this.data, "--port", String(this.port), "--webclient", webclient, ...prefix];
     const child = spawn(binary, options, {
       stdio: ["ignore", "pipe", "pipe"],
     });
@@ -83,11 +70,7 @@ export class Server {
       child.stdout.on("data", heard);
       child.stderr.on("data", heard);
       child.on("error", failed);
-      child.on("exit", (code) =>
-        failed(
-          new Error(`ciel serve ended with ${String(code)}:\n${this.log}`),
-        ),
-      );
+      child.on("exit", (code) => failed(new Error(`ciel serve ended with ${String(code)}:\n${this.log}`)));
     });
   }
 

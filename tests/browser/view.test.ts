@@ -3,14 +3,7 @@ import assert from "node:assert/strict";
 import { after, before, describe, test } from "node:test";
 import { launch, type Browser } from "./chromium.ts";
 import { Client } from "./page.ts";
-import {
-  difference,
-  distance,
-  hue,
-  share,
-  type Color,
-  type Picture,
-} from "./png.ts";
+import { difference, distance, hue, share, type Color, type Picture } from "./png.ts";
 import { datasets, freePort, nameOf, Server } from "./server.ts";
 
 const data = datasets();
@@ -43,14 +36,8 @@ describe("view", { skip }, () => {
     await client.keep("first");
     const picture = await client.picture();
     const part = foreground(picture);
-    assert.ok(
-      part > 0.02 && part < 0.9,
-      `${part} of the picture is not background`,
-    );
-    assert.ok(
-      distance(picture.at(4, 4), [26, 31, 41]) < 12,
-      `the top left is ${picture.at(4, 4).join()}`,
-    );
+    assert.ok(part > 0.02 && part < 0.9, `${part} of the picture is not background`);
+    assert.ok(distance(picture.at(4, 4), [26, 31, 41]) < 12, `the top left is ${picture.at(4, 4).join()}`);
     assert.ok(share(picture, isColoured) > 0.01, "no colour of a map is seen");
   });
 
@@ -62,16 +49,10 @@ describe("view", { skip }, () => {
     assert.ok(difference(before, turned) > 0.02);
     await client.button("Undo").click();
     await client.settled();
-    assert.ok(
-      difference(before, await client.picture()) < 0.005,
-      "one undo brings the view back",
-    );
+    assert.ok(difference(before, await client.picture()) < 0.005, "one undo brings the view back");
     await client.button("Redo").click();
     await client.settled();
-    assert.ok(
-      difference(turned, await client.picture()) < 0.005,
-      "redo turns it again",
-    );
+    assert.ok(difference(turned, await client.picture()) < 0.005, "redo turns it again");
     await client.button("Undo").click();
     await client.settled();
   });
@@ -84,10 +65,7 @@ describe("view", { skip }, () => {
     await client.settled();
     assert.notEqual(await client.value(), value);
     assert.ok(difference(before, await client.picture()) > 0.01);
-    assert.ok(
-      client.patches.length > 0 && client.patches.length <= 13,
-      `${client.patches.length} patches`,
-    );
+    assert.ok(client.patches.length > 0 && client.patches.length <= 13, `${client.patches.length} patches`);
     assert.equal(new Set(client.patches.map(({ gesture }) => gesture)).size, 1);
     await client.page.keyboard.press("Control+z");
     await client.settled();
@@ -169,10 +147,7 @@ describe("view", { skip }, () => {
     await map.selectOption("grayscale");
     await client.settled();
     const grey = await client.picture();
-    assert.ok(
-      share(grey, isColoured) < share(before, isColoured) / 2,
-      "grey takes the hues away",
-    );
+    assert.ok(share(grey, isColoured) < share(before, isColoured) / 2, "grey takes the hues away");
     assert.ok(Math.abs(foreground(grey) - foreground(before)) < 0.03);
     await map.selectOption(old);
     await client.settled();
@@ -199,13 +174,7 @@ describe("view", { skip }, () => {
     const picture = await client.picture();
     let [x, y] = [0, 0];
     share(picture, (color, px, py) => {
-      if (
-        x === 0 &&
-        isColoured(color) &&
-        px > picture.width * 0.4 &&
-        py > picture.height * 0.4
-      )
-        [x, y] = [px, py];
+      if (x === 0 && isColoured(color) && px > picture.width * 0.4 && py > picture.height * 0.4) [x, y] = [px, py];
       return false;
     });
     await client.canvas.click({ position: { x: x + 2, y: y + 2 } });
@@ -228,28 +197,18 @@ describe("view", { skip }, () => {
     const geometry = await client.picture();
     await client.keep("geometry");
     const [a, b] = [foreground(image), foreground(geometry)];
-    assert.ok(
-      Math.abs(a - b) < 0.02,
-      `${a} of the image and ${b} of the geometry are not background`,
-    );
-    assert.ok(
-      difference(image, geometry) < 0.08,
-      `${difference(image, geometry)} differ`,
-    );
+    assert.ok(Math.abs(a - b) < 0.02, `${a} of the image and ${b} of the geometry are not background`);
+    assert.ok(difference(image, geometry) < 0.08, `${difference(image, geometry)} differ`);
     client.patches.length = 0;
     await client.dragCanvas([0.5, 0.5], [0.6, 0.5]);
-    assert.ok(
-      difference(geometry, await client.picture()) > 0.01,
-      "the camera answers without the server",
-    );
+    assert.ok(difference(geometry, await client.picture()) > 0.01, "the camera answers without the server");
     await client.button("Undo").click();
     await client.page.getByLabel("Stream").selectOption("image");
     await client.settled();
     assert.ok(difference(image, await client.picture()) < 0.005);
   });
 
-  test("nothing went wrong on the way", () =>
-    assert.deepEqual(client.problems, []));
+  test("nothing went wrong on the way", () => assert.deepEqual(client.problems, []));
 
   test("every dataset opens", async () => {
     for (const path of data) {
@@ -257,10 +216,7 @@ describe("view", { skip }, () => {
       await client.settled();
       await client.keep(`dataset-${nameOf(path)}`);
       const part = foreground(await client.picture());
-      assert.ok(
-        part > 0.01 && part < 0.95,
-        `${nameOf(path)}: ${part} of the picture is not background`,
-      );
+      assert.ok(part > 0.01 && part < 0.95, `${nameOf(path)}: ${part} of the picture is not background`);
     }
   });
 });

@@ -55,7 +55,10 @@ export class App {
     this.editor = new SceneEditor(
       {
         changed: () => this.sceneChanged(),
-        accepted: (revision, since) => this.latency.accepted(revision, since),
+        accepted: (revision, since) => {
+          this.latency.accepted(revision, since);
+          this.store.set({ revision, pending: this.editor.isPending });
+        },
         refused: (error) => this.fail(error),
       },
       { now, requestFrame },
@@ -110,7 +113,7 @@ export class App {
 
   private sceneChanged(): void {
     const { editor, store } = this;
-    store.set({ scene: editor.scene, canUndo: editor.canUndo, canRedo: editor.canRedo });
+    store.set({ scene: editor.scene, canUndo: editor.canUndo, canRedo: editor.canRedo, pending: editor.isPending });
     this.viewport?.redraw();
     this.links.sceneChanged();
     void describeDatasets(this);

@@ -28,10 +28,11 @@ export function sessionHost(app: App): SessionHost {
     viewSize: () => app.size.pixels(),
     stream: () => app.streams.current(),
     viewOpened: (view) => app.presenter?.show(view),
-    opened: () => {
+    opened: ({ revision }) => {
       app.latency.reset();
       app.histograms.clear();
-      app.store.set({ fatal: null });
+      // Revisions of the session before, if the server forgot it, mean nothing here.
+      app.store.set({ fatal: null, revision, readout: { ...app.store.get().readout, revision: 0 } });
     },
     connection: (connection) => {
       app.store.set({ connection });

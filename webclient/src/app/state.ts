@@ -55,6 +55,10 @@ export interface AppState {
   scene: Scene | null;
   canUndo: boolean;
   canRedo: boolean;
+  /** The server has not taken the newest change yet. */
+  pending: boolean;
+  /** Of the newest change that the server has taken. */
+  revision: number;
   streamChoice: StreamChoice;
   readout: Readout;
   probe: Probe | null;
@@ -101,6 +105,8 @@ export const initialState: AppState = {
   scene: null,
   canUndo: false,
   canRedo: false,
+  pending: false,
+  revision: 0,
   streamChoice: "image",
   readout: emptyReadout,
   probe: null,

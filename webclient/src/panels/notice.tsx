@@ -53,12 +53,30 @@ export function FatalNotice(): JSX.Element | null {
   );
 }
 
+/** A picture that is late this long is said to be. */
+const LATE_MS = 400;
+
+/** Whether the picture has lagged behind the scene for a while: what is seen is not what was asked for. */
+function useLate(): boolean {
+  const behind = useAppState(
+    (state) => state.readout.stream === "image" && (state.pending || state.readout.revision < state.revision),
+  );
+  const [late, setLate] = useState(false);
+  useEffect(() => {
+    setLate(false);
+    if (!behind) return;
+    const timer = setTimeout(() => setLate(true), LATE_MS);
+    return () => clearTimeout(timer);
+  }, [behind]);
+  return late && behind;
+}
+
 export function Busy(): JSX.Element | null {
   const busy = useAppState((state) => state.busy);
-  const waiting = useAppState(
-    (state) => state.connection.kind === "open" && state.readout.stream === "none" && state.fatal === null,
-  );
-  const words = busy ?? (waiting ? "Opening" : null);
+  const connected = useAppState((state) => state.connection.kind === "open");
+  const opening = useAppState((state) => state.readout.stream === "none" && state.fatal === null);
+  const late = useLate();
+  const words = busy ?? (!connected ? null : opening ? "Opening" : late ? "Updating" : null);
   if (words === null) return null;
   return (
     <div class="busy" role="status">

@@ -14,6 +14,7 @@ function kind({ stream, still }: Readout): string {
 export function StatusBar(): JSX.Element {
   const readout = useAppState((state) => state.readout);
   const mesh = useAppState((state) => state.description?.mesh);
+  const wanted = useAppState((state) => (state.pending ? "pending" : state.revision));
   const cells = Object.values(mesh?.cells ?? {}).reduce((sum, count) => sum + count, 0);
   return (
     <footer
@@ -22,6 +23,7 @@ export function StatusBar(): JSX.Element {
       data-still={String(readout.still)}
       data-frame={readout.frame}
       data-revision={readout.revision}
+      data-wanted={wanted}
     >
       {mesh !== undefined && <span>{formatCount(cells)} cells</span>}
       {readout.stream !== "none" && (

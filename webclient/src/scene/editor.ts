@@ -53,6 +53,11 @@ export class SceneEditor {
     return this.document;
   }
 
+  /** Whether the server has not taken everything yet. */
+  get isPending(): boolean {
+    return this.differsFromServer;
+  }
+
   /** Changes that share the name are one undo step. */
   newGesture(): string {
     return `${this.name}-${++this.gestures}`;
