@@ -127,7 +127,7 @@ json report(const Dataset& dataset) {
 std::string grouped(const json& number) {
     std::string digits = std::to_string(number.get<std::uint64_t>());
     for (auto at = static_cast<std::ptrdiff_t>(digits.size()) - 3; at > 0; at -= 3)
-        digits.insert(static_cast<std::size_t>(at), ",");
+        digits.insert(static_cast<std::size_t>(at), 1, ',');
     return digits;
 }
 
