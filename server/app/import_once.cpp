@@ -46,8 +46,10 @@ void import_now(const fs::path& source, const fs::path& output) {
         store::run_import({{"inputs", {source.string()}}, {"output", {output.string()}}}, {}, listener, cancel);
     if (end.exit_code == 3)
         spdlog::warn("{}", end.problem);
-    else if (end.exit_code != 0)
+    else if (end.exit_code != 0) {
+        fs::remove(output.parent_path());
         throw Error(end.problem);
+    }
 }
 
 } // namespace

@@ -99,6 +99,8 @@ def test_geometry_comes_in_batches(server):
             vertices = 0
             while True:
                 frame = await caller.receive()
+                if isinstance(frame, Frame) and frame.flags & 2:
+                    await caller.acknowledge(frame)
                 if not isinstance(frame, Frame) or frame.revision < revision:
                     continue
                 assert frame.kind == 2 and frame.view == view
