@@ -1,11 +1,12 @@
 // ciel serve [DATA ...]
 #include "app/commands.hpp"
-#include "app/import_once.hpp"
+#include "app/import_view.hpp"
 #include "ciel/parallel.hpp"
 #include "ciel/types.hpp"
 #include "gateway/gateway.hpp"
 #include "render/renderer.hpp"
 #include "session/server.hpp"
+#include "store/import_missing.hpp"
 
 #include <CLI/CLI.hpp>
 #include <cstdlib>
@@ -18,6 +19,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
+// Where a user's programs keep what they can make again.
+fs::path default_import_folder() {
+    if (const char* cache = std::getenv("XDG_CACHE_HOME"); cache != nullptr && *cache != '\0')
+        return fs::path(cache) / "ciel";
+    const char* home = std::getenv("HOME");
+    return fs::path(home != nullptr ? home : ".") / ".cache" / "ciel";
+}
+
 struct ServeOptions {
     std::vector<fs::path> data;
     fs::path import_folder = default_import_folder();
@@ -25,6 +34,14 @@ struct ServeOptions {
     unsigned render_workers = 1, threads = 0;
     gateway::GatewayOptions gateway;
 };
+
+std::vector<fs::path> import_what_is_foreign(const ServeOptions& options) {
+    ImportView view;
+    auto served =
+        store::import_missing(options.data, options.import_folder, {}, view.listener(), cancelled_by_signal());
+    view.clear();
+    return served;
+}
 
 // Where the web client is when this program was built, and when it was installed.
 fs::path find_webclient() {
@@ -65,14 +82,13 @@ void log_renderer(session::Server& server) {
 
 int serve(ServeOptions& options) {
     start_log(options.log_level);
-    for (auto& path : options.data) path = import_once(path, options.import_folder);
     complete_token(options.gateway);
     set_thread_count(options.threads);
     if (options.gateway.webclient.empty()) options.gateway.webclient = find_webclient();
     if (options.gateway.webclient.empty()) spdlog::warn("no web client found; name its folder with --webclient");
 
     session::ServerOptions server_options;
-    server_options.data = options.data;
+    server_options.data = import_what_is_foreign(options);
     server_options.backend = render::backend_named(options.gl);
     server_options.engine = options.engine == "propagation" ? Engine::propagation : Engine::signatures;
     server_options.render_workers = options.render_workers;

@@ -1,11 +1,12 @@
 #include "store/import_missing.hpp"
 
 #include "ciel/types.hpp"
+#include "store/checksum.hpp"
 #include "store/files.hpp"
 #include "store/layout.hpp"
 
 #include <algorithm>
-#include <set>
+#include <span>
 
 namespace ciel::store {
 namespace {
@@ -15,9 +16,10 @@ constexpr const char* extension = ".ciel";
 
 bool is_dataset(const fs::path& path) { return fs::exists(path / layout::commit_marker); }
 
-bool holds_datasets(const fs::path& folder) {
-    const auto entries = fs::directory_iterator(folder);
-    return std::any_of(begin(entries), end(entries), [](const auto& entry) { return is_dataset(entry.path()); });
+// Other folders hold datasets, or will.
+bool is_folder_of_datasets(const fs::path& path) {
+    return fs::is_directory(path) && !fs::exists(path / "system" / "controlDict") &&
+           !fs::exists(path / "constant" / "polyMesh");
 }
 
 fs::path without_slash(const fs::path& path) {
@@ -41,31 +43,43 @@ fs::file_time_type newest(const fs::path& input) {
     return time;
 }
 
+// Inputs of one name in different places must not be taken for each other.
+fs::path target_of(const fs::path& input, const fs::path& folder) {
+    const std::string path = fs::weakly_canonical(input).string();
+    const std::string sum = checksum(std::as_bytes(std::span(path)));
+    return without_slash(folder) / sum.substr(sum.find(':') + 1) / (dataset_name(input) + extension);
+}
+
+bool is_imported(const fs::path& input, const fs::path& target) {
+    return is_dataset(target) && fs::last_write_time(target / layout::commit_marker) >= newest(input);
+}
+
+void import_one(const fs::path& input, const fs::path& target, const ImportLimits& limits,
+                const ImportListener& listener, const std::atomic<bool>& cancel) {
+    make_directory(target.parent_path());
+    listener.line("importing " + input.string());
+    const ImportValues values{{"inputs", {input.string()}}, {"output", {target.string()}}, {"force", {"yes"}}};
+    const ImportEnd end = run_import(values, limits, listener, cancel);
+    if (end.exit_code == 1 || end.exit_code == 2) throw Error(end.problem);
+    if (!end.problem.empty()) listener.line(end.problem);
+}
+
 } // namespace
 
 std::vector<fs::path> import_missing(const std::vector<fs::path>& data, const fs::path& folder,
                                      const ImportLimits& limits, const ImportListener& listener,
                                      const std::atomic<bool>& cancel) {
     std::vector<fs::path> served;
-    std::set<fs::path> targets;
     for (const fs::path& path : data) {
         const fs::path input = without_slash(path);
-        if (!fs::exists(input)) throw Error(path.string() + ": there is no such file or directory");
-        if (input.extension() == extension || (fs::is_directory(input) && holds_datasets(input))) {
+        if (!fs::exists(input))
+            throw Error(path.string() + " does not exist; name a dataset, a folder of datasets or a file to import");
+        if (input.extension() == extension || is_folder_of_datasets(input)) {
             served.push_back(input);
             continue;
         }
-        const fs::path target = without_slash(folder) / (dataset_name(input) + extension);
-        if (!targets.insert(target).second)
-            throw Error(path.string() + ": another input is named " + dataset_name(input) +
-                        " too; import one of them with ciel import -o NAME.ciel");
-        served.push_back(target);
-        if (is_dataset(target) && fs::last_write_time(target / layout::commit_marker) >= newest(input)) continue;
-        make_directory(folder);
-        const ImportValues values{{"inputs", {input.string()}}, {"output", {target.string()}}, {"force", {"yes"}}};
-        const ImportEnd end = run_import(values, limits, listener, cancel);
-        if (end.exit_code == 1 || end.exit_code == 2) throw Error(end.problem);
-        if (!end.problem.empty()) listener.line(end.problem);
+        served.push_back(target_of(input, folder));
+        if (!is_imported(input, served.back())) import_one(input, served.back(), limits, listener, cancel);
     }
     return served;
 }

@@ -1,0 +1,25 @@
+// An import as a person at a terminal sees it, for `ciel import` and for `ciel serve FILE`.
+#pragma once
+
+#include "store/importer.hpp"
+
+namespace ciel::app {
+
+// A bar on a terminal; elsewhere a line for every tenth.
+class ImportView {
+public:
+    ImportView();
+    void progress(double share, const std::string& phase);
+    void line(const std::string& line) const;
+    void clear() const;                             // takes the bar away
+    [[nodiscard]] store::ImportListener listener(); // borrows this view
+
+private:
+    bool terminal_;
+    int shown_tenth_ = -1;
+};
+
+// From the first call on, SIGINT and SIGTERM set it instead of ending the program.
+[[nodiscard]] const std::atomic<bool>& cancelled_by_signal();
+
+} // namespace ciel::app
