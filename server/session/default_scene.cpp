@@ -11,7 +11,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr double default_aspect = 1.5; // a laptop's canvas beside its panels
+constexpr double default_aspect = 1.4; // a laptop's canvas beside its panels, with room to spare
 constexpr std::size_t sample_size = 100'000;
 
 struct Candidate {
