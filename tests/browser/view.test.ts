@@ -96,6 +96,7 @@ describe("view", { skip }, () => {
   });
 
   test("the wheel zooms to the cursor, R shows everything again", async () => {
+    await client.canvas.focus(); // keys typed into a field are the field's
     await client.page.keyboard.press("r");
     await client.settled();
     const before = await client.picture();
