@@ -62,7 +62,7 @@ public:
     // buffers are used again. `normals` asks for gradients at the ends of the active edges. Returns
     // false, leaving `out` unspecified, when `stop` was requested; the Query stays usable. Uses all threads of the
     // parallel loop.
-    bool extract(double nu, bool normals, Surface& out, std::stop_token stop = {});
+    bool extract(double nu, bool normals, Surface& out, const std::stop_token& stop = {});
 
     [[nodiscard]] std::size_t memory_bytes() const;
 
@@ -74,7 +74,7 @@ private:
 // Algorithm 1 / 3: a series is one call. `sink` gets each value's surface in the given order; it may be kept by moving.
 // False when stopped.
 bool extract_series(Query& query, std::span<const double> values, bool normals,
-                    const std::function<void(double nu, Surface&&)>& sink, std::stop_token stop = {});
+                    const std::function<void(double nu, Surface&&)>& sink, const std::stop_token& stop = {});
 
 // values: `components` per mesh vertex, interpolated at each point of the surface into `out`, interleaved too. Throws
 // Error when `out` has another size.

@@ -28,8 +28,8 @@ public:
 private:
     // One half-edge around an active edge: it enters a face of one cell.
     struct Touch {
-        Index block, edge, half_edge; // the last two are local
-        auto operator<=>(const Touch&) const = default;
+        Index block, edge, half_edge;                   // the last two are local
+        auto operator<=>(const Touch&) const = default; // NOLINT(modernize-use-nullptr): takes <=> for a 0
     };
 
     void restart();

@@ -30,7 +30,7 @@ void Query::set_field(const Field& field) {
     state_->cutter->set_field(field);
 }
 
-bool Query::extract(double nu, bool normals, Surface& out, std::stop_token stop) {
+bool Query::extract(double nu, bool normals, Surface& out, const std::stop_token& stop) {
     if (state_->field == nullptr) throw Error("choose a field before extracting a surface");
     if (!state_->cutter->update(nu, stop)) return false;
     write_surface(*state_->topology, state_->mesh, *state_->field, *state_->cutter, nu, out);
@@ -45,7 +45,7 @@ bool Query::extract(double nu, bool normals, Surface& out, std::stop_token stop)
 std::size_t Query::memory_bytes() const { return sizeof(State) + state_->cutter->memory_bytes(); }
 
 bool extract_series(Query& query, std::span<const double> values, bool normals,
-                    const std::function<void(double nu, Surface&&)>& sink, std::stop_token stop) {
+                    const std::function<void(double nu, Surface&&)>& sink, const std::stop_token& stop) {
     Surface surface;
     for (const double nu : values) {
         if (!query.extract(nu, normals, surface, stop)) return false;

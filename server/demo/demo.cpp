@@ -38,6 +38,7 @@ std::vector<store::NamedGroup> name_groups(const FaceMesh& mesh, const Bed& bed)
     for (const double at : {bed.x.front(), bed.x.back(), bed.y.front(), bed.y.back(), bed.z.front(), bed.z.back()})
         sides[static_cast<std::size_t>(side++)] = static_cast<float>(at);
     std::vector<store::NamedGroup> groups;
+    groups.reserve(std::size(patch_names) + 2);
     for (const char* name : patch_names) groups.push_back({store::Group::Of::faces, name, {}});
     for (Index face = 0; face < mesh.owner.size(); ++face)
         if (mesh.neighbour[face] == none) groups[patch_of(mesh, face, sides)].ids.push_back(face);

@@ -54,8 +54,10 @@ Dye::Dye(Extent extent)
 }
 
 std::array<float, 2> Dye::node(std::size_t index) const {
-    return {static_cast<float>(extent_.x_low + static_cast<double>(index % nx_) * spacing),
-            static_cast<float>(extent_.y_low + static_cast<double>(index / nx_) * spacing)};
+    const std::size_t column = index % nx_;
+    const std::size_t row = index / nx_;
+    return {static_cast<float>(extent_.x_low + static_cast<double>(column) * spacing),
+            static_cast<float>(extent_.y_low + static_cast<double>(row) * spacing)};
 }
 
 void Dye::step(const std::vector<std::array<float, 2>>& departure, const std::vector<float>& from,

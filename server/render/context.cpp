@@ -33,7 +33,8 @@ ChosenContext make_context(Backend backend) {
             const auto chosen = std::string(name_of(kind.backend)) + ", " + context->description();
             return {std::move(context), kind.backend, chosen + (failures.empty() ? "" : "; not " + failures)};
         } catch (const Error& error) {
-            failures += (failures.empty() ? "" : "; ") + std::string(name_of(kind.backend)) + ": " + error.what();
+            if (!failures.empty()) failures += "; ";
+            failures.append(name_of(kind.backend)).append(": ").append(error.what());
         }
     }
     throw Error("no OpenGL 3.3 to draw with: " + failures +

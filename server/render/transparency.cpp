@@ -26,8 +26,9 @@ TransparentTriangles::TransparentTriangles(const Gl& gl) : gl_(gl) {
     gl_.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, index_buffer_);
     const auto attribute = [&](GLuint index, int components, std::size_t offset) {
         gl_.EnableVertexAttribArray(index);
-        gl_.VertexAttribPointer(index, components, GL_FLOAT, GL_FALSE, sizeof(Vertex),
-                                reinterpret_cast<const void*>(offset));
+        gl_.VertexAttribPointer(
+            index, components, GL_FLOAT, GL_FALSE, sizeof(Vertex),
+            reinterpret_cast<const void*>(offset)); // NOLINT(performance-no-int-to-ptr): GL's own way
     };
     attribute(attribute_position, 3, offsetof(Vertex, position));
     attribute(attribute_normal, 3, offsetof(Vertex, normal));

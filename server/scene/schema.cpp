@@ -138,9 +138,7 @@ Violation best_of(const json& options, const json& value, const std::vector<Viol
         if (!option.contains(discriminator)) {
             if (violations[i].path != path) return violations[i];
             reasons += (reasons.empty() ? "" : ", or ") + violations[i].reason;
-        } else if (!value.is_object()) {
-            return violations[i];
-        } else if (value.value("type", json()) == option[discriminator]) {
+        } else if (!value.is_object() || value.value("type", json()) == option[discriminator]) {
             return violations[i];
         } else {
             types += (types.empty() ? "" : ", ") + option[discriminator].dump();

@@ -62,6 +62,7 @@ public:
     Child(const std::vector<std::string>& arguments, const ChildLimits& limits)
         : output_(make_pipe()), errors_(make_pipe()) {
         std::vector<char*> pointers;
+        pointers.reserve(arguments.size() + 1);
         for (const std::string& argument : arguments) pointers.push_back(const_cast<char*>(argument.c_str()));
         pointers.push_back(nullptr);
         const pid_t parent = ::getpid();

@@ -92,12 +92,12 @@ void pass_line(std::string_view line, const ImportListener& listener) {
 
 fs::path find_import_program() {
     std::error_code error;
-    const fs::path beside = fs::read_symlink("/proc/self/exe", error).parent_path() / program;
+    fs::path beside = fs::read_symlink("/proc/self/exe", error).parent_path() / program;
     if (::access(beside.c_str(), X_OK) == 0) return beside;
     const char* path = std::getenv("PATH");
     std::istringstream folders(path != nullptr ? path : "");
     for (std::string folder; std::getline(folders, folder, ':');)
-        if (const fs::path found = fs::path(folder) / program; ::access(found.c_str(), X_OK) == 0) return found;
+        if (fs::path found = fs::path(folder) / program; ::access(found.c_str(), X_OK) == 0) return found;
     throw Error("ciel-import was not found beside ciel or on PATH; it is built with -DCIEL_IMPORT=ON and needs VTK 9");
 }
 

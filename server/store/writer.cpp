@@ -128,7 +128,8 @@ Writer::Writer(std::unique_ptr<State> state) : state_(std::move(state)) {}
 Writer::Writer(Writer&&) noexcept = default;
 Writer::~Writer() = default;
 
-Writer::Writer(fs::path directory, DatasetHeader header, bool overwrite) : state_(std::make_unique<State>()) {
+Writer::Writer(const fs::path& directory, const DatasetHeader& header, bool overwrite)
+    : state_(std::make_unique<State>()) {
     state_->place = std::make_unique<Place>(directory, overwrite);
     state_->directory = state_->place->temporary();
     DatasetInfo& info = state_->info;
@@ -235,7 +236,7 @@ void Writer::add_step(double time, std::size_t mesh, std::size_t coordinates, st
     }
 }
 
-void Writer::add_note(std::string sentence) {
+void Writer::add_note(const std::string& sentence) {
     state_->info.notes.push_back(valid_utf8(sentence));
     state_->info_changed = true;
 }

@@ -27,7 +27,7 @@ struct ArrayValues {
 class Writer {
 public:
     // Throws Error when `directory` exists and `overwrite` is false, or cannot be written.
-    Writer(std::filesystem::path directory, DatasetHeader header, bool overwrite = false);
+    Writer(const std::filesystem::path& directory, const DatasetHeader& header, bool overwrite = false);
     // Opens an existing dataset to append steps to it.
     [[nodiscard]] static Writer append(const std::filesystem::path& directory);
     ~Writer(); // without finish(): removes what was written aside
@@ -41,7 +41,7 @@ public:
     // In append mode each step is committed (visible to readers) when this returns. Throws Error on a wrong size, or
     // when `time` is not later than the last step's.
     void add_step(double time, std::size_t mesh, std::size_t coordinates, std::span<const ArrayValues> arrays);
-    void add_note(std::string sentence);
+    void add_note(const std::string& sentence);
 
     void finish(); // verifies, renames
 
