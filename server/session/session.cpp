@@ -114,7 +114,7 @@ void Session::subscribe(std::uint64_t connection) {
     used_ = Clock::now();
 }
 
-void Session::add_view(std::shared_ptr<View> view) {
+void Session::add_view(const std::shared_ptr<View>& view) {
     const std::scoped_lock lock(mutex_);
     if (views_.size() >= services_.limits.views_per_session)
         throw LimitReached("a session may have " + std::to_string(services_.limits.views_per_session) +

@@ -51,7 +51,7 @@ public:
     SessionStatus redo(std::uint64_t author);
 
     void subscribe(std::uint64_t connection);
-    void add_view(std::shared_ptr<View> view); // throws LimitReached; the view is offered the newest scene
+    void add_view(const std::shared_ptr<View>& view); // throws LimitReached; the view is offered the newest scene
     void remove_view(std::uint32_t view);
     void disconnect(std::uint64_t connection); // its views and its subscription
     void close();                              // all views
