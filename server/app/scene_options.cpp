@@ -66,6 +66,7 @@ nlohmann::json SceneOptions::document(const store::Dataset& loaded) const {
     add("slice", slices, slice_layer);
     add("plane", planes, plane_layer);
     nlohmann::json document{{"dataset", loaded.info().name}, {"layers", std::move(layers)}};
+    if (time && !std::isfinite(*time)) throw Error("--time must be a finite number");
     if (time)
         document["time"] = *time;
     else if (!loaded.steps().empty())

@@ -30,8 +30,10 @@ ChosenContext make_context(Backend backend) {
         if (backend != Backend::automatic && backend != kind.backend) continue;
         try {
             auto context = kind.make();
-            const auto chosen = std::string(name_of(kind.backend)) + ", " + context->description();
-            return {std::move(context), kind.backend, chosen + (failures.empty() ? "" : "; not " + failures)};
+            std::string chosen(name_of(kind.backend));
+            chosen.append(", ").append(context->description());
+            if (!failures.empty()) chosen.append("; not ").append(failures);
+            return {std::move(context), kind.backend, std::move(chosen)};
         } catch (const Error& error) {
             if (!failures.empty()) failures += "; ";
             failures.append(name_of(kind.backend)).append(": ").append(error.what());

@@ -45,7 +45,12 @@ struct Server::State {
 
     void tell_steps(const std::string& dataset) {
         protocol::DatasetChanged note{dataset, {}};
-        for (const auto& step : catalog.open(dataset)->dataset()->steps()) note.times.push_back(step.time);
+        try {
+            for (const auto& step : catalog.open(dataset)->dataset()->steps()) note.times.push_back(step.time);
+        } catch (const Error&) { // removed or damaged: clients are told, what sessions hold stays as it is
+            connections.send_all(notification_text(note));
+            return;
+        }
         connections.send_all(notification_text(note));
         sessions.dataset_changed(dataset);
     }

@@ -179,6 +179,11 @@ bool Session::is_idle_since(Clock::time_point time) const {
     return subscribers_.empty() && views_.empty() && used_ < time;
 }
 
+Clock::time_point Session::last_used() const {
+    const std::scoped_lock lock(mutex_);
+    return used_;
+}
+
 std::size_t Session::view_count() const {
     const std::scoped_lock lock(mutex_);
     return views_.size();

@@ -63,6 +63,7 @@ public:
     void release_geometry(); // memory of a session that nobody looks at
 
     [[nodiscard]] bool is_idle_since(Clock::time_point time) const; // no connection, and not used since
+    [[nodiscard]] Clock::time_point last_used() const;
     [[nodiscard]] std::size_t memory_bytes() const { return bytes_; }
     [[nodiscard]] std::size_t view_count() const;
 

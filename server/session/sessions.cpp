@@ -30,7 +30,7 @@ std::shared_ptr<Session> Sessions::find(const std::string& id) {
 std::shared_ptr<Session> Sessions::open(const std::string& id, const std::function<nlohmann::json()>& document) {
     const auto check = [&] { // REQUIRES: the lock
         if (stopped_) throw LimitReached("the server is about to stop and opens no new sessions");
-        if (sessions_.size() >= services_.limits.sessions)
+        if (sessions_.size() >= services_.limits.sessions && !drop_longest_left())
             throw LimitReached("there are already " + std::to_string(sessions_.size()) +
                                " sessions, as many as the server keeps; close one first");
     };
@@ -46,6 +46,18 @@ std::shared_ptr<Session> Sessions::open(const std::string& id, const std::functi
     check();
     const std::string name = id.empty() ? random_id() : id;
     return sessions_[name] = std::make_shared<Session>(name, services_, std::move(first));
+}
+
+// What nobody is connected to makes room: its client brings the scene along when it comes back.
+bool Sessions::drop_longest_left() {
+    auto longest = sessions_.end();
+    for (auto entry = sessions_.begin(); entry != sessions_.end(); ++entry)
+        if (entry->second->is_idle_since(Clock::time_point::max()) &&
+            (longest == sessions_.end() || entry->second->last_used() < longest->second->last_used()))
+            longest = entry;
+    if (longest == sessions_.end()) return false;
+    sessions_.erase(longest);
+    return true;
 }
 
 void Sessions::close(const std::string& id) {

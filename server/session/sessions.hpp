@@ -34,6 +34,8 @@ public:
     [[nodiscard]] std::vector<std::shared_ptr<Session>> all() const;
 
 private:
+    bool drop_longest_left(); // REQUIRES: the lock
+
     const Services& services_;
     mutable std::mutex mutex_;
     std::map<std::string, std::shared_ptr<Session>> sessions_;

@@ -1,3 +1,4 @@
+#!/usr/bin/python3
 """What a hand on the slider sees: frames per second, latency from patch to frame, time to the first picture.
 
 usage: drag.py CIEL DATASET.ciel ARRAY [--from A --to B] [--seconds S] [--size WxH] [--axis x]

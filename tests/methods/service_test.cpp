@@ -101,6 +101,21 @@ TEST_F(Sharing, appended_steps_are_told) {
     EXPECT_EQ(told["params"]["times"], json({0, 1, 2, 3}));
 }
 
+TEST_F(Sharing, a_dataset_that_goes_away_is_told) {
+    const Folder own;
+    write_small_dataset(own.path() / "run.ciel");
+    session::ServerOptions chosen;
+    chosen.data = {own.path()};
+    session::Server server(chosen);
+    Client client(server, true);
+    client.call("session.open", {{"dataset", "run"}});
+    std::filesystem::rename(own.path() / "run.ciel", own.path() / "elsewhere");
+    const json told = client.next_text();
+    EXPECT_EQ(told["method"], "dataset.changed");
+    EXPECT_EQ(told["params"]["times"], json::array());
+    EXPECT_NE(client.error_code("dataset.describe", {{"dataset", "run"}}), 0);
+}
+
 TEST_F(Sharing, draining_tells_and_refuses) {
     session::Server server(options());
     Client client(server, true);
@@ -148,6 +163,19 @@ TEST_F(LimitsOf, sessions) {
     EXPECT_EQ(client.error_code("session.open", {{"dataset", "box"}}), -32003);
     client.call("session.close", {{"session", first["session"]}});
     EXPECT_EQ(client.error_code("session.open", {{"dataset", "box"}}), 0);
+}
+
+TEST_F(LimitsOf, sessions_that_were_left_make_room_the_longest_left_first) {
+    session::Limits limits;
+    limits.sessions = 2;
+    session::Server server(options(limits));
+    std::vector<std::string> left;
+    for (int i = 0; i < 2; ++i)
+        left.push_back(Client(server, true).call("session.open", {{"dataset", "box"}})["session"]);
+    Client client(server, true);
+    client.call("session.open", {{"dataset", "box"}});
+    EXPECT_THROW((void)server.sessions().find(left[0]), session::NotFound);
+    EXPECT_NO_THROW((void)server.sessions().find(left[1]));
 }
 
 TEST_F(LimitsOf, views_layers_values_and_undo_steps_of_a_session) {
