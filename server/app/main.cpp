@@ -18,7 +18,7 @@ const std::vector<AddCommand> commands{
 
 } // namespace
 
-int main(int argc, char** argv) {
+int main(int argc, char** argv) { // NOLINT(bugprone-exception-escape): only a fault of ours can throw before parsing
     CLI::App app{"CIEL: explore huge simulation results on unstructured meshes in a browser.", "ciel"};
     app.set_version_flag("--version", "ciel " CIEL_VERSION);
     app.require_subcommand(1);

@@ -102,11 +102,10 @@ std::vector<double> parse_numbers(const std::string& option, const std::string& 
     while (true) {
         double number = 0;
         const auto [stop, problem] = std::from_chars(at, end, number);
-        if (problem != std::errc{} || !std::isfinite(number))
-            throw Error(option + " " + text + " has something that is not a number");
+        if (problem != std::errc{} || !std::isfinite(number) || (stop != end && *stop != ','))
+            throw Error(std::string(option).append(" ").append(text).append(" has something that is not a number"));
         numbers.push_back(number);
         if (stop == end) return numbers;
-        if (*stop != ',') throw Error(option + " " + text + " has something that is not a number");
         at = stop + 1;
     }
 }

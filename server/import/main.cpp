@@ -109,7 +109,7 @@ int run_and_report(const Options& options) {
 
 } // namespace
 
-int main(int argc, char** argv) {
+int main(int argc, char** argv) { // NOLINT(bugprone-exception-escape): only a fault of ours can throw before parsing
     CLI::App app{"Reads a simulation result and writes a CIEL dataset.", "ciel-import"};
     ciel::store::ImportValues values;
     add_options(app, values);

@@ -41,7 +41,7 @@ std::string read_start(const fs::path& file) {
 
 class OpenFoamSource : public ReaderSource {
 public:
-    OpenFoamSource(const std::string& input, vtkSmartPointer<vtkPOpenFOAMReader> reader)
+    OpenFoamSource(const std::string& input, const vtkSmartPointer<vtkPOpenFOAMReader>& reader)
         : ReaderSource(is_decomposed(case_directory(input)) ? "OpenFOAM case (decomposed)" : "OpenFOAM case", input,
                        reader),
           directory_(case_directory(input)) {

@@ -51,6 +51,7 @@ std::unique_ptr<Source> open_source(const std::vector<std::string>& inputs, cons
     const Format& format = find_format(inputs.at(0));
     if (format.several_inputs || inputs.size() == 1) return format.open(inputs, options);
     std::vector<std::unique_ptr<Source>> parts;
+    parts.reserve(inputs.size());
     for (const std::string& input : inputs) parts.push_back(open_source({input}, options));
     return std::make_unique<PartsSource>(std::move(parts), inputs);
 }
