@@ -390,7 +390,7 @@ class SurfaceExportResult(TypedDict):
 
 
 class DatasetChangedParams(TypedDict):
-    """dataset.changed: Steps were appended."""
+    """dataset.changed: Steps were appended. No times: it can no longer be opened, and dataset.list says why."""
 
     dataset: str
     times: list[float]
