@@ -161,5 +161,5 @@ def test_two_hundred_visitors_leave_nothing_behind(box):
         asyncio.run(visits(running, 50))  # caches and arenas have their size after some
         before, memory = files(), running.resident_kilobytes()
         asyncio.run(visits(running, 200))
-        assert files() < before + 20  # what a visit leaves open would be there two hundred times
+        assert any(files() <= before for _ in range(20)), "what the visits opened stays open"
         assert running.resident_kilobytes() < memory + 16_384
