@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <string_view>
 #include <vtkCellType.h>
 #include <vtkCellTypes.h>
 #include <vtkCompositeDataSet.h>
@@ -20,6 +21,13 @@
 namespace ciel::importer {
 
 namespace {
+
+// Parents of what names parts of the mesh again: OpenFOAM's zones, Exodus' sets.
+constexpr std::string_view cell_sets[] = {"cellZones", "Element Sets"};
+constexpr std::string_view face_zones = "faceZones"; // carry the values of the cells behind them
+
+// Between a CGNS zone and what it holds: no part of a name.
+constexpr std::string_view transparent[] = {"Internal", "Patches"};
 
 struct Leaf {
     std::vector<std::string> path;
@@ -61,11 +69,17 @@ int dimension_of(vtkDataSet* data) {
 
 void walk(vtkDataObject* data, std::vector<std::string>& path, std::vector<Leaf>& leaves);
 
+const char* name_in(vtkInformation* information) {
+    const bool named = information != nullptr && information->Has(vtkCompositeDataSet::NAME()) != 0;
+    return named ? information->Get(vtkCompositeDataSet::NAME()) : nullptr;
+}
+
 void walk_child(vtkDataObject* child, vtkInformation* information, unsigned index, std::vector<std::string>& path,
                 std::vector<Leaf>& leaves) {
     if (child == nullptr) return;
-    const bool named = information != nullptr && information->Has(vtkCompositeDataSet::NAME()) != 0;
-    const char* name = named ? information->Get(vtkCompositeDataSet::NAME()) : nullptr;
+    const char* name = name_in(information);
+    if (name != nullptr && std::find(std::begin(transparent), std::end(transparent), name) != std::end(transparent))
+        return walk(child, path, leaves);
     path.emplace_back(name != nullptr && *name != '\0' ? std::string(name) : std::to_string(index));
     walk(child, path, leaves);
     path.pop_back();
@@ -83,10 +97,23 @@ void walk(vtkDataObject* data, std::vector<std::string>& path, std::vector<Leaf>
             walk_child(collection->GetPartitionedDataSet(i),
                        collection->HasMetaData(i) != 0 ? collection->GetMetaData(i) : nullptr, i, path, leaves);
     } else if (auto* pieces = vtkPartitionedDataSet::SafeDownCast(data)) { // multi-piece data sets too
-        for (unsigned i = 0; i < pieces->GetNumberOfPartitions(); ++i)
-            walk_child(pieces->GetPartitionAsDataObject(i),
-                       pieces->HasMetaData(i) != 0 ? pieces->GetMetaData(i) : nullptr, i, path, leaves);
+        for (unsigned i = 0; i < pieces->GetNumberOfPartitions(); ++i) {
+            vtkInformation* information = pieces->HasMetaData(i) != 0 ? pieces->GetMetaData(i) : nullptr;
+            if (pieces->GetNumberOfPartitions() == 1 && name_in(information) == nullptr && !path.empty())
+                walk(pieces->GetPartitionAsDataObject(i), path, leaves); // the whole has the name
+            else
+                walk_child(pieces->GetPartitionAsDataObject(i), information, i, path, leaves);
+        }
     }
+}
+
+bool is_under(const Leaf& leaf, std::string_view parent) {
+    return std::find(leaf.path.begin(), leaf.path.end(), parent) != leaf.path.end();
+}
+
+bool is_zone(const Leaf& leaf) {
+    return std::any_of(std::begin(cell_sets), std::end(cell_sets),
+                       [&](std::string_view parent) { return is_under(leaf, parent); });
 }
 
 std::string name_with_parents(const Leaf& leaf, std::size_t depth) {
@@ -114,7 +141,7 @@ std::vector<Block> named(const std::vector<const Leaf*>& leaves) {
         while (depth < deepest && leaves.size() < 1000 && taken()) ++depth;
         std::string name = name_with_parents(*leaf, depth);
         if (const int earlier = used[name]++; earlier > 0) name.append(" ").append(std::to_string(earlier + 1));
-        blocks.push_back({std::move(name), leaf->data});
+        blocks.push_back({std::move(name), leaf->data, !is_under(*leaf, face_zones)});
     }
     return blocks;
 }
@@ -127,11 +154,12 @@ Blocks collect_blocks(vtkDataObject* data) {
     walk(data, path, leaves);
     std::vector<const Leaf*> volumes;
     std::vector<const Leaf*> surfaces;
+    std::vector<const Leaf*> zones;
     for (const Leaf& leaf : leaves) {
-        if (leaf.dimension == 3) volumes.push_back(&leaf);
+        if (leaf.dimension == 3) (is_zone(leaf) ? zones : volumes).push_back(&leaf);
         if (leaf.dimension == 2) surfaces.push_back(&leaf);
     }
-    return {named(volumes), named(surfaces)};
+    return {named(volumes), named(surfaces), named(zones)};
 }
 
 } // namespace ciel::importer

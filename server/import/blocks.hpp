@@ -12,11 +12,13 @@ namespace ciel::importer {
 struct Block {
     std::string name;
     vtkSmartPointer<vtkDataSet> data;
+    bool own_values = true; // of a surface: its arrays say more than the cells behind it
 };
 
 struct Blocks {
     std::vector<Block> volumes;  // hold at least one cell of dimension 3 (and maybe others)
     std::vector<Block> surfaces; // only cells of dimension 2: patches, side sets
+    std::vector<Block> zones;    // copies of cells that the volumes have, under a name
 };
 
 // Empty data sets and those of points and lines are left out. Names are unique: a data set's own name, with its

@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <optional>
 #include <set>
+#include <sstream>
 
 namespace ciel::importer {
 
@@ -55,7 +56,7 @@ private:
         if (!writer_ || print.cells != print_.cells)
             new_mesh(blocks);
         else
-            same_mesh(blocks, print.positions != print_.positions);
+            same_mesh(blocks, print.positions != print_.positions, time);
         print_ = print;
         tell(0.8, "making arrays");
         const auto& arrays = arrays_.make(mesh_, blocks, point_maker_);
@@ -66,7 +67,7 @@ private:
     void new_mesh(const Blocks& blocks) {
         tell(0.5, "building the mesh");
         point_maker_.reset();
-        mesh_ = build_step_mesh(blocks, options_.weld);
+        mesh_ = build_step_mesh(blocks, options_.weld, source_.cut_into_pieces());
         result_.cells += mesh_.input_cells;
         result_.bad_cells += mesh_.bad_cells;
         if (!writer_) make_writer();
@@ -76,8 +77,15 @@ private:
         coordinates_index_ = 0;
     }
 
-    void same_mesh(const Blocks& blocks, bool moved) {
+    void same_mesh(const Blocks& blocks, bool moved, double time) {
         update_step_mesh(mesh_, blocks, moved);
+        if (const std::string what = difference_across(mesh_.seams, mesh_.parts); !what.empty()) {
+            std::ostringstream sentence;
+            sentence << "From time " << time << " on " << what
+                     << " differs across a seam that was welded until then: the mesh is another one from there.";
+            note(sentence.str());
+            return new_mesh(blocks);
+        }
         if (!moved) return;
         point_maker_.reset();
         coordinates_index_ = writer_->add_coordinates(mesh_index_, mesh_.assembled.mesh.positions);

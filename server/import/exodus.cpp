@@ -1,11 +1,58 @@
-// Exodus II: element blocks with their nodes, side sets as patches.
+// Exodus II: element blocks with their nodes, side sets as patches, element sets as zones.
+#include "import/exodus_sets.hpp"
 #include "import/formats.hpp"
 #include "import/reader_source.hpp"
 
+#include <cstring>
+#include <vtkCompositeDataSet.h>
 #include <vtkExodusIIReader.h>
+#include <vtkInformation.h>
+#include <vtkMultiBlockDataSet.h>
 #include <vtkNew.h>
 
 namespace ciel::importer {
+
+namespace {
+
+vtkMultiBlockDataSet* child(vtkMultiBlockDataSet* parent, const char* name) {
+    for (unsigned i = 0; i < parent->GetNumberOfBlocks(); ++i) {
+        vtkInformation* information = parent->HasMetaData(i) != 0 ? parent->GetMetaData(i) : nullptr;
+        const char* own = information != nullptr ? information->Get(vtkCompositeDataSet::NAME()) : nullptr;
+        if (own != nullptr && std::strcmp(own, name) == 0)
+            return vtkMultiBlockDataSet::SafeDownCast(parent->GetBlock(i));
+    }
+    return nullptr;
+}
+
+class ExodusSource : public ReaderSource {
+public:
+    ExodusSource(const std::string& file, vtkExodusIIReader* reader) : ReaderSource("Exodus II", file, reader) {
+        for (int i = 0; i < reader->GetNumberOfObjects(vtkExodusIIReader::ELEM_BLOCK); ++i)
+            block_ids_.push_back(reader->GetObjectId(vtkExodusIIReader::ELEM_BLOCK, i));
+        for (int i = 0; i < reader->GetNumberOfObjects(vtkExodusIIReader::ELEM_SET); ++i)
+            set_ids_.push_back(reader->GetObjectId(vtkExodusIIReader::ELEM_SET, i));
+        if (!set_ids_.empty()) sets_ = read_element_sets(file, block_ids_, set_ids_);
+    }
+
+    // The reader itself gives element sets without cells (it looks for 32-bit connectivity where it keeps 64-bit).
+    [[nodiscard]] vtkSmartPointer<vtkDataObject> read(std::size_t step, const ReadProgress& progress) override {
+        auto data = ReaderSource::read(step, progress);
+        auto* root = vtkMultiBlockDataSet::SafeDownCast(data);
+        if (root == nullptr || sets_.empty()) return data;
+        vtkMultiBlockDataSet* blocks = child(root, "Element Blocks");
+        vtkMultiBlockDataSet* sets = child(root, "Element Sets");
+        if (blocks == nullptr || sets == nullptr) return data;
+        for (unsigned i = 0; i < sets_.size(); ++i) sets->SetBlock(i, copy_cells(blocks, sets_[i]));
+        return data;
+    }
+
+private:
+    std::vector<std::int64_t> block_ids_; // in the order of the reader's blocks
+    std::vector<std::int64_t> set_ids_;
+    std::vector<ElementSet> sets_;
+};
+
+} // namespace
 
 std::unique_ptr<Source> open_exodus(const Inputs& inputs, const SourceOptions&) {
     vtkNew<vtkExodusIIReader> reader;
@@ -18,7 +65,7 @@ std::unique_ptr<Source> open_exodus(const Inputs& inputs, const SourceOptions&) 
         for (int i = 0; i < reader->GetNumberOfObjectArrays(type); ++i)
             reader->SetObjectArrayStatus(type, reader->GetObjectArrayName(type, i), 1);
     }
-    return std::make_unique<ReaderSource>("Exodus II", inputs.front(), reader.Get());
+    return std::make_unique<ExodusSource>(inputs.front(), reader.Get());
 }
 
 } // namespace ciel::importer

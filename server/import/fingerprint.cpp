@@ -93,6 +93,7 @@ Fingerprint fingerprint(const Blocks& blocks) {
         add_positions(block.data, positions);
     }
     for (const Block& block : blocks.surfaces) add_cells(block, cells);
+    for (const Block& block : blocks.zones) add_cells(block, cells);
     return {cells.value(), positions.value()};
 }
 

@@ -89,6 +89,7 @@ std::unique_ptr<Source> open_cgns(const Inputs& inputs, const SourceOptions&) {
     reader->EnableAllFamilies();
     reader->EnableAllPointArrays();
     reader->EnableAllCellArrays();
+    reader->SetLoadBndPatch(true); // those boundary conditions that name a family
     return std::make_unique<ReaderSource>("CGNS", inputs.front(), reader.Get());
 }
 

@@ -38,6 +38,7 @@ void print_listing(Source& source, const Options& options) {
     print_steps(source.times());
     print_blocks("block  ", blocks.volumes);
     print_blocks("surface", blocks.surfaces);
+    print_blocks("zone   ", blocks.zones);
     std::vector<JoinedMesh::Part> parts;
     for (const Block& block : blocks.volumes) parts.push_back({block.name, block.data, 0, 0, 0, 0});
     const auto units = source.units();

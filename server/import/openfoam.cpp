@@ -1,11 +1,12 @@
 // OpenFOAM cases: a directory, its controlDict, or the empty .foam file beside them. Polyhedra stay polyhedra, cell
-// data stays cell data, and every patch comes with its own values.
+// data stays cell data, every patch comes with its own values, and zones are named.
 #include "import/formats.hpp"
 #include "import/parsers/openfoam_units.hpp"
 #include "import/reader_source.hpp"
 
 #include <cstdlib>
 #include <fstream>
+#include <vtkDummyController.h>
 #include <vtkNew.h>
 #include <vtkPOpenFOAMReader.h>
 
@@ -63,6 +64,7 @@ public:
         return found;
     }
 
+    [[nodiscard]] bool cut_into_pieces() const override { return is_decomposed(directory_); }
     [[nodiscard]] std::string length_units() const override { return "m"; } // OpenFOAM is SI throughout
 
 private:
@@ -88,6 +90,8 @@ std::unique_ptr<Source> open_openfoam(const Inputs& inputs, const SourceOptions&
     reader->SetDecomposePolyhedra(0);
     reader->SetCreateCellToPoint(0);
     reader->SetCacheMesh(1);
+    reader->SetReadZones(1);
+    reader->SetController(vtkNew<vtkDummyController>()); // without one it dereferences null in a decomposed case
     return std::make_unique<OpenFoamSource>(inputs.front(), reader.Get());
 }
 

@@ -7,14 +7,14 @@ namespace ciel::importer {
 
 struct Patch {
     std::string name;
-    std::size_t surface = 0;        // index into Blocks::surfaces; none_of_them for 2-D cells of a volume block
+    std::size_t surface = 0;        // whose values it has: index into Blocks::surfaces, or none_of_them
     std::vector<Index> faces;       // stored boundary faces...
     std::vector<std::size_t> cells; // ...and for each the cell of the surface it is
     std::uint64_t unmatched = 0;    // cells of the surface that are no boundary face of the mesh
     static constexpr std::size_t none_of_them = ~std::size_t{0};
 };
 
-// A cell matches a boundary face that has the same corners (welded or not). Each face is claimed once.
+// A cell matches a boundary face that has the same corners (welded or not). A surface claims each face once.
 [[nodiscard]] std::vector<Patch> match_patches(const FaceMeshView& mesh, const JoinedMesh& joined,
                                                const std::vector<Block>& surfaces);
 

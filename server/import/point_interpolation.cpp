@@ -1,6 +1,8 @@
 #include "import/point_interpolation.hpp"
 
 #include "ciel/parallel.hpp"
+#include "import/cell_geometry.hpp"
+#include "import/vectors.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,49 +13,6 @@ namespace ciel::importer {
 namespace {
 
 constexpr std::size_t grain = 4096;
-
-Vec3d position(const FaceMeshView& mesh, Index vertex) {
-    const float* p = &mesh.positions[3 * std::size_t{vertex}];
-    return {p[0], p[1], p[2]};
-}
-Vec3d operator+(Vec3d a, Vec3d b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
-Vec3d operator-(Vec3d a, Vec3d b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
-Vec3d operator*(double s, Vec3d a) { return {s * a[0], s * a[1], s * a[2]}; }
-double dot(Vec3d a, Vec3d b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-Vec3d cross(Vec3d a, Vec3d b) {
-    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
-struct FaceShape {
-    Vec3d centre{};
-    Vec3d area{}; // along the normal
-};
-
-// A fan around the mean of the corners, each triangle weighted by its share of the area along the normal.
-FaceShape face_shape(const FaceMeshView& mesh, Index face) {
-    const auto loop = mesh.loop(face);
-    Vec3d mean{};
-    for (const Index vertex : loop) mean = mean + position(mesh, vertex);
-    mean = (1.0 / static_cast<double>(loop.size())) * mean;
-
-    const auto for_each_triangle = [&](auto&& visit) {
-        for (std::size_t i = 0; i < loop.size(); ++i) {
-            const Vec3d a = position(mesh, loop[i]);
-            const Vec3d b = position(mesh, loop[(i + 1) % loop.size()]);
-            visit(0.5 * cross(a - mean, b - mean), (1.0 / 3) * (a + b + mean));
-        }
-    };
-    FaceShape shape;
-    for_each_triangle([&](Vec3d area, Vec3d) { shape.area = shape.area + area; });
-    double total = 0;
-    for_each_triangle([&](Vec3d area, Vec3d centre) {
-        const double share = dot(area, shape.area);
-        total += share;
-        shape.centre = shape.centre + share * centre;
-    });
-    shape.centre = total > 0 ? (1 / total) * shape.centre : mean;
-    return shape;
-}
 
 // Solves the symmetric 3x3 system by Cramer's rule; false when it is too close to singular to be of use.
 bool solve(const std::array<double, 6>& m, Vec3d right, Vec3d& x) {
@@ -69,43 +28,10 @@ bool solve(const std::array<double, 6>& m, Vec3d right, Vec3d& x) {
 
 } // namespace
 
-std::vector<Vec3d> cell_centres(const FaceMeshView& mesh) {
-    const std::size_t cells = mesh.cell_count();
-    std::vector<FaceShape> faces(mesh.face_count());
-    parallel_for(faces.size(), grain, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t face = begin; face < end; ++face) faces[face] = face_shape(mesh, static_cast<Index>(face));
-    });
-    const auto for_each_side = [&](auto&& visit) {
-        for (Index face = 0; face < mesh.face_count(); ++face) {
-            visit(mesh.owner[face], faces[face], 1.0);
-            if (mesh.neighbour[face] != none) visit(mesh.neighbour[face], faces[face], -1.0);
-        }
-    };
-    std::vector<Vec3d> guess(cells);
-    std::vector<double> count(cells);
-    for_each_side([&](Index cell, const FaceShape& face, double) {
-        guess[cell] = guess[cell] + face.centre;
-        ++count[cell];
-    });
-    for (std::size_t cell = 0; cell < cells; ++cell) guess[cell] = (1 / std::max(count[cell], 1.0)) * guess[cell];
-
-    // Pyramids from the guess to each face: their centroids weighted by their volumes.
-    std::vector<Vec3d> moment(cells);
-    std::vector<double> volume(cells);
-    for_each_side([&](Index cell, const FaceShape& face, double sign) {
-        const double part = std::max(0.0, sign * dot(face.area, face.centre - guess[cell]) / 3);
-        volume[cell] += part;
-        moment[cell] = moment[cell] + part * (0.75 * face.centre + 0.25 * guess[cell]);
-    });
-    for (std::size_t cell = 0; cell < cells; ++cell)
-        if (volume[cell] > 0) guess[cell] = (1 / volume[cell]) * moment[cell];
-    return guess;
-}
-
 PointInterpolation::PointInterpolation(const FaceMeshView& mesh) {
     find_cells(mesh);
     weight_.assign(cell_.size(), 0.0F);
-    const std::vector<Vec3d> centres = cell_centres(mesh);
+    const std::vector<Vec3d> centres = cell_centres(mesh, face_shapes(mesh));
     parallel_for(mesh.vertex_count(), grain, [&](std::size_t begin, std::size_t end) {
         for (std::size_t vertex = begin; vertex < end; ++vertex) find_weights(mesh, centres, vertex);
     });

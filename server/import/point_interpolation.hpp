@@ -29,7 +29,4 @@ private:
     std::vector<float> weight_; // >= 0, sum 1 per vertex
 };
 
-// Centroids of the cells, as offsets from the mesh's origin.
-[[nodiscard]] std::vector<Vec3d> cell_centres(const FaceMeshView& mesh);
-
 } // namespace ciel::importer

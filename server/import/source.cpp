@@ -3,6 +3,7 @@
 #include "ciel/types.hpp"
 #include "import/formats.hpp"
 
+#include <algorithm>
 #include <vtkCompositeDataSet.h>
 #include <vtkInformation.h>
 #include <vtkMultiBlockDataSet.h>
@@ -39,6 +40,9 @@ public:
     }
     [[nodiscard]] std::map<std::string, std::string> units() const override { return parts_[0]->units(); }
     [[nodiscard]] std::string length_units() const override { return parts_[0]->length_units(); }
+    [[nodiscard]] bool cut_into_pieces() const override {
+        return std::any_of(parts_.begin(), parts_.end(), [](const auto& part) { return part->cut_into_pieces(); });
+    }
 
 private:
     std::vector<std::unique_ptr<Source>> parts_;

@@ -29,6 +29,8 @@ public:
 
     [[nodiscard]] virtual std::map<std::string, std::string> units() const { return {}; } // by array name
     [[nodiscard]] virtual std::string length_units() const { return ""; }
+    // One mesh, read as pieces with points of their own, cut along faces that no surface names.
+    [[nodiscard]] virtual bool cut_into_pieces() const { return false; }
     [[nodiscard]] virtual std::vector<std::string> notes() const { return {}; }
 };
 

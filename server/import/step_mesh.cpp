@@ -1,6 +1,7 @@
 #include "import/step_mesh.hpp"
 
-#include "import/welds.hpp"
+#include "import/face_pyramids.hpp"
+#include "import/zones.hpp"
 
 #include <algorithm>
 
@@ -65,6 +66,20 @@ void describe_joining(const JoinedMesh& joined, StepMesh& mesh) {
                              " without volume or surface were ignored.");
 }
 
+void describe_shapes(const JoinedMesh& joined, StepMesh& mesh) {
+    constexpr std::size_t shown = 10;
+    const InvertedPyramids inverted = find_inverted_pyramids(mesh.view());
+    if (inverted.count == 0) return;
+    std::vector<Index> ids;
+    for (const Index cell : inverted.cells) ids.push_back(mesh.assembled.original_cell[cell]);
+    std::sort(ids.begin(), ids.end());
+    ids.resize(std::min(ids.size(), shown));
+    mesh.notes.push_back(plural(inverted.count, "face looks", "faces look") + " inwards from the centre of " +
+                         plural(inverted.cells.size(), "cell", "cells") +
+                         " (inverted face pyramids), which were kept (first ids: " + id_list(ids, joined.source_cell) +
+                         ").");
+}
+
 void name_patches(const std::vector<Patch>& patches, StepMesh& mesh) {
     for (const Patch& patch : patches) {
         if (patch.unmatched > 0)
@@ -78,7 +93,7 @@ void name_patches(const std::vector<Patch>& patches, StepMesh& mesh) {
 }
 
 // Blocks become zones when there are several.
-void name_zones(const JoinedMesh& joined, StepMesh& mesh) {
+void name_blocks(const JoinedMesh& joined, StepMesh& mesh) {
     if (joined.parts.size() < 2) return;
     const std::vector<Index>& original = mesh.assembled.original_cell;
     std::vector<Index> stored(joined.cell_types.size(), none);
@@ -92,9 +107,23 @@ void name_zones(const JoinedMesh& joined, StepMesh& mesh) {
     }
 }
 
+void name_zones(const std::vector<Zone>& zones, StepMesh& mesh) {
+    for (const Zone& zone : zones) {
+        if (zone.unmatched > 0)
+            mesh.notes.push_back(plural(zone.unmatched, "cell", "cells") + " of zone \"" + zone.name +
+                                 "\" are not in the mesh and were ignored.");
+        if (!zone.cells.empty()) mesh.groups.push_back({store::Group::Of::cells, zone.name, zone.cells});
+    }
+}
+
+Cut find_cut_of(const JoinedMesh& joined, const Blocks& blocks) {
+    const Assembled pieces = assemble(joined.view());
+    return find_cut(pieces, match_patches(pieces.mesh.view(), joined, blocks.surfaces));
+}
+
 } // namespace
 
-StepMesh build_step_mesh(const Blocks& blocks, Weld weld) {
+StepMesh build_step_mesh(const Blocks& blocks, Weld weld, bool in_pieces) {
     if (blocks.volumes.empty())
         throw Error(blocks.surfaces.empty() ? "holds no cells" : "holds only surfaces; a volume mesh is needed");
     JoinedMesh joined = join_blocks(blocks.volumes);
@@ -107,7 +136,9 @@ StepMesh build_step_mesh(const Blocks& blocks, Weld weld) {
     mesh.point_count = joined.point_count;
     describe_joining(joined, mesh);
 
-    const Welds welds = find_welds(joined, weld);
+    const bool rejoin = in_pieces && weld == Weld::seams;
+    Welds welds = find_welds(joined, weld, rejoin ? find_cut_of(joined, blocks) : Cut{});
+    mesh.seams = std::move(welds.seams);
     mesh.notes.insert(mesh.notes.end(), welds.notes.begin(), welds.notes.end());
     if (!welds.representative.empty())
         for (Index& vertex : joined.face_vertex) vertex = welds.representative[vertex];
@@ -119,7 +150,9 @@ StepMesh build_step_mesh(const Blocks& blocks, Weld weld) {
                     " cells can be used: " + reason_text(mesh.assembled.report.bad_cells.at(0).reason));
     mesh.patches = match_patches(mesh.view(), joined, blocks.surfaces);
     name_patches(mesh.patches, mesh);
-    name_zones(joined, mesh);
+    name_blocks(joined, mesh);
+    name_zones(match_zones(mesh.view(), blocks.zones), mesh);
+    describe_shapes(joined, mesh);
 
     mesh.point_of_vertex = mesh.assembled.original_vertex;
     mesh.cell_of_cell.reserve(mesh.assembled.original_cell.size());

@@ -4,6 +4,7 @@
 #include "import/joined_mesh.hpp"
 #include "import/options.hpp"
 #include "import/patches.hpp"
+#include "import/welds.hpp"
 #include "store/writer.hpp"
 
 namespace ciel::importer {
@@ -15,6 +16,7 @@ struct StepMesh {
     std::vector<Index> point_of_vertex; // stored vertex -> running point
     std::vector<Index> cell_of_cell;    // stored cell -> running cell
     std::vector<Patch> patches;
+    std::vector<Seam> seams; // welded
     std::vector<store::NamedGroup> groups;
     std::uint64_t input_vertices = 0, input_edges = 0, input_cells = 0; // as the file has them
     std::uint64_t bad_cells = 0;
@@ -23,8 +25,8 @@ struct StepMesh {
     [[nodiscard]] FaceMeshView view() const { return assembled.mesh.view(); }
 };
 
-// Throws Error when there is no volume cell, or none that can be used.
-[[nodiscard]] StepMesh build_step_mesh(const Blocks& blocks, Weld weld);
+// `in_pieces`: Source::cut_into_pieces(). Throws Error when there is no volume cell, or none that can be used.
+[[nodiscard]] StepMesh build_step_mesh(const Blocks& blocks, Weld weld, bool in_pieces);
 
 // The same cells at another time: takes the step's data, and its positions when they have moved.
 void update_step_mesh(StepMesh& mesh, const Blocks& blocks, bool moved);

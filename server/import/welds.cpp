@@ -19,8 +19,6 @@ namespace {
 constexpr double position_tolerance = 1e-6;
 constexpr double field_tolerance = 1e-4;
 
-using Pairs = std::vector<std::pair<Index, Index>>; // running points
-
 class DisjointSets {
 public:
     explicit DisjointSets(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), Index{0}); }
@@ -46,8 +44,7 @@ private:
 // One structured block: finds the pairs of points that its seams put together.
 class SeamFinder {
 public:
-    SeamFinder(const JoinedMesh& mesh, const JoinedMesh::Part& part, vtkStructuredGrid* grid)
-        : mesh_(mesh), part_(part) {
+    SeamFinder(const JoinedMesh& mesh, std::size_t part, vtkStructuredGrid* grid) : mesh_(mesh), part_(part) {
         grid->GetDimensions(dims_.data());
         double bounds[6];
         grid->GetBounds(bounds);
@@ -55,21 +52,23 @@ public:
         tolerance_ = position_tolerance * diagonal;
     }
 
-    std::vector<Pairs> find() const {
-        std::vector<Pairs> seams;
+    std::vector<Seam> find() const {
+        std::vector<Seam> seams;
+        const auto add = [&](PointPairs points) {
+            if (!points.empty()) seams.push_back({part_, std::move(points), tolerance_});
+        };
         for (int axis = 0; axis < 3; ++axis) {
             if (dims_[axis] < 3) continue;
-            if (Pairs pairs = opposite_faces(axis); !pairs.empty()) seams.push_back(std::move(pairs));
+            add(opposite_faces(axis));
             for (const int plane : {0, dims_[axis] - 1})
-                for (const int fold : {(axis + 1) % 3, (axis + 2) % 3})
-                    if (Pairs pairs = folded_face(axis, plane, fold); !pairs.empty()) seams.push_back(std::move(pairs));
+                for (const int fold : {(axis + 1) % 3, (axis + 2) % 3}) add(folded_face(axis, plane, fold));
         }
         return seams;
     }
 
 private:
     [[nodiscard]] Index point(std::array<int, 3> ijk) const {
-        return part_.first_point +
+        return mesh_.parts[part_].first_point +
                static_cast<Index>(ijk[0] + dims_[0] * (ijk[1] + static_cast<std::int64_t>(dims_[1]) * ijk[2]));
     }
     [[nodiscard]] bool coincide(Index a, Index b) const {
@@ -80,8 +79,8 @@ private:
         return distance <= tolerance_;
     }
 
-    [[nodiscard]] Pairs opposite_faces(int axis) const {
-        Pairs pairs;
+    [[nodiscard]] PointPairs opposite_faces(int axis) const {
+        PointPairs pairs;
         const int u = (axis + 1) % 3;
         const int v = (axis + 2) % 3;
         for (int i = 0; i < dims_[u]; ++i)
@@ -99,12 +98,12 @@ private:
 
     // The wake cut of a C-grid: a face whose two ends along `fold` lie on each other. A face collapsed to a line or a
     // point (a polar axis) is none.
-    [[nodiscard]] Pairs folded_face(int axis, int plane, int fold) const {
+    [[nodiscard]] PointPairs folded_face(int axis, int plane, int fold) const {
         const int along = 3 - axis - fold;
-        Pairs pairs;
+        PointPairs pairs;
         int columns = 0;
         for (; columns < dims_[fold] / 2; ++columns) {
-            Pairs column;
+            PointPairs column;
             bool collapsed = true;
             for (int k = 0; k < dims_[along]; ++k) {
                 std::array<int, 3> ijk{};
@@ -115,62 +114,80 @@ private:
                     return point(ijk);
                 };
                 column.emplace_back(at(columns), at(dims_[fold] - 1 - columns));
-                if (!coincide(column.back().first, column.back().second)) return columns < 2 ? Pairs{} : pairs;
+                if (!coincide(column.back().first, column.back().second)) return columns < 2 ? PointPairs{} : pairs;
                 collapsed = collapsed && coincide(at(columns), at(columns + 1));
             }
             if (collapsed) return {};
             pairs.insert(pairs.end(), column.begin(), column.end());
         }
-        return columns < 2 ? Pairs{} : pairs;
+        return columns < 2 ? PointPairs{} : pairs;
     }
 
     const JoinedMesh& mesh_;
-    const JoinedMesh::Part& part_;
+    std::size_t part_;
     std::array<int, 3> dims_{};
     double tolerance_ = 0;
 };
 
-// The name of a point field that differs across the seam; empty when all agree.
-std::string disagreement(const JoinedMesh& mesh, const Pairs& pairs) {
-    for (const FieldName& field : field_names(mesh.parts)) {
-        if (field.of != FieldOf::points) continue;
-        const std::vector<float> values = gather_field(mesh.parts, field);
-        const auto width = static_cast<std::size_t>(field.components);
-        float low = std::numeric_limits<float>::infinity();
-        float high = -low;
-        for (const float value : values) {
-            if (!std::isfinite(value)) continue;
-            low = std::min(low, value);
-            high = std::max(high, value);
-        }
-        const double tolerance = field_tolerance * (static_cast<double>(high) - low);
-        for (const auto& [a, b] : pairs)
+bool values_differ(const std::vector<float>& values, std::size_t width, const std::vector<Seam>& seams) {
+    float low = std::numeric_limits<float>::infinity();
+    float high = -low;
+    for (const float value : values) {
+        if (!std::isfinite(value)) continue;
+        low = std::min(low, value);
+        high = std::max(high, value);
+    }
+    const double tolerance = field_tolerance * (static_cast<double>(high) - low);
+    for (const Seam& seam : seams)
+        for (const auto& [a, b] : seam.points)
             for (std::size_t c = 0; c < width; ++c)
                 if (std::abs(static_cast<double>(values[a * width + c]) - values[b * width + c]) > tolerance)
-                    return field.name;
-    }
-    return "";
+                    return true;
+    return false;
+}
+
+bool positions_differ(const Seam& seam, const JoinedMesh::Part& part) {
+    return std::any_of(seam.points.begin(), seam.points.end(), [&](const std::pair<Index, Index>& pair) {
+        Vec3d a;
+        Vec3d b;
+        part.data->GetPoint(pair.first - part.first_point, a.data());
+        part.data->GetPoint(pair.second - part.first_point, b.data());
+        return std::max({std::abs(a[0] - b[0]), std::abs(a[1] - b[1]), std::abs(a[2] - b[2])}) > 2 * seam.tolerance;
+    });
 }
 
 std::string count_text(std::uint64_t count, const char* what) { return std::to_string(count) + " " + what; }
 
 void weld_seams(const JoinedMesh& mesh, DisjointSets& sets, Welds& welds) {
-    for (const JoinedMesh::Part& part : mesh.parts) {
+    for (std::size_t i = 0; i < mesh.parts.size(); ++i) {
+        const JoinedMesh::Part& part = mesh.parts[i];
         auto* grid = vtkStructuredGrid::SafeDownCast(part.data);
         if (grid == nullptr) continue;
-        for (const Pairs& pairs : SeamFinder(mesh, part, grid).find()) {
-            const std::string field = disagreement(mesh, pairs);
-            if (!field.empty()) {
-                welds.notes.push_back("Block \"" + part.name + "\" closes onto itself, but " + field +
-                                      " differs across the seam, so it was not welded.");
+        std::string name;
+        if (!part.name.empty()) name.append(" (\"").append(part.name).append("\")");
+        for (Seam& seam : SeamFinder(mesh, i, grid).find()) {
+            const std::string difference = difference_across({seam}, mesh.parts);
+            if (!difference.empty()) {
+                std::string sentence = "A structured block" + name + " closes onto itself, but ";
+                sentence.append(difference).append(" differs across the seam, so it was not welded.");
+                welds.notes.push_back(std::move(sentence));
                 continue;
             }
-            for (const auto& [a, b] : pairs) sets.join(a, b);
-            welds.notes.push_back(
-                "The seam of structured block \"" + part.name +
-                "\", closed onto itself, was welded: " + count_text(pairs.size(), "pairs of points."));
+            for (const auto& [a, b] : seam.points) sets.join(a, b);
+            welds.notes.push_back("The seam of a structured block" + name + ", closed onto itself, was welded: " +
+                                  count_text(seam.points.size(), "pairs of points."));
+            welds.seams.push_back(std::move(seam));
         }
     }
+}
+
+void join_cut(const Cut& cut, DisjointSets& sets, Welds& welds) {
+    for (const auto& [a, b] : cut.points) sets.join(a, b);
+    if (cut.faces > 0)
+        welds.notes.push_back("The pieces of the case were joined along " + count_text(cut.faces, "faces."));
+    if (cut.single > 0)
+        welds.notes.push_back(count_text(cut.single, "faces of no patch") +
+                              " have no counterpart on another piece and stay boundary.");
 }
 
 // Every set of points with the same coordinates, to the bit.
@@ -194,9 +211,21 @@ void for_each_coincident(const JoinedMesh& mesh, Visit&& visit) {
 
 } // namespace
 
-Welds find_welds(const JoinedMesh& mesh, Weld mode) {
+std::string difference_across(const std::vector<Seam>& seams, const std::vector<JoinedMesh::Part>& parts) {
+    if (seams.empty()) return "";
+    for (const Seam& seam : seams)
+        if (positions_differ(seam, parts[seam.part])) return "position";
+    for (const FieldName& field : field_names(parts))
+        if (field.of == FieldOf::points &&
+            values_differ(gather_field(parts, field), static_cast<std::size_t>(field.components), seams))
+            return field.name;
+    return "";
+}
+
+Welds find_welds(const JoinedMesh& mesh, Weld mode, const Cut& cut) {
     Welds welds;
     DisjointSets sets(mesh.point_count);
+    join_cut(cut, sets, welds);
     if (mode == Weld::seams) weld_seams(mesh, sets, welds);
     std::uint64_t coincident = 0;
     const bool look = mode == Weld::all || mesh.parts.size() > 1;

@@ -19,6 +19,10 @@ def run_import(*arguments, timeout=300):
     )
 
 
+def ciel_info(dataset, *options):
+    return subprocess.run([CIEL, "info", str(dataset), *options], capture_output=True, text=True, check=True).stdout
+
+
 class Dataset:
     """A dataset as other software sees it."""
 

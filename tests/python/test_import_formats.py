@@ -5,7 +5,7 @@ import json
 import numpy as np
 import pytest
 import vtk
-from import_support import imported, run_import
+from import_support import ciel_info, imported, run_import
 from vtk_files import (
     CUBE,
     CUBE_FACES,
@@ -118,6 +118,33 @@ def test_quadratic_cells_keep_their_corners_and_say_so(tmp_path):
     assert "1 quadratic tetrahedra keep their corners" in dataset.notes
 
 
+QUADRATIC = [
+    (vtk.vtkQuadraticHexahedron, "hexahedron", 8, "quadratic hexahedra"),
+    (vtk.vtkTriQuadraticHexahedron, "hexahedron", 8, "triquadratic hexahedra"),
+    (vtk.vtkBiQuadraticQuadraticHexahedron, "hexahedron", 8, "quadratic hexahedra"),
+    (vtk.vtkQuadraticTetra, "tetrahedron", 4, "quadratic tetrahedra"),
+    (vtk.vtkQuadraticWedge, "wedge", 6, "quadratic wedges"),
+    (vtk.vtkQuadraticLinearWedge, "wedge", 6, "quadratic wedges"),
+    (vtk.vtkBiQuadraticQuadraticWedge, "wedge", 6, "quadratic wedges"),
+    (vtk.vtkQuadraticPyramid, "pyramid", 5, "quadratic pyramids"),
+]
+LINEAR_VOLUME = {"hexahedron": 1, "tetrahedron": 1 / 6, "wedge": 1 / 2, "pyramid": 1 / 3}
+
+
+@pytest.mark.parametrize("cell, kind, corners, words", QUADRATIC, ids=lambda value: getattr(value, "__name__", ""))
+def test_every_quadratic_kind_keeps_its_corners_and_the_values_there(tmp_path, cell, kind, corners, words):
+    cell = cell()
+    at = np.array(cell.GetParametricCoords() and [cell.GetParametricCoords()[i] for i in range(3 * cell.GetNumberOfPoints())])
+    points = at.reshape(-1, 3)
+    grid = with_fields(unstructured([(cell.GetCellType(), list(range(len(points))))], points))
+    dataset = imported(tmp_path, write(vtk.vtkXMLUnstructuredGridWriter(), tmp_path / "a.vtu", grid))
+    assert dataset.cells() == {kind: 1} and f"1 {words} keep their corners" in dataset.notes
+    assert dataset.input["vertices"] == len(points)
+    assert sorted(dataset.mesh()["original_vertex"][:]) == list(range(corners))
+    assert dataset.volume() == pytest.approx(LINEAR_VOLUME[kind], rel=1e-5)
+    check_fields(dataset)
+
+
 def test_voxels_and_prisms(tmp_path):
     voxel = unstructured([(vtk.VTK_VOXEL, list(range(8)))], [(x, y, z) for z in (0, 1) for y in (0, 1) for x in (0, 1)])
     dataset = imported(tmp_path, write(vtk.vtkXMLUnstructuredGridWriter(), tmp_path / "a.vtu", voxel))
@@ -174,6 +201,45 @@ def test_the_seam_of_an_o_grid_is_welded_only_when_the_fields_agree(tmp_path):
     assert dataset.counts()["vertices"] == 13 * 4 * 3 and "angle differs across the seam" in dataset.notes
 
 
+def write_ring_series(folder, angles, moved=lambda step, data: data):
+    """Steps of an O-grid with a field; angles(step) are its values around, n + 1 of them."""
+    names = []
+    for step in range(4):
+        grid = moved(step, with_fields(ring()))
+        add_array(grid.GetPointData(), "angle", [angles(step)[(i // 4) % 13] for i in range(grid.GetNumberOfPoints())])
+        names.append(write(vtk.vtkXMLStructuredGridWriter(), folder / f"ring {step}.vts", grid).name)
+    return write_pvd(folder / "a.pvd", [(step / 2, 0, name) for step, name in enumerate(names)])
+
+
+def test_a_seam_whose_sides_differ_later_is_open_from_then_on(tmp_path):
+    agreeing = np.append(np.arange(12), 0)
+    torn = np.arange(13)
+    dataset = imported(tmp_path, write_ring_series(tmp_path, lambda step: torn if step in (1, 2) else agreeing))
+    assert [step.get("mesh", 0) for step in dataset.steps] == [0, 1, 1, 1]
+    assert dataset.counts(0)["vertices"] == 12 * 4 * 3 and dataset.counts(1)["vertices"] == 13 * 4 * 3
+    assert "From time 0.5 on angle differs across a seam" in dataset.notes
+    for step in range(4):
+        original = dataset.mesh(dataset.steps[step].get("mesh", 0))["original_vertex"][:]
+        want = (torn if step in (1, 2) else agreeing)[(original // 4) % 13]
+        np.testing.assert_array_equal(dataset.values("angle", step), want)
+
+
+def test_a_seam_that_moves_apart_is_open_from_then_on(tmp_path):
+    def opened(step, grid):
+        for i in range(grid.GetNumberOfPoints()):
+            x, y, z = grid.GetPoint(i)
+            if step == 3 and (i // 4) % 13 == 12:
+                grid.GetPoints().SetPoint(i, x, y - 0.1, z)
+            else:
+                grid.GetPoints().SetPoint(i, x + step, y, z)
+        return grid
+
+    dataset = imported(tmp_path, write_ring_series(tmp_path, lambda step: np.zeros(13), opened))
+    assert [step.get("mesh", 0) for step in dataset.steps] == [0, 0, 0, 1]
+    assert [step.get("coordinates", 0) for step in dataset.steps] == [0, 1, 2, 0]
+    assert "From time 1.5 on position differs across a seam" in dataset.notes
+
+
 def test_the_wake_cut_of_a_c_grid_is_welded(tmp_path):
     # i runs in along the cut (y = 0, x from 4 to 1), around a nose, and out again.
     n, grid, points = 13, vtk.vtkStructuredGrid(), vtk.vtkPoints()
@@ -191,6 +257,18 @@ def test_the_wake_cut_of_a_c_grid_is_welded(tmp_path):
     dataset = imported(tmp_path, write(vtk.vtkXMLStructuredGridWriter(), tmp_path / "a.vts", grid))
     assert dataset.counts()["vertices"] == n * 9 - 4 * 3
     assert "welded: 12 pairs" in dataset.notes
+
+
+def test_a_face_that_looks_inwards_is_named_in_the_notes(tmp_path):
+    points = [*CUBE, *((x + 5, y, z) for x, y, z in CUBE)]
+    points[14] = (5.05, 0.05, 0.45)  # a corner pushed to the other side of its cell
+    grid = unstructured([(vtk.VTK_HEXAHEDRON, list(range(8))), (vtk.VTK_HEXAHEDRON, list(range(8, 16)))], points)
+    dataset = imported(tmp_path, write(vtk.vtkXMLUnstructuredGridWriter(), tmp_path / "a.vtu", grid))
+    (note,) = dataset.facts["notes"]
+    assert "inwards from the centre of 1 cell (inverted face pyramids)" in note and "(first ids: 1)" in note
+    assert dataset.counts()["cells"] == 2
+    assert json.loads(ciel_info(dataset.path, "--json"))["notes"] == [note]
+    assert note in ciel_info(dataset.path)
 
 
 def test_blanked_cells_are_left_out(tmp_path):

@@ -1,105 +1,11 @@
-"""OpenFOAM cases written as text: polyhedra, patches and the values at walls."""
+"""OpenFOAM cases: polyhedra, patches and the values at walls; zones; decomposed cases."""
 
-import itertools
 import re
 
 import numpy as np
 import pytest
 from import_support import imported, run_import
-
-N = 4  # cells along each side of the unit cube
-
-
-def header(kind, name):
-    return f"FoamFile\n{{\n    version 2.0;\n    format ascii;\n    class {kind};\n    object {name};\n}}\n"
-
-
-def listing(rows):
-    return f"{len(rows)}\n(\n" + "\n".join(rows) + "\n)\n"
-
-
-def mesh():
-    """Faces as (owner, neighbour or patch, loop). One inner face is split in two, which makes two polyhedra."""
-    point = lambda i, j, k: i + (N + 1) * (j + (N + 1) * k)
-    cell = lambda i, j, k: i + N * (j + N * k)
-    inner, outer = [], {"inlet": [], "outlet": [], "walls": []}
-    for i, j, k in itertools.product(range(N), range(N), range(N)):
-        here = (i, j, k)
-        for axis in range(3):
-            u, v = (axis + 1) % 3, (axis + 2) % 3
-            for side in (0, 1):
-                at = list(here)
-                at[axis] += side
-                loop = []
-                for du, dv in [(0, 0), (1, 0), (1, 1), (0, 1)]:
-                    corner = list(at)
-                    corner[u] += du
-                    corner[v] += dv
-                    loop.append(point(*corner))
-                if side == 0:
-                    loop.reverse()
-                other = list(here)
-                other[axis] += 1 if side else -1
-                if 0 <= other[axis] < N:
-                    if side:
-                        inner.append((cell(*here), cell(*other), loop))
-                else:
-                    patch = ("inlet", "outlet")[side] if axis == 0 else "walls"
-                    outer[patch].append((cell(*here), loop))
-    owner, neighbour, loop = inner.pop(N)
-    inner += [(owner, neighbour, [loop[0], loop[1], loop[2]]), (owner, neighbour, [loop[0], loop[2], loop[3]])]
-    inner.sort(key=lambda face: face[:2])
-    return inner, outer
-
-
-def field(kind, name, dimensions, internal, patches):
-    rows = "".join(f"    {p} {{ {entry} }}\n" for p, entry in patches.items())
-    text = lambda v: "(" + " ".join(map(repr, map(float, v))) + ")" if np.ndim(v) else repr(float(v))
-    values = listing([text(v) for v in internal])
-    of = "vector" if kind == "volVectorField" else "scalar"
-    return (
-        header(kind, name)
-        + f"dimensions {dimensions};\ninternalField nonuniform List<{of}>\n{values};\nboundaryField\n{{\n{rows}}}\n"
-    )
-
-
-def write_case(case):
-    inner, outer = mesh()
-    poly = case / "constant/polyMesh"
-    poly.mkdir(parents=True)
-    (case / "system").mkdir()
-    (case / "system/controlDict").write_text(header("dictionary", "controlDict") + "startTime 0;\nendTime 2;\ndeltaT 1;\nwriteInterval 1;\n")
-    points = [(i / N, j / N, k / N) for k in range(N + 1) for j in range(N + 1) for i in range(N + 1)]
-    (poly / "points").write_text(header("vectorField", "points") + listing([f"({x} {y} {z})" for x, y, z in points]))
-    loops = [loop for *_, loop in inner] + [loop for faces in outer.values() for _, loop in faces]
-    (poly / "faces").write_text(header("faceList", "faces") + listing([f"{len(f)}({' '.join(map(str, f))})" for f in loops]))
-    owners = [o for o, *_ in inner] + [o for faces in outer.values() for o, _ in faces]
-    (poly / "owner").write_text(header("labelList", "owner") + listing([str(o) for o in owners]))
-    (poly / "neighbour").write_text(header("labelList", "neighbour") + listing([str(n) for _, n, _ in inner]))
-    start, rows = len(inner), []
-    for name, faces in outer.items():
-        kind = "wall" if name == "walls" else "patch"
-        rows.append(f"{name} {{ type {kind}; nFaces {len(faces)}; startFace {start}; }}")
-        start += len(faces)
-    (poly / "boundary").write_text(header("polyBoundaryMesh", "boundary") + listing(rows))
-    centres = np.array([((i + 0.5) / N, (j + 0.5) / N, (k + 0.5) / N) for k in range(N) for j in range(N) for i in range(N)])
-    for time in (1, 2):
-        folder = case / str(time)
-        folder.mkdir()
-        speed = np.zeros((N**3, 3))
-        speed[:, 0] = time * centres[:, 1] * (1 - centres[:, 1])
-        (folder / "U").write_text(
-            field("volVectorField", "U", "[0 1 -1 0 0 0 0]", speed, {
-                "inlet": "type fixedValue; value uniform (5 0 0);",
-                "outlet": "type zeroGradient;",
-                "walls": "type noSlip;",
-            }))
-        (folder / "p").write_text(
-            field("volScalarField", "p", "[1 -1 -2 0 0 0 0]", time + centres[:, 0], {
-                "inlet": "type zeroGradient;", "outlet": "type fixedValue; value uniform 7;", "walls": "type zeroGradient;",
-            }))
-    (case / "a.foam").touch()
-    return case
+from openfoam_files import CENTRES, N, mesh, write_case, write_cell_zones, write_decomposed, write_face_zones
 
 
 def test_polyhedra_patches_units_and_times(tmp_path):
@@ -154,3 +60,80 @@ def test_damaged_cases_end_in_a_sentence(tmp_path):
         assert done.returncode == 1, name
         assert len(done.stderr.strip().splitlines()) == 1 and done.stderr.startswith("ciel: "), done.stderr
         assert not list(tmp_path.glob("*.ciel*")) and not list(tmp_path.glob(".*"))
+
+
+ZONES = {"front": [c for c in range(N**3) if c % N < N // 2], "lid": list(range(N**3 - N * N, N**3))}
+
+
+def zones_of(dataset):
+    original = dataset.mesh()["original_cell"][:]
+    names = {g["name"] for g in dataset.mesh().attrs["ciel"]["groups"] if g["of"] == "cells"}
+    return {name: sorted(original[ids]) for name, ids in dataset.groups().items() if name in names}
+
+
+def test_cell_zones_become_groups_of_cells(tmp_path):
+    case = write_case(tmp_path / "case")
+    write_cell_zones(case / "constant/polyMesh", ZONES)
+    dataset = imported(tmp_path, case)
+    assert zones_of(dataset) == ZONES
+    assert dataset.counts()["cells"] == N**3 and dataset.input["cells"] == N**3
+    assert set(dataset.groups()) == {"inlet", "outlet", "walls", "front", "lid"}
+
+
+def test_face_zones_on_the_boundary_become_groups_and_leave_the_patches_their_values(tmp_path):
+    case = write_case(tmp_path / "case")
+    first = len(mesh()[0])  # the faces of the inlet come first among those of the boundary
+    write_face_zones(case / "constant/polyMesh", {"half": range(first, first + 8), "inside": [0, 1, 2]})
+    dataset = imported(tmp_path, case)
+    groups = dataset.groups()
+    assert {name: len(faces) for name, faces in groups.items()} == {"inlet": 16, "outlet": 16, "walls": 64, "half": 8}
+    assert set(groups["half"]) < set(groups["inlet"])
+    assert '3 faces of surface "inside" are no boundary faces' in dataset.notes
+    only_inlet = np.setdiff1d(dataset.points_of(groups["inlet"]), dataset.points_of(groups["walls"]))
+    np.testing.assert_array_equal(dataset.values("U")[only_inlet, 0], 5)
+
+
+def in_order_of_place(dataset, name, step):
+    """Values at points, by where the points are."""
+    position = np.round(dataset.positions() * N).astype(int)
+    return dataset.values(name, step)[np.lexsort(position.T)]
+
+
+def test_a_decomposed_case_is_the_whole_again(tmp_path):
+    case = tmp_path / "case"
+    processor = [(c % N >= N // 2) + 2 * (c // (N * N) >= N // 2) for c in range(N**3)]
+    points = write_decomposed(case, processor, ZONES)
+    for folder in ("a", "b"):
+        (tmp_path / folder).mkdir()
+    dataset = imported(tmp_path / "a", case)
+    whole = imported(tmp_path / "b", write_case(tmp_path / "whole"))
+    assert dataset.input["vertices"] == points and dataset.input["cells"] == N**3
+    assert dataset.counts() == whole.counts() and dataset.cells() == whole.cells()
+    assert dataset.volume() == pytest.approx(1) and dataset.times == [1, 2]
+    assert dataset.units("U") == "m/s" and "joined along 32 faces" in dataset.notes
+    centres = np.concatenate([CENTRES[np.array(processor) == rank] for rank in range(4)])
+    original = dataset.mesh()["original_cell"][:]
+    for step in (0, 1):
+        np.testing.assert_allclose(dataset.values("cell:p", step), step + 1 + centres[original, 0], atol=1e-6)
+        for name in ("U", "p"):
+            np.testing.assert_allclose(in_order_of_place(dataset, name, step), in_order_of_place(whole, name, step), atol=1e-6)
+    groups = dataset.groups()
+    assert {name: len(ids) for name, ids in groups.items()} == {
+        "inlet": 16, "outlet": 16, "walls": 64, "front": len(ZONES["front"]), "lid": len(ZONES["lid"])
+    }
+    assert np.all(centres[original[groups["front"]], 0] < 0.5) and np.all(centres[original[groups["lid"]], 2] > 1 - 1 / N)
+
+
+def test_baffles_of_a_decomposed_case_stay_open(tmp_path):
+    """A wall inside, of faces that two processors share: both its sides are patch faces, no processor faces."""
+    write_decomposed(tmp_path / "case", [c % N >= N // 2 for c in range(N**3)], {}, baffle=(0, 1))
+    dataset = imported(tmp_path, tmp_path / "case")
+    assert "joined along 14 faces" in dataset.notes
+    assert dataset.counts()["boundary_faces"] == 96 + 2 * 2
+    assert len(dataset.groups()["walls"]) == 64 + 2 * 2
+
+
+def test_pieces_that_were_not_welded_when_nothing_is_to_be(tmp_path):
+    write_decomposed(tmp_path / "case", [c % N >= N // 2 for c in range(N**3)], {})
+    dataset = imported(tmp_path, tmp_path / "case", "--no-weld")
+    assert dataset.counts()["components"] == 2 and dataset.counts()["vertices"] == dataset.input["vertices"]

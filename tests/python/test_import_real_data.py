@@ -6,7 +6,7 @@ import tarfile
 
 import numpy as np
 import pytest
-from import_support import imported
+from import_support import ciel_info, imported
 
 DATA = pathlib.Path(os.environ.get("CIEL_DATA") or "/nowhere")
 
@@ -61,8 +61,15 @@ def test_sphere_counts(sphere):
     assert sphere.cells() == {"hexahedron": 88, "polyhedron": 145036}
     assert sphere.times == [1.6, 3.2, 4.8, 6.4, 8]
     assert {name: len(f) for name, f in sphere.groups().items()} == {
-        "inlet": 989, "sides": 8513, "outlet": 985, "body": 8922, "defaultFaces": 66,
+        "inlet": 989, "sides": 8513, "outlet": 985, "body": 8922, "defaultFaces": 66, "fluid": 87,
     }
+
+
+def test_sphere_ugly_cells_are_named(sphere):
+    (note,) = sphere.facts["notes"]
+    assert note.startswith("19 faces look inwards from the centre of 8 cells (inverted face pyramids)")
+    assert "first ids: 112, 154, 196, 253, 428, 429, 430, 431" in note
+    assert note in ciel_info(sphere.path)
 
 
 def test_sphere_wall_is_at_rest_and_fully_marked(sphere):

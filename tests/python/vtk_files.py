@@ -139,3 +139,13 @@ def multi_block(*blocks):
         data.SetBlock(i, block)
         data.GetMetaData(i).Set(vtk.vtkCompositeDataSet.NAME(), name)
     return data
+
+
+def hexahedra(n):
+    """Points and cells (rows of 8 in VTK's order) of a unit cube of n x n x n hexahedra, x fastest."""
+    axis = np.arange(n + 1) / n
+    points = np.stack(np.meshgrid(axis, axis, axis, indexing="ij"), axis=-1).transpose(2, 1, 0, 3).reshape(-1, 3)
+    k, j, i = np.meshgrid(*[np.arange(n)] * 3, indexing="ij")
+    first = (i + (n + 1) * (j + (n + 1) * k)).ravel()
+    row, slab = n + 1, (n + 1) ** 2
+    return points, first[:, None] + np.array([0, 1, 1 + row, row, slab, 1 + slab, 1 + row + slab, row + slab])

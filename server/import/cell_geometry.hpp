@@ -1,0 +1,25 @@
+// Centres and areas of faces, centroids of cells.
+#pragma once
+
+#include "ciel/face_mesh.hpp"
+
+#include <vector>
+
+namespace ciel::importer {
+
+[[nodiscard]] inline Vec3d position(const FaceMeshView& mesh, Index vertex) {
+    const float* p = &mesh.positions[3 * std::size_t{vertex}];
+    return {p[0], p[1], p[2]};
+}
+
+struct FaceShape {
+    Vec3d centre{}; // as an offset from the mesh's origin
+    Vec3d area{};   // along the normal, out of the owner
+};
+
+[[nodiscard]] std::vector<FaceShape> face_shapes(const FaceMeshView& mesh);
+
+// Centroids of the cells, as offsets from the mesh's origin.
+[[nodiscard]] std::vector<Vec3d> cell_centres(const FaceMeshView& mesh, const std::vector<FaceShape>& faces);
+
+} // namespace ciel::importer
