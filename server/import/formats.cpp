@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <fstream>
-#include <vtkCGNSReader.h>
 #include <vtkCONVERGECFDReader.h>
 #include <vtkFLUENTReader.h>
 #include <vtkGenericDataObjectReader.h>
@@ -79,18 +78,6 @@ std::unique_ptr<Source> open_ensight(const Inputs& inputs, const SourceOptions&)
     reader->SetCaseFileName(inputs.front().c_str());
     reader->ReadAllVariablesOn();
     return std::make_unique<ReaderSource>("EnSight", inputs.front(), reader.Get());
-}
-
-std::unique_ptr<Source> open_cgns(const Inputs& inputs, const SourceOptions&) {
-    vtkNew<vtkCGNSReader> reader;
-    reader->SetFileName(inputs.front().c_str());
-    reader->UpdateInformation();
-    reader->EnableAllBases();
-    reader->EnableAllFamilies();
-    reader->EnableAllPointArrays();
-    reader->EnableAllCellArrays();
-    reader->SetLoadBndPatch(true); // those boundary conditions that name a family
-    return std::make_unique<ReaderSource>("CGNS", inputs.front(), reader.Get());
 }
 
 std::unique_ptr<Source> open_fluent(const Inputs& inputs, const SourceOptions&) {

@@ -40,6 +40,7 @@ std::unique_ptr<Source> open_openfoam(const Inputs& inputs, const SourceOptions&
 std::unique_ptr<Source> open_plot3d(const Inputs& inputs, const SourceOptions& options);   // plot3d.cpp
 std::unique_ptr<Source> open_exodus(const Inputs& inputs, const SourceOptions& options);   // exodus.cpp
 std::unique_ptr<Source> open_lsdyna(const Inputs& inputs, const SourceOptions& options);   // lsdyna.cpp
+std::unique_ptr<Source> open_cgns(const Inputs& inputs, const SourceOptions& options);     // cgns.cpp
 
 bool is_openfoam(const Head& head);
 bool is_plot3d(const Head& head);

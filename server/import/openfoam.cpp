@@ -1,11 +1,14 @@
 // OpenFOAM cases: a directory, its controlDict, or the empty .foam file beside them. Polyhedra stay polyhedra, cell
 // data stays cell data, every patch comes with its own values, and zones are named.
+#include "ciel/types.hpp"
 #include "import/formats.hpp"
 #include "import/parsers/openfoam_units.hpp"
 #include "import/reader_source.hpp"
 
+#include <algorithm>
 #include <cstdlib>
 #include <fstream>
+#include <limits>
 #include <vtkDummyController.h>
 #include <vtkNew.h>
 #include <vtkPOpenFOAMReader.h>
@@ -22,10 +25,6 @@ fs::path case_directory(const fs::path& input) {
     return fs::absolute(input).parent_path();
 }
 
-bool is_decomposed(const fs::path& directory) {
-    return !fs::exists(directory / "constant/polyMesh") && fs::exists(directory / "processor0");
-}
-
 bool is_time(const std::string& name) {
     char* end = nullptr;
     std::strtod(name.c_str(), &end);
@@ -40,20 +39,62 @@ std::string read_start(const fs::path& file) {
     return head;
 }
 
+double latest_time(const fs::path& directory) {
+    double latest = -std::numeric_limits<double>::infinity();
+    for (const auto& entry : fs::directory_iterator(directory))
+        if (const std::string name = entry.path().filename().string(); entry.is_directory() && is_time(name))
+            latest = std::max(latest, std::strtod(name.c_str(), nullptr));
+    return latest;
+}
+
+// "processors4": all pieces in one file.
+std::string collated_directory(const fs::path& directory) {
+    for (const auto& entry : fs::directory_iterator(directory))
+        if (const std::string name = entry.path().filename().string();
+            entry.is_directory() && name.starts_with("processors") && name.size() > 10)
+            return name;
+    return "";
+}
+
+bool has_mesh(const fs::path& directory) {
+    return fs::exists(directory / "constant/polyMesh") || fs::exists(directory / "constant/regionProperties");
+}
+
+// Where the results are. decomposePar leaves the whole mesh in place, and so do the solvers that write into its pieces.
+struct Layout {
+    explicit Layout(const fs::path& input) : directory(case_directory(input)), results(directory) {
+        const fs::path first = directory / "processor0";
+        const std::string collated = collated_directory(directory);
+        if (!has_mesh(directory) && !fs::exists(first))
+            throw Error(input.string() + ": is decomposed into collated files (" + collated +
+                        "), which cannot be read; reconstructPar makes one case of them");
+        decomposed = fs::exists(first) && (!has_mesh(directory) || latest_time(first) > latest_time(directory));
+        if (decomposed) results = first;
+        if (decomposed && has_mesh(directory))
+            note = "The processor directories were read: they have later times than the whole case.";
+        if (!decomposed && !collated.empty() && latest_time(directory / collated) > latest_time(directory))
+            note = "The later times in " + collated +
+                   " (collated files) were not read; reconstructPar makes them readable.";
+    }
+
+    fs::path directory;
+    fs::path results; // has the times
+    bool decomposed = false;
+    std::string note;
+};
+
 class OpenFoamSource : public ReaderSource {
 public:
-    OpenFoamSource(const std::string& input, const vtkSmartPointer<vtkPOpenFOAMReader>& reader)
-        : ReaderSource(is_decomposed(case_directory(input)) ? "OpenFOAM case (decomposed)" : "OpenFOAM case", input,
-                       reader),
-          directory_(case_directory(input)) {
+    OpenFoamSource(const std::string& input, Layout layout, const vtkSmartPointer<vtkPOpenFOAMReader>& reader)
+        : ReaderSource(layout.decomposed ? "OpenFOAM case (decomposed)" : "OpenFOAM case", input, reader),
+          layout_(std::move(layout)) {
         reader->EnableAllPatchArrays();
         reader->EnableAllCellArrays();
     }
 
     [[nodiscard]] std::map<std::string, std::string> units() const override {
         std::map<std::string, std::string> found;
-        const fs::path root = is_decomposed(directory_) ? directory_ / "processor0" : directory_;
-        for (const auto& time : fs::directory_iterator(root)) {
+        for (const auto& time : fs::directory_iterator(layout_.results)) {
             if (!time.is_directory() || !is_time(time.path().filename().string())) continue;
             for (const auto& field : fs::directory_iterator(time.path())) {
                 const std::string name = field.path().filename().string();
@@ -64,11 +105,14 @@ public:
         return found;
     }
 
-    [[nodiscard]] bool cut_into_pieces() const override { return is_decomposed(directory_); }
+    [[nodiscard]] bool cut_into_pieces() const override { return layout_.decomposed; }
+    [[nodiscard]] std::vector<std::string> notes() const override {
+        return layout_.note.empty() ? std::vector<std::string>{} : std::vector{layout_.note};
+    }
     [[nodiscard]] std::string length_units() const override { return "m"; } // OpenFOAM is SI throughout
 
 private:
-    fs::path directory_;
+    Layout layout_;
 };
 
 } // namespace
@@ -76,23 +120,23 @@ private:
 bool is_openfoam(const Head& head) {
     if (!head.directory && head.extension != ".foam" && head.path.filename() != "controlDict") return false;
     const fs::path directory = case_directory(head.path);
-    return fs::exists(directory / "constant/polyMesh") || fs::exists(directory / "processor0") ||
-           fs::exists(directory / "constant/regionProperties");
+    return has_mesh(directory) || fs::exists(directory / "processor0") ||
+           (fs::is_directory(directory) && !collated_directory(directory).empty());
 }
 
 std::unique_ptr<Source> open_openfoam(const Inputs& inputs, const SourceOptions&) {
-    const fs::path directory = case_directory(inputs.front());
+    Layout layout(inputs.front());
     vtkNew<vtkPOpenFOAMReader> reader;
     // The reader looks at the directory of this name alone: the file need not exist.
-    reader->SetFileName((directory / "case.foam").c_str());
-    reader->SetCaseType(is_decomposed(directory) ? vtkPOpenFOAMReader::DECOMPOSED_CASE
-                                                 : vtkPOpenFOAMReader::RECONSTRUCTED_CASE);
+    reader->SetFileName((layout.directory / "case.foam").c_str());
+    reader->SetCaseType(layout.decomposed ? vtkPOpenFOAMReader::DECOMPOSED_CASE
+                                          : vtkPOpenFOAMReader::RECONSTRUCTED_CASE);
     reader->SetDecomposePolyhedra(0);
     reader->SetCreateCellToPoint(0);
     reader->SetCacheMesh(1);
     reader->SetReadZones(1);
     reader->SetController(vtkNew<vtkDummyController>()); // without one it dereferences null in a decomposed case
-    return std::make_unique<OpenFoamSource>(inputs.front(), reader.Get());
+    return std::make_unique<OpenFoamSource>(inputs.front(), std::move(layout), reader.Get());
 }
 
 } // namespace ciel::importer

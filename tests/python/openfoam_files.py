@@ -105,7 +105,7 @@ KINDS = {"inlet": "type patch;", "outlet": "type patch;", "walls": "type wall;"}
 
 
 def write_control(case):
-    (case / "system").mkdir(parents=True)
+    (case / "system").mkdir(parents=True, exist_ok=True)
     (case / "system/controlDict").write_text(header("dictionary", "controlDict") + "startTime 0;\nendTime 2;\ndeltaT 1;\nwriteInterval 1;\n")
     (case / "a.foam").touch()
     return case

@@ -15,7 +15,7 @@ SIZE = ctypes.c_int32  # cgsize_t, as Debian builds the library
 MODE_WRITE, FILE_HDF5 = 1, 2
 STRUCTURED, UNSTRUCTURED = 2, 3
 REAL_DOUBLE, CHARACTER, VERTEX, CELL_CENTER, FACE_CENTER = 4, 5, 2, 3, 4
-FAMILY_SPECIFIED, POINT_LIST, POINT_RANGE, TIME_ACCURATE = 25, 2, 4, 1
+BC_INFLOW, FAMILY_SPECIFIED, POINT_LIST, POINT_RANGE, TIME_ACCURATE = 9, 25, 2, 4, 1
 QUAD_4, TETRA_4, PYRA_5, PENTA_6, HEXA_8, MIXED, NGON_N, NFACE_N = 7, 10, 12, 14, 17, 20, 22, 23
 
 
@@ -73,10 +73,10 @@ class Writer:
             self.cg.section_write(*head, ctypes.byref(self.number))
         return first
 
-    def boundary(self, name, kind, numbers, location):
+    def boundary(self, name, kind, numbers, location, condition=FAMILY_SPECIFIED):
         count = 2 if kind == POINT_RANGE else len(numbers)
         self.cg.family_write(self.file, self.base, name, ctypes.byref(self.number))
-        self.cg.boco_write(self.file, self.base, self.zones, name, FAMILY_SPECIFIED, kind, SIZE(count), sizes(*numbers),
+        self.cg.boco_write(self.file, self.base, self.zones, name, condition, kind, SIZE(count), sizes(*numbers),
                            ctypes.byref(self.number))
         boundary = self.number.value
         self.cg.boco_gridlocation_write(self.file, self.base, self.zones, boundary, location)
@@ -191,3 +191,13 @@ def test_polyhedra_their_boundary_and_times(tmp_path):
         np.testing.assert_allclose(dataset.values("cell:c", step), linear_over(points, cells, step)[original], atol=1e-5)
     assert {name: len(ids) for name, ids in dataset.groups().items()} == {"inlet": N * N}
     np.testing.assert_allclose(dataset.positions()[dataset.points_of(dataset.groups()["inlet"])][:, 0], 0)
+
+
+def test_boundary_conditions_without_a_family_are_told(tmp_path):
+    points, _ = hexahedra(N)
+    writer = Writer(tmp_path / "a.cgns")
+    writer.zone("zone", STRUCTURED, 3 * [N + 1] + 3 * [N] + 3 * [0], points)
+    writer.boundary("inlet", POINT_RANGE, [1, 1, 1, 1, N + 1, N + 1], VERTEX, BC_INFLOW)
+    dataset = imported(tmp_path, writer.close())
+    assert dataset.counts()["cells"] == N**3 and dataset.groups() == {}
+    assert "Boundary conditions of type BCInflow were not read" in dataset.notes

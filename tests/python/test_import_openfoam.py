@@ -137,3 +137,26 @@ def test_pieces_that_were_not_welded_when_nothing_is_to_be(tmp_path):
     write_decomposed(tmp_path / "case", [c % N >= N // 2 for c in range(N**3)], {})
     dataset = imported(tmp_path, tmp_path / "case", "--no-weld")
     assert dataset.counts()["components"] == 2 and dataset.counts()["vertices"] == dataset.input["vertices"]
+
+
+def test_pieces_are_read_where_they_have_the_results(tmp_path):
+    """decomposePar leaves the whole mesh in place; a solver in parallel writes its times into the pieces alone."""
+    case = write_case(tmp_path / "case")
+    processor = [c % N >= N // 2 for c in range(N**3)]
+    write_decomposed(case, processor, {})
+    assert "OpenFOAM case:" in imported(tmp_path, case).facts["source"]
+    (case / "2").rename(tmp_path / "gone")
+    dataset = imported(tmp_path, case, "--force")
+    assert dataset.times == [1, 2] and dataset.counts()["cells"] == N**3 and dataset.counts()["components"] == 1
+    assert "OpenFOAM case (decomposed):" in dataset.facts["source"]
+    assert "The processor directories were read" in dataset.notes
+
+
+def test_collated_pieces_are_refused_or_told(tmp_path):
+    case = write_case(tmp_path / "case")
+    (case / "processors4/7").mkdir(parents=True)
+    dataset = imported(tmp_path, case)
+    assert dataset.times == [1, 2] and "times in processors4 (collated files) were not read" in dataset.notes
+    (case / "constant/polyMesh").rename(tmp_path / "gone")
+    done = run_import(case, "-o", tmp_path / "b.ciel")
+    assert done.returncode == 1 and "collated files (processors4)" in done.stderr
