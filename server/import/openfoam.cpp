@@ -49,10 +49,10 @@ double latest_time(const fs::path& directory) {
 
 // "processors4": all pieces in one file.
 std::string collated_directory(const fs::path& directory) {
-    for (const auto& entry : fs::directory_iterator(directory))
-        if (const std::string name = entry.path().filename().string();
-            entry.is_directory() && name.starts_with("processors") && name.size() > 10)
-            return name;
+    for (const auto& entry : fs::directory_iterator(directory)) {
+        std::string name = entry.path().filename().string();
+        if (entry.is_directory() && name.starts_with("processors") && name.size() > 10) return name;
+    }
     return "";
 }
 

@@ -83,10 +83,10 @@ def test_cell_zones_become_groups_of_cells(tmp_path):
 def test_face_zones_on_the_boundary_become_groups_and_leave_the_patches_their_values(tmp_path):
     case = write_case(tmp_path / "case")
     first = len(mesh()[0])  # the faces of the inlet come first among those of the boundary
-    write_face_zones(case / "constant/polyMesh", {"half": range(first, first + 8), "inside": [0, 1, 2]})
+    write_face_zones(case / "constant/polyMesh", {"half": range(first, first + 8), "one": [first + 5], "inside": [0, 1, 2]})
     dataset = imported(tmp_path, case)
     groups = dataset.groups()
-    assert {name: len(faces) for name, faces in groups.items()} == {"inlet": 16, "outlet": 16, "walls": 64, "half": 8}
+    assert {name: len(faces) for name, faces in groups.items()} == {"inlet": 16, "outlet": 16, "walls": 64, "half": 8, "one": 1}
     assert set(groups["half"]) < set(groups["inlet"])
     assert '3 faces of surface "inside" are no boundary faces' in dataset.notes
     only_inlet = np.setdiff1d(dataset.points_of(groups["inlet"]), dataset.points_of(groups["walls"]))
