@@ -36,7 +36,7 @@ describe("page", { skip }, () => {
     await client.dragCanvas([0.4, 0.5], [0.6, 0.3]);
     await client.settled();
     const picture = await client.picture();
-    await client.page.waitForTimeout(800); // the address follows after a pause
+    await client.addressed();
     const link = client.page.url();
     assert.match(link, /#s=[A-Za-z0-9_-]{40,}$/);
     const other = await Client.open(browser, link);
@@ -60,7 +60,8 @@ describe("page", { skip }, () => {
     await client.dragIso(0.3);
     await client.settled();
     const value = await client.value();
-    await client.page.waitForTimeout(800);
+    assert.equal(new Set(client.patches.map(({ gesture }) => gesture)).size, 1);
+    await client.addressed();
     await client.page.reload();
     await client.settled();
     assert.equal(await client.value(), value);
@@ -131,11 +132,9 @@ describe("page", { skip }, () => {
       const step = await slider.inputValue();
       client.patches.length = 0;
       await client.button("Play").click();
-      const deadline = Date.now() + 60_000;
-      while (client.patches.length < 3 && Date.now() < deadline) await client.page.waitForTimeout(50);
+      await client.patched(3);
       await client.button("Pause").click();
       await client.settled();
-      assert.ok(client.patches.length >= 3, `${client.patches.length} steps were asked for`);
       assert.equal(new Set(client.patches.map(({ gesture }) => gesture)).size, 1);
       await client.button("Undo").click();
       await client.settled();
@@ -170,6 +169,10 @@ describe("page", { skip }, () => {
     const [pixels = 0, css = 1] = await size();
     assert.equal(pixels, 2 * css);
     await client.page.setViewportSize({ width: 1280, height: 720 });
+    await client.page.waitForFunction(
+      (old) => document.querySelector<HTMLCanvasElement>("canvas:not([hidden])")?.width !== old,
+      pixels,
+    );
     await client.settled();
     const [more = 0, wider = 1] = await size();
     assert.ok(wider > css);
@@ -224,7 +227,7 @@ describe("page", { skip }, () => {
   });
 
   test("below a path prefix", async () => {
-    const below = new Server(await freePort(), data, "/some/where");
+    const below = new Server(await freePort(), data, { prefix: "/some/where" });
     await below.start();
     const client = await Client.open(browser, below.address);
     await client.settled();

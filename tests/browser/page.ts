@@ -13,6 +13,9 @@ export interface PageOptions {
   height?: number;
   scale?: number;
   scheme?: "dark" | "light";
+  touch?: boolean;
+  /** Runs in the page before anything of its own. */
+  before?: string;
 }
 
 export interface Frame {
@@ -52,7 +55,9 @@ export class Client {
       viewport: { width: options.width ?? 1280, height: options.height ?? 720 },
       deviceScaleFactor: options.scale ?? 1,
       colorScheme: options.scheme ?? "dark",
+      hasTouch: options.touch ?? false,
     });
+    if (options.before !== undefined) await context.addInitScript(options.before);
     const client = new Client(await context.newPage());
     await client.page.goto(address);
     return client;
@@ -99,8 +104,26 @@ export class Client {
       const current =
         stream === "geometry" ? !Number.isNaN(frame.wanted) : frame.still && frame.revision >= frame.wanted;
       const complete = frame.stream === stream && current;
-      if (complete && Date.now() - since > 500) return;
+      if (complete && Date.now() - since > 150) return;
       if (Date.now() > deadline) throw new Error(`no settled ${stream} picture: ${JSON.stringify(frame)}`);
+      await this.page.waitForTimeout(30);
+    }
+  }
+
+  /** Until the page has changed the scene: what the server is asked first takes its time. */
+  async patched(count = 1): Promise<void> {
+    const deadline = Date.now() + 60_000;
+    while (this.patches.length < count) {
+      if (Date.now() > deadline) throw new Error(`${this.patches.length} of ${count} patches were sent`);
+      await this.page.waitForTimeout(30);
+    }
+  }
+
+  /** Until the address has followed the scene, which it does after a pause. */
+  async addressed(): Promise<void> {
+    let [address, since] = ["", Date.now()];
+    while (Date.now() - since < 600) {
+      if (this.page.url() !== address) [address, since] = [this.page.url(), Date.now()];
       await this.page.waitForTimeout(50);
     }
   }
@@ -139,6 +162,10 @@ export class Client {
     if (handle === null || track === null) throw new Error("the histogram is not on the page");
     const y = track.y + track.height / 2;
     await this.drag([handle.x + handle.width / 2, y], [track.x + to * track.width, y], 12);
+  }
+
+  toast(text: string | RegExp): Locator {
+    return this.page.locator(".toast", { hasText: text });
   }
 
   button(name: string | RegExp): Locator {

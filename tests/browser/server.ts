@@ -41,11 +41,13 @@ export class Server {
   private readonly port: number;
   private readonly data: string[];
   private readonly prefix: string;
+  private readonly token: string;
 
-  constructor(port: number, data: string[], prefix = "") {
+  constructor(port: number, data: string[], { prefix = "", token = "" } = {}) {
     this.port = port;
     this.data = data;
     this.prefix = prefix;
+    this.token = token;
   }
 
   get address(): string {
@@ -59,6 +61,7 @@ export class Server {
     const options = ["serve", ...this.data, "--port", String(this.port), "--webclient", webclient, ...prefix];
     const child = spawn(binary, options, {
       stdio: ["ignore", "pipe", "pipe"],
+      env: this.token === "" ? process.env : { ...process.env, CIEL_TOKEN: this.token },
     });
     this.process = child;
     await new Promise<void>((listening, failed) => {

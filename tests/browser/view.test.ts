@@ -183,7 +183,9 @@ describe("view", { skip }, () => {
     await card.waitFor();
     assert.match((await card.textContent()) ?? "", /\d/);
     await client.keep("probe");
+    client.patches.length = 0;
     await client.canvas.dblclick({ position: { x: x + 2, y: y + 2 } });
+    await client.patched();
     await client.settled();
     assert.ok(difference(picture, await client.picture()) > 0.005);
     await client.button("Close the values").click();

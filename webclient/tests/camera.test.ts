@@ -3,6 +3,7 @@ import {
   AXIS_VIEWS,
   axisView,
   centre,
+  clearOf,
   complete,
   corners,
   defaultView,
@@ -148,6 +149,31 @@ describe("whole views", () => {
       expect(Math.max(...reach)).toBeLessThanOrEqual(0.5);
       expect(Math.max(...reach)).toBeGreaterThan(0.4);
     }
+  });
+
+  const taken = { width: 130, height: 260 };
+  test.each([false, true])("the box is clear of what lies over the corner (parallel: %s)", (parallel) => {
+    const canvas = { width: 956, height: 610 };
+    let moved = 0;
+    for (const side of AXIS_VIEWS) {
+      const view = axisView(side, bounds, canvas.width / canvas.height, 30, parallel);
+      const clear = clearOf(view, bounds, canvas, taken);
+      moved += clear === view ? 0 : 1;
+      close(clear.target, view.target);
+      for (const corner of corners(bounds)) {
+        const at = project(clear, corner, canvas);
+        if (at === null) throw new Error("behind the eye");
+        expect(at.x > canvas.width - taken.width && at.y < taken.height).toBe(false);
+      }
+    }
+    expect(moved).toBeGreaterThan(0);
+  });
+
+  test("no corner, no step back; too much of one is left covered", () => {
+    const view = axisView("+z", bounds, 1.5, 30, false);
+    const canvas = { width: 900, height: 600 };
+    expect(clearOf(view, bounds, canvas, { width: 0, height: 0 })).toBe(view);
+    expect(clearOf(view, bounds, canvas, { width: 600, height: 600 })).toBe(view);
   });
 
   test("+x stands on the positive side", () => {

@@ -29,13 +29,14 @@ let frames: (() => void)[] = [];
 let refused: Error[] = [];
 let editor: SceneEditor;
 let held = scene; // what the server has
+let canUndo = false;
 
 const server = {
   patch: (patch: object, gesture: string) =>
     new Promise<Revision>((answer, refuse) => sent.push({ patch, gesture, answer, refuse })),
   undo: () => Promise.resolve(state(scene, 9)),
   redo: () => Promise.resolve(state(scene, 10)),
-  get: () => Promise.resolve(state(held, 11)),
+  get: () => Promise.resolve({ ...state(held, 11), can_undo: canUndo }),
 };
 const runFrame = (): void => frames.splice(0).forEach((frame) => frame());
 const values = (): number[] | undefined => {
@@ -46,7 +47,7 @@ const setValue = (value: number, gesture?: string): void =>
   editor.change({ layers: { iso: { values: [value] } } }, gesture);
 
 beforeEach(() => {
-  [sent, frames, refused, held] = [[], [], [], scene];
+  [sent, frames, refused, held, canUndo] = [[], [], [], scene, false];
   const events = {
     changed: () => undefined,
     accepted: () => undefined,
@@ -115,9 +116,67 @@ describe("scene editor", () => {
 
   test("another client's change arrives under what is not sent yet", () => {
     setValue(7);
-    editor.adopt({ scene: { ...scene, background: "light" } });
+    editor.overheard({ ...scene, background: "light" });
     expect(editor.scene?.background).toBe("light");
     expect(values()).toEqual([7]);
+  });
+
+  test("another client's change does not undo one that is on its way", async () => {
+    setValue(7);
+    runFrame();
+    editor.overheard({ ...scene, background: "light" });
+    expect(values()).toEqual([7]);
+    held = { ...scene, background: "light", layers: { iso: { type: "iso", array: "p", values: [8] } } };
+    await settled();
+    expect(values()).toEqual([7]); // not asked before its answer
+    sent[0]?.answer(taken(3));
+    await settled();
+    expect(values()).toEqual([8]); // the server's word in the end
+  });
+
+  test("what can be undone is asked for when another client has changed the scene", async () => {
+    held = { ...scene, background: "light" };
+    canUndo = true;
+    editor.overheard(held);
+    expect(editor.canUndo).toBe(false);
+    await settled();
+    expect(editor.canUndo).toBe(true);
+    expect(editor.scene).toEqual(held);
+  });
+
+  test("an undo keeps what the hand did after it", async () => {
+    const undone = editor.undo();
+    expect(editor.isPending).toBe(true);
+    setValue(7);
+    await undone;
+    expect(values()).toEqual([7]);
+    runFrame();
+    expect(sent.length).toBe(1);
+  });
+
+  test("a foreign scene stands when the server has taken it", async () => {
+    held = { dataset: "other" };
+    const proposed = editor.propose(held);
+    expect(editor.scene).toEqual(scene);
+    expect(sent).toMatchObject([{ patch: { dataset: "other", layers: null } }]);
+    sent[0]?.answer(taken(2));
+    expect(editor.isPending).toBe(true);
+    await proposed;
+    expect(editor.scene).toEqual(held);
+    expect(editor.isPending).toBe(false);
+  });
+
+  test("a foreign scene that the server refuses changes nothing", async () => {
+    const proposed = editor.propose({ dataset: "other", layers: { iso: {} } } as unknown as Scene);
+    sent[0]?.refuse(new RpcError(-32002, "Invalid scene", {}));
+    await proposed;
+    expect(editor.scene).toEqual(scene);
+    expect(editor.isPending).toBe(false);
+    expect(refused.length).toBe(1);
+    editor.disconnected();
+    await editor.propose({ dataset: "other" });
+    expect(refused.length).toBe(2);
+    expect(editor.scene).toEqual(scene);
   });
 });
 

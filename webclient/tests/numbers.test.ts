@@ -4,6 +4,7 @@ import {
   barHeights,
   formatNumber,
   fractionOf,
+  logarithmicStart,
   niceStep,
   parseNumber,
   ticks,
@@ -75,6 +76,30 @@ describe("slider over a histogram", () => {
     expect(keyed("End", false, 0.5, [0, 1])).toBe(1);
     expect(keyed("ArrowUp", true, 0.99, [0, 1])).toBe(1);
     expect(keyed("a", false, 0.5, [0, 1])).toBeNull();
+  });
+
+  test("a logarithmic axis: both ways, the same factor everywhere", () => {
+    const wide: [number, number] = [1e-4, 100];
+    expect([0, 0.5, 1].map((f) => valueAt(f, wide, true))).toEqual([1e-4, 0.1, 100]);
+    for (const f of [0.1, 0.35, 0.8]) expect(fractionOf(valueAt(f, wide, true), wide, true)).toBeCloseTo(f, 2);
+    const keys = [1e-3, 1].map((value) => (keyed("PageUp", false, value, wide, true) ?? 0) / value);
+    expect(keys[0]).toBeCloseTo(keys[1] ?? 0, 1);
+    expect(keyed("ArrowRight", false, 1, wide, true)).toBeGreaterThan(1.1);
+    expect(keyed("Home", false, 1, wide, true)).toBe(1e-4);
+  });
+
+  test("a logarithmic axis from zero ends at zero; below zero there is none", () => {
+    expect(valueAt(0, [0, 1], true)).toBe(0);
+    expect(valueAt(1e-9, [0, 1], true)).toBeCloseTo(1e-6, 9);
+    expect(fractionOf(0, [0, 1], true)).toBe(0);
+    for (const range of [
+      [-1, 1],
+      [0, 0],
+      [3, 3],
+    ] as [number, number][]) {
+      expect(logarithmicStart(range)).toBeNull();
+      expect(valueAt(0.5, range, true)).toBe(valueAt(0.5, range));
+    }
   });
 
   test("one more value goes into the widest gap", () => {

@@ -32,14 +32,17 @@ export class Actions {
   resetView(): void {
     const bounds = this.bounds();
     const now = this.camera();
-    if (bounds !== null) this.setCamera(defaultView(bounds, this.app.size.aspect, now?.fov, now?.parallel));
+    if (bounds === null) return;
+    const whole = defaultView(bounds, this.app.size.aspect, now?.fov, now?.parallel);
+    this.setCamera(this.app.size.clearOfCorner(whole, bounds));
   }
 
   lookFrom(side: AxisView): void {
     const bounds = this.bounds();
     const now = this.camera();
     if (bounds === null || now === null) return;
-    this.setCamera(axisView(side, bounds, this.app.size.aspect, now.fov, now.parallel));
+    const whole = axisView(side, bounds, this.app.size.aspect, now.fov, now.parallel);
+    this.setCamera(this.app.size.clearOfCorner(whole, bounds));
   }
 
   toggleParallel(): void {
@@ -130,7 +133,7 @@ export class Actions {
     app.store.set({ busy: `Opening ${name}` });
     try {
       const description = await app.session.call("dataset.describe", { dataset: name });
-      const scene = openingScene(description, app.size.aspect, this.themeBackground());
+      const scene = openingScene(description, app.size, this.themeBackground());
       app.store.set({ description, probe: null });
       if (app.editor.scene === null) await app.session.begin(scene);
       else app.editor.replace(scene);
@@ -183,10 +186,14 @@ export class Actions {
     return isDark(this.app.store.get().theme) ? "dark" : "light";
   }
 
-  /** The scene's background goes along, unless it is a colour of its own. */
   setTheme(theme: Theme): void {
     saveTheme(theme);
     this.app.store.set({ theme });
+    this.matchBackground();
+  }
+
+  /** To the theme, unless it is a colour of its own. */
+  matchBackground(): void {
     const background = this.app.editor.scene?.background ?? "dark";
     if (!background.startsWith("#")) this.app.editor.change({ background: this.themeBackground() });
   }

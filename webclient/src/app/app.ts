@@ -12,6 +12,7 @@ import { openSocket, socketAddress } from "../session/browser_socket";
 import { Latency } from "../session/latency";
 import { Player } from "../session/player";
 import { Session, wordsFor } from "../session/session";
+import { Access } from "./access";
 import { Actions } from "./actions";
 import { CanvasSize } from "./canvas_size";
 import { describeDatasets } from "./datasets";
@@ -43,6 +44,7 @@ export class App {
   readonly streams = new Streams(this);
   readonly actions = new Actions(this);
   readonly links = new Links(this);
+  readonly access = new Access(this);
   readonly player = new Player(playerHost(this), now);
   readonly tab = tabSession();
   readonly editor: SceneEditor;

@@ -1,11 +1,13 @@
 // The canvas in CSS pixels (the hand's) and in device pixels (the pictures').
-import type { Size } from "../camera/camera";
+import { clearOf, type Bounds, type FullCamera, type Size } from "../camera/camera";
 
 const SMALLEST = 16; // of a view, by the contract
 const LARGEST = 8192;
 
 export class CanvasSize {
   css: Size = { width: 960, height: 640 };
+  /** What the legends take of the top right corner; until they stand, what one of them will. */
+  corner: Size = { width: 132, height: 260 };
   private ratio = 1;
 
   set(width: number, height: number, ratio: number): void {
@@ -15,6 +17,11 @@ export class CanvasSize {
 
   get aspect(): number {
     return this.css.width / this.css.height;
+  }
+
+  /** The view from a little further away, where the box would lie below the legends. */
+  clearOfCorner(camera: FullCamera, bounds: Bounds): FullCamera {
+    return clearOf(camera, bounds, this.css, this.corner);
   }
 
   pixels(): Size {

@@ -4,13 +4,14 @@ import { complete, defaultView, distance, fit, type Bounds, type FullCamera } fr
 import { subtract } from "../camera/vector";
 import { RpcError } from "../protocol/rpc";
 import type { Caller } from "../session/session";
+import type { CanvasSize } from "./canvas_size";
 
 export interface FirstSceneOptions {
   session: string;
   /** The tab has had the session before. */
   rejoin: boolean;
   link: Scene | null;
-  aspect: number;
+  size: CanvasSize;
   background: "dark" | "light";
 }
 
@@ -21,10 +22,11 @@ function openingCamera(camera: Camera | null | undefined, bounds: Bounds, aspect
 }
 
 /** The dataset's own first view, fitted to this canvas and theme. */
-export function openingScene(description: DatasetDescription, aspect: number, background: "dark" | "light"): Scene {
+export function openingScene(description: DatasetDescription, size: CanvasSize, background: "dark" | "light"): Scene {
   const scene = description.default_scene;
   const bounds = description.bounds;
-  return { ...scene, camera: openingCamera(scene.camera, bounds, aspect), background };
+  const camera = size.clearOfCorner(openingCamera(scene.camera, bounds, size.aspect), bounds);
+  return { ...scene, camera, background };
 }
 
 /** null where the server offers nothing that can be opened. */
@@ -38,5 +40,5 @@ export async function firstScene(call: Caller, options: FirstSceneOptions): Prom
   const usable = (await call("dataset.list", {})).find(({ problem }) => problem === "");
   if (usable === undefined) return null;
   const description = await call("dataset.describe", { dataset: usable.name });
-  return openingScene(description, options.aspect, options.background);
+  return openingScene(description, options.size, options.background);
 }

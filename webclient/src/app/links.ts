@@ -22,7 +22,7 @@ export class Links {
   async follow(): Promise<void> {
     if (location.hash === this.written) return;
     const scene = await this.decoded();
-    if (scene !== null) this.app.editor.replace(scene);
+    if (scene !== null) await this.app.editor.propose(scene); // it may be of another server, or made by hand
   }
 
   sceneChanged(): void {

@@ -14,12 +14,11 @@ export function sessionHost(app: App): SessionHost {
   return {
     firstScene: async (call) => {
       const background = app.actions.themeBackground();
-      const { aspect } = app.size;
       const scene = await firstScene(call, {
         session: app.tab.id,
         rejoin: app.tab.known,
         link: app.links.first,
-        aspect,
+        size: app.size,
         background,
       });
       app.store.set({ fatal: scene === null ? NOTHING : null });
@@ -36,8 +35,12 @@ export function sessionHost(app: App): SessionHost {
     },
     connection: (connection) => {
       app.store.set({ connection });
-      if (connection.kind === "waiting") app.player.stop();
+      if (connection.kind === "waiting") {
+        app.player.stop();
+        void app.access.explain();
+      }
       if (connection.kind !== "open") return;
+      app.access.opened();
       app.store.set({ draining: false, fatal: null });
       void listDatasets(app);
       void app.session.call("server.info", {}).then(
@@ -52,9 +55,9 @@ export function sessionHost(app: App): SessionHost {
       if (name in handlers) handlers[name](params as never);
     },
     failed: (error) => {
-      app.fail(error);
-      if (app.editor.scene === null || app.store.get().readout.stream === "none")
-        app.store.set({ fatal: wordsFor(error) });
+      const nothing = app.editor.scene === null || app.store.get().readout.stream === "none";
+      if (nothing) app.store.set({ fatal: wordsFor(error) });
+      else app.fail(error);
     },
   };
 }
@@ -63,14 +66,17 @@ function notificationHandlers(app: App): Handlers {
   return {
     "dataset.changed": ({ dataset, times }) => {
       const { description } = app.store.get();
+      void listDatasets(app); // it may have become one that cannot be opened, or can be again
       if (description?.name !== dataset) return;
       const more = times.length - description.times.length;
       if (more > 0) app.toasts.show(`${more} more time ${more === 1 ? "step has" : "steps have"} arrived`);
       app.histograms.clear();
       void describeDatasets(app, true);
     },
-    "scene.changed": ({ session, scene }) => {
-      if (session === app.tab.id) app.editor.adopt({ scene });
+    "scene.changed": ({ session, revision, scene }) => {
+      if (session !== app.tab.id) return;
+      app.store.set({ revision });
+      app.editor.overheard(scene);
     },
     "view.failed": ({ message }) => {
       app.player.stop();

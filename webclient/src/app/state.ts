@@ -3,6 +3,7 @@ import type { Size } from "../camera/camera";
 import type { DatasetDescription, ProbeResult, Range, Scene } from "../generated/protocol";
 import type { ConnectionState } from "../protocol/connection";
 import type { Result } from "../protocol/rpc";
+import type { Refusal } from "../session/access";
 
 export type StreamChoice = "image" | "geometry" | "auto";
 export type Theme = "system" | "dark" | "light";
@@ -46,6 +47,8 @@ export interface Histogram {
 export interface AppState {
   connection: ConnectionState;
   draining: boolean;
+  /** Why a server that answers lets no socket through. */
+  refusal: Refusal | null;
   /** A sentence that takes the canvas's place: nothing can be shown at all. */
   fatal: string | null;
   server: Result<"server.info"> | null;
@@ -97,6 +100,7 @@ export const emptyReadout: Readout = {
 export const initialState: AppState = {
   connection: { kind: "connecting", attempt: 0 },
   draining: false,
+  refusal: null,
   fatal: null,
   server: null,
   datasets: null,

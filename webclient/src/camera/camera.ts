@@ -148,6 +148,36 @@ export function defaultView(bounds: Bounds, aspect: number, fov = DEFAULT_FOV, p
   return fit(bounds, normalize([-0.55, 1, -0.5]), [0, 0, 1], aspect, fov, parallel);
 }
 
+const EDGE_SAMPLES = 24;
+const BACK = 1.03;
+/** Further away than this the box would be too small to look at; then rather something over it. */
+const FURTHEST = 1.6;
+
+function edgePoints(bounds: Bounds): Vec3[] {
+  const ends = corners(bounds); // neighbours differ in one bit of their index
+  const pairs = ends.flatMap((_, i) => [1, 2, 4].filter((bit) => (i & bit) === 0).map((bit) => [i, i | bit] as const));
+  const at = (i: number): Vec3 => ends[i] ?? [0, 0, 0];
+  return pairs.flatMap(([i, j]) =>
+    Array.from({ length: EDGE_SAMPLES + 1 }, (_, k) => add(at(i), scale(subtract(at(j), at(i)), k / EDGE_SAMPLES))),
+  );
+}
+
+/** Steps back until no edge of the box is seen in the top right corner of size `taken`. */
+export function clearOf(camera: FullCamera, bounds: Bounds, size: Size, taken: Size): FullCamera {
+  const points = edgePoints(bounds);
+  const covered = (view: FullCamera): boolean =>
+    points.some((point) => {
+      const place = project(view, point, size);
+      return place !== null && place.x > size.width - taken.width && place.y < taken.height;
+    });
+  let view = camera;
+  for (let away = 1; covered(view); away *= BACK) {
+    if (away > FURTHEST) return camera;
+    view = zoom(view, BACK, size.width / 2, size.height / 2, size);
+  }
+  return view;
+}
+
 /** Pixel of a world position, and its depth along the view; null behind the eye. */
 export function project(camera: FullCamera, point: Vec3, size: Size): { x: number; y: number; depth: number } | null {
   const { right, up, forward } = frame(camera);

@@ -2,6 +2,7 @@
 import type { ComponentChildren, JSX } from "preact";
 import { useEffect, useRef, useState } from "preact/hooks";
 import { formatNumber, parseNumber } from "../scene/numbers";
+import { useApp } from "./context";
 import { Icon, type IconName } from "./icons";
 
 interface IconButtonProps {
@@ -45,12 +46,14 @@ interface NumberFieldProps {
 /** Commits on Enter and when it loses the focus; Escape takes the typing back. */
 export function NumberField({ value, label, span, placeholder, step, onChange }: NumberFieldProps): JSX.Element {
   const shown = value === null ? "" : formatNumber(value, span === undefined ? undefined : span / 10);
+  const { toasts } = useApp();
   const [typed, setTyped] = useState<string | null>(null);
   const text = typed ?? shown;
   const wrong = typed !== null && typed !== "" && parseNumber(typed) === null;
   const commit = (): void => {
     const parsed = typed === null || typed === shown ? null : parseNumber(typed);
     setTyped(null);
+    if (wrong) toasts.show(`"${typed}" is not a number that can be used; it stays ${shown || "empty"}`, "error");
     if (parsed !== null && parsed !== value) onChange(parsed);
   };
   const onKeyDown = (event: KeyboardEvent): void => {

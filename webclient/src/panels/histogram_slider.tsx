@@ -3,14 +3,15 @@ import type { JSX } from "preact";
 import { useEffect, useRef } from "preact/hooks";
 import type { Histogram } from "../app/state";
 import type { Range } from "../generated/protocol";
-import { barHeights, clamp, formatNumber, fractionOf, niceStep, valueAt } from "../scene/numbers";
+import { barHeights, clamp, formatNumber, fractionOf, logarithmicStart, niceStep, valueAt } from "../scene/numbers";
 
 interface Props {
   name: string;
   units: string;
   range: Range;
   histogram: Histogram | null;
-  logarithmic: boolean;
+  logarithmicCounts: boolean;
+  logarithmicAxis: boolean;
   values: readonly number[];
   onChange: (index: number, value: number, gesture: string) => void;
   newGesture: () => string;
@@ -18,35 +19,44 @@ interface Props {
 
 const HEIGHT = 64;
 
-function bars(histogram: Histogram | null, logarithmic: boolean): string {
+function bars({ histogram, range, logarithmicCounts, logarithmicAxis }: Props): string {
   if (histogram === null) return "";
-  const heights = barHeights(histogram.counts, logarithmic);
-  const width = 100 / heights.length;
+  const heights = barHeights(histogram.counts, logarithmicCounts);
+  const [low, high] = histogram.range;
+  const edge = (bin: number): number =>
+    100 * fractionOf(low + ((high - low) * bin) / heights.length, range, logarithmicAxis);
   return heights
-    .map((height, i) => (height > 0 ? `M${i * width} ${HEIGHT}v${-height * (HEIGHT - 4)}h${width}V${HEIGHT}z` : ""))
+    .map((height, i) => (height > 0 ? `M${edge(i)} ${HEIGHT}v${-height * (HEIGHT - 4)}H${edge(i + 1)}V${HEIGHT}z` : ""))
     .join("");
 }
 
-/** What a key does to a value; null where it does nothing. */
-export function keyed(key: string, shift: boolean, value: number, range: Range): number | null {
-  const step = niceStep(range) * (shift ? 100 : 10);
-  const page = (range[1] - range[0]) / 10;
-  const moves: Record<string, number> = {
-    ArrowRight: value + step,
-    ArrowUp: value + step,
-    ArrowLeft: value - step,
-    ArrowDown: value - step,
-    PageUp: value + page,
-    PageDown: value - page,
-    Home: range[0],
-    End: range[1],
-  };
-  const next = moves[key];
-  return next === undefined ? null : Number(clamp(next, range[0], range[1]).toPrecision(12));
+const KEYS: Record<string, [direction: 1 | -1, reach: "step" | "page" | "end"]> = {
+  ArrowRight: [1, "step"],
+  ArrowUp: [1, "step"],
+  ArrowLeft: [-1, "step"],
+  ArrowDown: [-1, "step"],
+  PageUp: [1, "page"],
+  PageDown: [-1, "page"],
+  Home: [-1, "end"],
+  End: [1, "end"],
+};
+
+/** What a key does to a value; null where it does nothing. On a logarithmic axis a step is a factor. */
+export function keyed(key: string, shift: boolean, value: number, range: Range, logarithmic = false): number | null {
+  const [low, high] = range;
+  const [direction, reach] = KEYS[key] ?? [1, null];
+  if (reach === null) return null;
+  if (reach === "end") return direction > 0 ? high : low;
+  if (logarithmic && logarithmicStart(range) !== null) {
+    const part = reach === "page" || shift ? 0.1 : 0.01;
+    return valueAt(fractionOf(value, range, true) + direction * part, range, true);
+  }
+  const step = reach === "page" ? (high - low) / 10 : niceStep(range) * (shift ? 100 : 10);
+  return Number(clamp(value + direction * step, low, high).toPrecision(12));
 }
 
 export function HistogramSlider(props: Props): JSX.Element {
-  const { name, units, range, values, newGesture, onChange } = props;
+  const { name, units, range, values, logarithmicAxis, newGesture, onChange } = props;
   const track = useRef<HTMLDivElement>(null);
   const drag = useRef<{ index: number; gesture: string } | null>(null);
   const keyGesture = useRef("");
@@ -55,7 +65,7 @@ export function HistogramSlider(props: Props): JSX.Element {
 
   const valueUnder = (clientX: number): number => {
     const box = track.current?.getBoundingClientRect();
-    return box === undefined ? range[0] : valueAt((clientX - box.left) / box.width, range);
+    return box === undefined ? range[0] : valueAt((clientX - box.left) / box.width, range, logarithmicAxis);
   };
   const nearest = (value: number): number =>
     values.reduce((best, v, i) => (Math.abs(v - value) < Math.abs((values[best] ?? Infinity) - value) ? i : best), 0);
@@ -77,7 +87,7 @@ export function HistogramSlider(props: Props): JSX.Element {
   };
   const onKeyDown = (event: KeyboardEvent, index: number): void => {
     const value = values[index] ?? range[0];
-    const next = keyed(event.key, event.shiftKey, value, range);
+    const next = keyed(event.key, event.shiftKey, value, range, logarithmicAxis);
     if (next === null) return;
     event.preventDefault();
     event.stopPropagation();
@@ -96,7 +106,7 @@ export function HistogramSlider(props: Props): JSX.Element {
         onPointerCancel={() => (drag.current = null)}
       >
         <svg viewBox={`0 0 100 ${HEIGHT}`} preserveAspectRatio="none" aria-hidden="true">
-          <path d={bars(props.histogram, props.logarithmic)} />
+          <path d={bars(props)} />
         </svg>
         {values.map((value, index) => (
           <div
@@ -110,7 +120,7 @@ export function HistogramSlider(props: Props): JSX.Element {
             aria-valuemax={range[1]}
             aria-valuenow={value}
             aria-valuetext={`${formatNumber(value, span)} ${units}`.trim()}
-            style={{ left: `${fractionOf(value, range) * 100}%` }}
+            style={{ left: `${fractionOf(value, range, logarithmicAxis) * 100}%` }}
             onKeyDown={(event) => onKeyDown(event, index)}
           />
         ))}

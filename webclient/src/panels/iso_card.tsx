@@ -2,7 +2,7 @@
 import type { JSX } from "preact";
 import { useState } from "preact/hooks";
 import type { IsoLayer, Range } from "../generated/protocol";
-import { niceStep, widestGap } from "../scene/numbers";
+import { formatNumber, logarithmicStart, niceStep, widestGap } from "../scene/numbers";
 import { scalarsOf, shownTime, unitsOf } from "../scene/scalars";
 import { ColoringFields, OpacityField } from "./coloring";
 import { IconButton, NumberField, SelectField } from "./controls";
@@ -19,11 +19,64 @@ interface ValueRowProps {
   values: readonly number[];
   range: Range;
   setValues: (values: number[]) => void;
-  logarithmic: boolean;
-  setLogarithmic: (on: boolean) => void;
+  scales: JSX.Element;
 }
 
-function ValueRow({ values, range, setValues, logarithmic, setLogarithmic }: ValueRowProps): JSX.Element {
+interface Scales {
+  counts: boolean;
+  axis: boolean;
+}
+
+/** Logarithmic counts keep rare values visible; a logarithmic axis spreads values that span decades. */
+function ScaleButtons({
+  scales,
+  set,
+  range,
+}: {
+  scales: Scales;
+  set: (to: Scales) => void;
+  range: Range;
+}): JSX.Element {
+  const hasAxis = logarithmicStart(range) !== null;
+  return (
+    <span class="scales">
+      <button
+        type="button"
+        class="button small log"
+        aria-pressed={hasAxis && scales.axis}
+        disabled={!hasAxis}
+        title={hasAxis ? "Logarithmic slider" : "A logarithmic slider needs values that are nowhere below zero"}
+        onClick={() => set({ ...scales, axis: !scales.axis })}
+      >
+        log axis
+      </button>
+      <button
+        type="button"
+        class="button small log"
+        aria-pressed={scales.counts}
+        title="Logarithmic counts in the histogram"
+        onClick={() => set({ ...scales, counts: !scales.counts })}
+      >
+        log counts
+      </button>
+    </span>
+  );
+}
+
+/** Says why nothing is seen of a value. */
+function OutsideHint({ values, range }: { values: readonly number[]; range: Range }): JSX.Element | null {
+  const outside = values.filter((value) => value < range[0] || value > range[1]);
+  if (outside.length === 0) return null;
+  const span = range[1] - range[0];
+  return (
+    <p class="hint" role="status">
+      {outside.length === values.length ? "No surface" : "Not all surfaces"}: the data goes from{" "}
+      {formatNumber(range[0], span)} to {formatNumber(range[1], span)}.
+    </p>
+  );
+}
+
+function ValueRow({ values, range, setValues, scales }: ValueRowProps): JSX.Element {
   const span = range[1] - range[0];
   return (
     <div class="values">
@@ -48,15 +101,7 @@ function ValueRow({ values, range, setValues, logarithmic, setLogarithmic }: Val
       {values.length < MOST_VALUES && (
         <IconButton icon="plus" label="Add a value" onClick={() => setValues([...values, widestGap(values, range)])} />
       )}
-      <button
-        type="button"
-        class="button small log"
-        aria-pressed={logarithmic}
-        title="Logarithmic counts in the histogram"
-        onClick={() => setLogarithmic(!logarithmic)}
-      >
-        log
-      </button>
+      {scales}
     </div>
   );
 }
@@ -66,7 +111,7 @@ export function IsoCard({ id, layer }: { id: string; layer: IsoLayer }): JSX.Ele
   const description = useAppState((state) => state.description);
   const scene = useAppState((state) => state.scene);
   useAppState((state) => state.histogramsAt);
-  const [logarithmic, setLogarithmic] = useState(true);
+  const [scales, setScales] = useState<Scales>({ counts: true, axis: false });
   const visible = layer.visible !== false;
   const units = unitsOf(description, layer.array);
   const time = shownTime(description, scene);
@@ -102,7 +147,8 @@ export function IsoCard({ id, layer }: { id: string; layer: IsoLayer }): JSX.Ele
         units={units}
         range={range}
         histogram={histogram}
-        logarithmic={logarithmic}
+        logarithmicCounts={scales.counts}
+        logarithmicAxis={scales.axis}
         values={layer.values}
         newGesture={() => editor.newGesture()}
         onChange={(index, value, gesture) => setValues(replaced(layer.values, index, value), gesture)}
@@ -111,9 +157,9 @@ export function IsoCard({ id, layer }: { id: string; layer: IsoLayer }): JSX.Ele
         values={layer.values}
         range={range}
         setValues={setValues}
-        logarithmic={logarithmic}
-        setLogarithmic={setLogarithmic}
+        scales={<ScaleButtons scales={scales} set={setScales} range={range} />}
       />
+      <OutsideHint values={layer.values} range={range} />
       <ColoringFields layers={[id]} coloring={layer.color ?? {}} />
       <OpacityField layers={[id]} opacity={layer.opacity ?? 1} />
     </article>

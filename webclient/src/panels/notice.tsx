@@ -1,6 +1,7 @@
 // What stands in the way of a live picture, in full sentences.
 import type { JSX } from "preact";
 import { useEffect, useState } from "preact/hooks";
+import { TokenForm } from "./token_form";
 import { useApp, useAppState } from "./context";
 
 /** Whole seconds until `at`, counting down. */
@@ -15,23 +16,43 @@ function useCountdown(at: number | null): number {
   return at === null ? 0 : Math.max(0, Math.ceil((at - now) / 1000));
 }
 
+interface Reason {
+  title: string;
+  words: string;
+}
+
+function useReason(hasPicture: boolean): Reason {
+  const refusal = useAppState((state) => state.refusal);
+  const kept = hasPicture ? "The picture is from before. Your scene is kept and comes back with the connection." : "";
+  if (!navigator.onLine) return { title: "This computer is offline", words: kept };
+  if (refusal?.kind === "refused") return { title: "The server lets this page not in", words: refusal.words };
+  if (refusal?.kind === "no-socket") {
+    return {
+      title: "The server answers, but no WebSocket reaches it",
+      words: "A proxy on the way holds it back: it has to pass the upgrade of ws on to the server.",
+    };
+  }
+  const asked = `${location.host} cannot be reached. Is "ciel serve" running there?`;
+  return { title: "The server does not answer", words: hasPicture ? kept : asked };
+}
+
 export function ConnectionNotice(): JSX.Element | null {
   const { session } = useApp();
   const connection = useAppState((state) => state.connection);
   const hasPicture = useAppState((state) => state.readout.stream !== "none");
   const draining = useAppState((state) => state.draining);
+  const needsToken = useAppState((state) => state.refusal?.kind === "token");
+  const { title, words } = useReason(hasPicture);
   const seconds = useCountdown(connection.kind === "waiting" ? connection.retryAt : null);
   if (connection.kind === "open" || connection.kind === "closed") return null;
   if (connection.kind === "connecting" && connection.attempt === 0) return null;
   const when = connection.kind === "connecting" ? "Trying now." : `Next try in ${seconds} s.`;
-  const online = navigator.onLine;
+  if (needsToken && navigator.onLine) return <TokenForm />;
   return (
     <div class={hasPicture ? "banner" : "notice"} role="alert">
-      <strong>{online ? "The server does not answer" : "This computer is offline"}</strong>
+      <strong>{title}</strong>
       <p>
-        {hasPicture
-          ? `The picture is from before. Your scene is kept and comes back with the connection. ${when}`
-          : `${location.host} cannot be reached. Is "ciel serve" running there? ${when}`}
+        {`${words} ${when}`.trim()}
         {draining && " The server said that it was stopping."}
       </p>
       <button type="button" class="button primary" onClick={() => session.retryNow()}>

@@ -15,13 +15,18 @@ import { Toolbar } from "./toolbar";
 import { ViewSection } from "./view_section";
 
 function useTheme(): void {
+  const { actions } = useApp();
   const theme = useAppState((state) => state.theme);
   useEffect(() => {
     const apply = (): void => void (document.documentElement.dataset.theme = isDark(theme) ? "dark" : "light");
     apply();
     const system = matchMedia("(prefers-color-scheme: dark)");
-    system.addEventListener("change", apply);
-    return () => system.removeEventListener("change", apply);
+    const turned = (): void => {
+      apply();
+      if (theme === "system") actions.matchBackground();
+    };
+    system.addEventListener("change", turned);
+    return () => system.removeEventListener("change", turned);
   }, [theme]);
 }
 

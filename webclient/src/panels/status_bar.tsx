@@ -6,6 +6,10 @@ import { useAppState } from "./context";
 
 const milliseconds = (value: number): string => `${value < 10 ? value.toFixed(1) : value.toFixed(0)} ms`;
 
+/** Pictures come only when something changes. */
+const rate = (perSecond: number): string =>
+  perSecond === 0 ? "idle" : `${perSecond.toFixed(perSecond < 10 ? 1 : 0)} fps`;
+
 function kind({ stream, still }: Readout): string {
   if (stream === "geometry") return "geometry";
   return still ? "image, still" : "image, preview";
@@ -29,23 +33,25 @@ export function StatusBar(): JSX.Element {
       {readout.stream !== "none" && (
         <>
           <span data-readout="stream">{kind(readout)}</span>
-          <span>
+          <span class="dimensions">
             {readout.width} × {readout.height}
           </span>
           <span data-readout="triangles">{formatCount(readout.triangles)} triangles</span>
           <span class="spring" />
-          <span title="Extraction, drawing and encoding on the server">
+          <span class="server-times" title="Extraction, drawing and encoding on the server">
             extract {milliseconds(readout.extractMs)} · draw {milliseconds(readout.drawMs)} · encode{" "}
             {milliseconds(readout.encodeMs)}
           </span>
           {readout.roundTripMs !== null && (
-            <span title="To the server and back">round trip {milliseconds(readout.roundTripMs)}</span>
+            <span class="round-trip" title="To the server and back">
+              round trip {milliseconds(readout.roundTripMs)}
+            </span>
           )}
           <span data-readout="latency" title="From the last change to its picture">
             latency {readout.latencyMs === null ? "–" : milliseconds(readout.latencyMs)}
           </span>
           <span data-readout="rate" title="Pictures presented per second">
-            {readout.framesPerSecond.toFixed(readout.framesPerSecond < 10 ? 1 : 0)} fps
+            {rate(readout.framesPerSecond)}
           </span>
         </>
       )}

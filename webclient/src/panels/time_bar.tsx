@@ -6,14 +6,17 @@ import { useApp, useAppState } from "./context";
 
 const RATES = [2, 5, 10, 20, 60];
 
-export function TimeBar(): JSX.Element | null {
+export function TimeBar(): JSX.Element {
   const { actions, editor, player, store } = useApp();
   const times = useAppState((state) => state.description?.times) ?? [];
   const time = useAppState((state) => state.scene?.time);
   const playing = useAppState((state) => state.playing);
   const loop = useAppState((state) => state.loop);
   const rate = useAppState((state) => state.playRate);
-  if (times.length < 2) return null;
+  if (times.length < 2) {
+    // It keeps its place: a canvas that shrinks when the dataset is known would have its first picture drawn twice.
+    return <div class="time-bar hint">{times.length === 1 && "This dataset has one time step."}</div>;
+  }
   const first = times[0] ?? 0;
   const last = times.at(-1) ?? 0;
   const step = nearestStep(times, time ?? first);

@@ -18,7 +18,7 @@ function DatasetSelect(): JSX.Element {
     disabled: problem !== "",
   }));
   if (!datasets.some(({ name }) => name === current)) {
-    options.unshift({ value: current, text: current === "" ? "No dataset" : current, disabled: true });
+    options.unshift({ value: current, text: current === "" ? "No dataset" : current, disabled: current !== "" });
   }
   return (
     <div class="dataset-select">
@@ -41,7 +41,7 @@ function ViewButtons(): JSX.Element {
   const { actions } = useApp();
   const disabled = useAppState((state) => state.description === null);
   return (
-    <div class="group" role="group" aria-label="Views">
+    <div class="group views" role="group" aria-label="Views">
       <IconButton
         icon="home"
         label="Show everything"
@@ -130,7 +130,7 @@ export function Toolbar(): JSX.Element {
         <IconButton icon="redo" label="Redo" keys="Ctrl-Shift-Z" disabled={!canRedo} onClick={() => actions.redo()} />
       </div>
       <ViewButtons />
-      <div class="group" role="group" aria-label="Take away">
+      <div class="group files" role="group" aria-label="Take away">
         <IconButton
           icon="camera"
           label="Save a picture"

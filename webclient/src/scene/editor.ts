@@ -36,8 +36,13 @@ export class SceneEditor {
   private document: Scene | null = null;
   private server: SceneServer | null = null;
   private queue: Change[] = [];
-  private unanswered = 0;
+  private unanswered: Change[] = [];
   private differsFromServer = false;
+  /** The local scene may have parted from the server's; asked for when nothing is on its way. */
+  private doubtful = false;
+  private asking = false;
+  /** Undos, redos and followed links that are not answered yet. */
+  private travelling = 0;
   private frameRequested = false;
   private gestures = 0;
   canUndo = false;
@@ -55,7 +60,7 @@ export class SceneEditor {
 
   /** Whether the server has not taken everything yet. */
   get isPending(): boolean {
-    return this.differsFromServer;
+    return this.differsFromServer || this.travelling > 0;
   }
 
   /** Changes that share the name are one undo step. */
@@ -95,28 +100,51 @@ export class SceneEditor {
   /** What a session that was just opened holds. Changes that were made while there was none are sent as one step. */
   connected(server: SceneServer, state: SessionState): void {
     this.server = server;
-    this.unanswered = 0;
+    this.unanswered = [];
     this.queue = [];
+    this.doubtful = this.asking = false;
+    this.travelling = 0;
     const mine = this.document;
     const unsent = this.differsFromServer;
-    this.adopt(state);
+    this.adopt(state, []);
     if (unsent && mine !== null) this.replace(mine);
   }
 
   disconnected(): void {
     this.server = null;
-    this.unanswered = 0;
+    this.unanswered = [];
+    this.travelling = 0;
   }
 
-  /** The server's own word, after an undo or from another client of the session. Changes not yet sent stay on top. */
-  adopt(state: { scene: Scene; can_undo?: boolean; can_redo?: boolean }): void {
+  /** Another client of the session has changed the scene, perhaps while a change of this one was on its way. */
+  overheard(scene: Scene): void {
+    this.adopt({ scene }, this.unanswered);
+    this.doubt(); // what can be undone now was not told
+  }
+
+  /** Like `replace`, for a scene that the server has not seen: it stands here when the server has taken it. */
+  async propose(scene: Scene): Promise<void> {
+    const { server } = this;
+    if (server === null || this.document === null) {
+      this.events.refused(new Error("There is no connection now; follow the link again when there is one"));
+      return;
+    }
+    const patch = diff(this.document as unknown as JsonObject, scene as unknown as JsonObject);
+    await this.travel(async () => {
+      await server.patch(patch, this.newGesture());
+      return server.get();
+    });
+  }
+
+  /** The server's own word. `onTheWay` and what is not sent yet stay on top of it. */
+  private adopt(state: { scene: Scene; can_undo?: boolean; can_redo?: boolean }, onTheWay: Change[]): void {
     this.canUndo = state.can_undo ?? this.canUndo;
     this.canRedo = state.can_redo ?? this.canRedo;
     this.document = state.scene;
-    for (const { patch } of this.queue) {
+    for (const { patch } of [...onTheWay, ...this.queue]) {
       this.document = applyPatch(this.document as unknown as Json, patch) as unknown as Scene;
     }
-    this.differsFromServer = this.queue.length > 0 || this.unanswered > 0;
+    this.differsFromServer = this.queue.length > 0 || this.unanswered.length > 0;
     this.events.changed();
   }
 
@@ -125,13 +153,21 @@ export class SceneEditor {
     if (server === null) return;
     while (this.queue.length > 0) this.sendOldest(server); // an undo takes back what the hand did last
     const since = this.timing.now();
+    const before = new Set(this.unanswered); // the server takes these first
+    this.travelling += 1;
+    this.events.changed();
     try {
       const state = await step(server);
       if (this.server !== server) return;
-      this.adopt(state);
+      this.travelling -= 1;
+      const after = this.unanswered.filter((change) => !before.has(change));
+      this.adopt(state, after);
       this.events.accepted(state.revision, since);
     } catch (error) {
-      if (!(error instanceof Disconnected)) this.events.refused(error as Error);
+      if (this.server !== server || error instanceof Disconnected) return;
+      this.travelling -= 1;
+      this.events.changed();
+      this.events.refused(error as Error);
     }
   }
 
@@ -147,17 +183,17 @@ export class SceneEditor {
   private flush(): void {
     const server = this.server;
     if (server === null) return;
-    while (this.queue.length > 0 && this.unanswered < MAX_UNANSWERED) this.sendOldest(server);
+    while (this.queue.length > 0 && this.unanswered.length < MAX_UNANSWERED) this.sendOldest(server);
   }
 
   private sendOldest(server: SceneServer): void {
     const change = this.queue.shift();
     if (change === undefined) return;
-    this.unanswered += 1;
+    this.unanswered.push(change);
     server.patch(change.patch, change.gesture).then(
       (answer) => {
         if (this.server !== server) return;
-        this.answered();
+        this.answered(change);
         if (this.canUndo !== answer.can_undo || this.canRedo !== answer.can_redo) {
           this.canUndo = answer.can_undo;
           this.canRedo = answer.can_redo;
@@ -167,26 +203,40 @@ export class SceneEditor {
       },
       (error: unknown) => {
         if (this.server !== server || error instanceof Disconnected) return;
-        this.answered();
         this.events.refused(error as Error);
-        void this.resynchronise(server);
+        this.doubtful = true; // a refused change stands in the local scene only
+        this.answered(change);
       },
     );
   }
 
-  private answered(): void {
-    this.unanswered -= 1;
-    this.differsFromServer = this.unanswered > 0 || this.queue.length > 0;
+  private answered(change: Change): void {
+    this.unanswered = this.unanswered.filter((other) => other !== change);
+    this.differsFromServer = this.unanswered.length > 0 || this.queue.length > 0;
     this.flush();
+    if (this.doubtful) this.doubt();
   }
 
-  // A refused change stands in the local scene only.
-  private async resynchronise(server: SceneServer): Promise<void> {
-    try {
-      const state = await server.get();
-      if (this.server === server) this.adopt(state);
-    } catch (error) {
-      if (!(error instanceof Disconnected)) this.events.refused(error as Error);
-    }
+  private doubt(): void {
+    const server = this.server;
+    this.doubtful = true;
+    if (server === null || this.asking || this.differsFromServer) return;
+    this.doubtful = false;
+    this.asking = true;
+    server.get().then(
+      (state) => {
+        if (this.server !== server) return;
+        this.asking = false;
+        if (this.differsFromServer)
+          this.doubtful = true; // changed meanwhile: once more, after its answer
+        else this.adopt(state, []);
+        if (this.doubtful) this.doubt();
+      },
+      (error: unknown) => {
+        if (this.server !== server || error instanceof Disconnected) return;
+        this.asking = false;
+        this.events.refused(error as Error);
+      },
+    );
   }
 }

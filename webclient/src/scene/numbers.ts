@@ -45,16 +45,29 @@ export function niceStep([low, high]: Range): number {
   return span > 0 ? 10 ** Math.floor(Math.log10(span / 1000)) : 1;
 }
 
-export function valueAt(fraction: number, range: Range): number {
+/** Of a logarithmic slider whose range starts at zero. */
+const DECADES = 6;
+
+/** Where a logarithmic slider over the range starts; null where it has none: it needs values above zero. */
+export function logarithmicStart([low, high]: Range): number | null {
+  const start = Math.max(low, high / 10 ** DECADES);
+  return low >= 0 && start > 0 && start < high ? start : null;
+}
+
+export function valueAt(fraction: number, range: Range, logarithmic = false): number {
   const [low, high] = range;
   const f = clamp(fraction, 0, 1);
   if (f === 0 || f === 1) return f === 0 ? low : high;
+  const start = logarithmic ? logarithmicStart(range) : null;
+  if (start !== null) return clamp(Number((start * (high / start) ** f).toPrecision(3)), low, high);
   const step = niceStep(range);
   const rounded = Number((Math.round((low + f * (high - low)) / step) * step).toPrecision(12));
   return clamp(rounded, low, high);
 }
 
-export function fractionOf(value: number, [low, high]: Range): number {
+export function fractionOf(value: number, [low, high]: Range, logarithmic = false): number {
+  const start = logarithmic ? logarithmicStart([low, high]) : null;
+  if (start !== null) return value <= start ? 0 : clamp(Math.log(value / start) / Math.log(high / start), 0, 1);
   return high > low ? clamp((value - low) / (high - low), 0, 1) : 0.5;
 }
 

@@ -1,6 +1,6 @@
 // What layers can be made from and coloured by: the scalars of a dataset's arrays.
 import { prettyUnits } from "./numbers";
-import type { ArrayInfo, Coloring, DatasetDescription, Layer, Scene } from "../generated/protocol";
+import type { ArrayInfo, Coloring, DatasetDescription, Layer, Range, Scene } from "../generated/protocol";
 
 export interface Scalar {
   name: string;
@@ -16,6 +16,13 @@ export function scalarsOf(description: DatasetDescription | null): Scalar[] {
 
 export const unitsOf = (description: DatasetDescription | null, scalar: string): string =>
   scalarsOf(description).find(({ name }) => name === scalar)?.units ?? "";
+
+/** null where it is known of single steps only: a vector's range is its magnitude's. */
+export function rangeOfAllSteps(description: DatasetDescription | null, scalar: string): Range | null {
+  const array = scalarsOf(description).find(({ name }) => name === scalar)?.array;
+  if (array === undefined || (array.components > 1 && !scalar.endsWith(":magnitude"))) return null;
+  return array.range;
+}
 
 /** The step that a time stands for: the nearest. */
 export function nearestStep(times: readonly number[], time: number): number {

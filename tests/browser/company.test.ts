@@ -1,0 +1,219 @@
+// The page is not alone: a server that asks for a token, other clients, steps that arrive, links from elsewhere.
+import assert from "node:assert/strict";
+import { spawnSync } from "node:child_process";
+import { mkdtempSync, rmSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { after, before, describe, test } from "node:test";
+import { appendStep } from "./append.ts";
+import { launch, type Browser } from "./chromium.ts";
+import { Client, type PageOptions } from "./page.ts";
+import { difference, distance } from "./png.ts";
+import { datasets, freePort, nameOf, Server } from "./server.ts";
+import { fragmentOf } from "./link.ts";
+
+const data = datasets();
+const skip = data.length === 0 ? "no dataset: set CIEL_BROWSER_DATA" : false;
+const dataset = nameOf(data[0] ?? "");
+
+describe("company", { skip }, () => {
+  let browser: Browser;
+  let server: Server;
+
+  before(async () => {
+    server = new Server(await freePort(), data);
+    await server.start();
+    browser = await launch();
+  });
+  after(async () => {
+    await browser.close();
+    await server.stop();
+  });
+  const fresh = async (options: PageOptions = {}, fragment = ""): Promise<Client> => {
+    const client = await Client.open(browser, server.address + fragment, options);
+    await client.settled();
+    return client;
+  };
+
+  test("a server that asks for a token says so, and takes it", async () => {
+    const token = "open-sesame-1";
+    const guarded = new Server(await freePort(), data, { token });
+    await guarded.start();
+    const client = await Client.open(browser, guarded.address);
+    await client.page.getByText("This server asks for its token").waitFor();
+    await client.keep("token");
+    const field = client.page.getByRole("textbox", { name: "Token" });
+    await field.fill("wrong-token");
+    await client.page.keyboard.press("Enter");
+    await client.page.getByText("This is not the server's token.").waitFor();
+    await field.fill(`${guarded.address}?token=${token}`);
+    await client.button("Enter").click();
+    await client.settled();
+    assert.ok(!client.page.url().includes("token"), client.page.url());
+    await client.page.reload();
+    await client.settled(); // a cookie remembers it
+    await client.close();
+    const invited = await Client.open(browser, `${guarded.address}?token=${token}`);
+    await invited.settled();
+    assert.ok(!invited.page.url().includes("token"), invited.page.url());
+    await invited.close();
+    await guarded.stop();
+  });
+
+  test("two clients of one session see the same, and either takes a step back", async () => {
+    const one = await fresh();
+    const session = await one.page.evaluate(() => sessionStorage.getItem("ciel.session"));
+    const two = await fresh({ before: `sessionStorage.setItem("ciel.session", "${session ?? ""}")` });
+    assert.equal(await two.value(), await one.value());
+    const before = await two.picture();
+    const value = await one.value();
+    await one.dragIso(0.7);
+    await one.settled();
+    await two.page.waitForFunction(
+      (wanted) => document.querySelector("[role=slider]")?.getAttribute("aria-valuenow") === wanted,
+      String(await one.value()),
+    );
+    await two.settled();
+    assert.ok(difference(before, await two.picture()) > 0.01);
+    assert.ok(difference(await one.picture(), await two.picture()) < 0.005);
+    await two.button("Undo").click();
+    await two.settled();
+    await one.page.waitForFunction(
+      (wanted) => document.querySelector("[role=slider]")?.getAttribute("aria-valuenow") === wanted,
+      String(value),
+    );
+    await one.button("Redo").click();
+    await one.settled();
+    assert.notEqual(await one.value(), value);
+    for (const client of [one, two]) {
+      assert.deepEqual(client.problems, []);
+      await client.close();
+    }
+  });
+
+  test("two tabs with their own sessions leave each other alone", async () => {
+    const [one, two] = [await fresh(), await fresh()];
+    const value = await two.value();
+    await one.dragIso(0.3);
+    await one.settled();
+    await one.dragCanvas([0.5, 0.5], [0.6, 0.6]);
+    await one.settled();
+    assert.equal(await two.value(), value);
+    assert.ok(await two.button("Undo").isDisabled());
+    await one.close();
+    await two.close();
+  });
+
+  test("a step that a simulation appends arrives while the page is open", async () => {
+    const folder = mkdtempSync(join(tmpdir(), "ciel-browser-"));
+    const growing = join(folder, "growing.ciel");
+    spawnSync("cp", ["-al", data[0] ?? "", growing]); // files of a dataset are replaced, never rewritten
+    const live = new Server(await freePort(), [growing]);
+    await live.start();
+    const client = await Client.open(browser, live.address);
+    await client.settled();
+    const slider = client.page.getByLabel("Time step", { exact: true });
+    const last = (await slider.count()) > 0 ? Number(await slider.getAttribute("max")) : 0;
+    await appendStep(live.address, growing, folder);
+    await client.toast("1 more time step has arrived").waitFor();
+    await client.keep("appended");
+    const before = await client.picture();
+    await slider.focus();
+    await client.page.keyboard.press("End");
+    await client.settled();
+    assert.equal(Number(await slider.getAttribute("max")), last + 1);
+    assert.equal(Number(await slider.inputValue()), last + 1);
+    assert.ok(difference(before, await client.picture()) > 0.005);
+    assert.deepEqual(client.problems, []);
+    await client.close();
+    await live.stop();
+    rmSync(folder, { recursive: true });
+  });
+
+  test("the system turns from dark to light, and the picture with it", async () => {
+    const client = await fresh({ scheme: "dark" });
+    const surface = (): Promise<string> =>
+      client.page.locator(".toolbar").evaluate((element) => getComputedStyle(element).backgroundColor);
+    const dark = await surface();
+    assert.ok(distance((await client.picture()).at(3, 3), [26, 31, 41]) < 12);
+    await client.page.emulateMedia({ colorScheme: "light" });
+    await client.settled();
+    assert.notEqual(await surface(), dark);
+    assert.ok(distance((await client.picture()).at(3, 3), [255, 255, 255]) < 12);
+    await client.page.emulateMedia({ colorScheme: "dark" });
+    await client.settled();
+    assert.equal(await surface(), dark);
+    assert.ok(distance((await client.picture()).at(3, 3), [26, 31, 41]) < 12);
+    await client.close();
+  });
+
+  test("a link that is followed on the open page is shown, one step back from what was there", async () => {
+    const client = await fresh();
+    const before = await client.picture();
+    const value = await client.value();
+    await client.dragIso(0.75);
+    await client.settled();
+    const [moved, wanted] = [await client.picture(), await client.value()];
+    await client.addressed();
+    const link = new URL(client.page.url()).hash;
+    await client.button("Undo").click();
+    await client.settled();
+    await client.page.evaluate((hash) => void (location.hash = hash), link);
+    await client.page.waitForFunction(
+      (v) => document.querySelector("[role=slider]")?.getAttribute("aria-valuenow") === v,
+      String(wanted),
+    );
+    await client.settled();
+    assert.ok(difference(moved, await client.picture()) < 0.005);
+    await client.button("Undo").click();
+    await client.settled();
+    assert.equal(await client.value(), value);
+    assert.ok(difference(before, await client.picture()) < 0.005);
+    await client.close();
+  });
+
+  test("links that no server can show are said; the open page stays as it was", async () => {
+    const client = await fresh();
+    const before = await client.picture();
+    const rubbish: unknown[] = [
+      { dataset: "nowhere" },
+      { dataset, layers: { iso: { type: "iso" } } },
+      { dataset, layers: 5, camera: "left" },
+      { dataset, layers: { iso: { type: "iso", array: "no such array", values: [1] } } },
+      { dataset, time: "now", camera: { position: [0, 0], target: [] } },
+    ];
+    for (const scene of rubbish) {
+      await client.page.evaluate((hash) => void (location.hash = hash), fragmentOf(scene));
+      await client.page.locator(".toast.error").first().waitFor();
+      await client.button("Dismiss").first().click();
+    }
+    await client.settled();
+    assert.ok(difference(before, await client.picture()) < 0.005);
+    await client.dragIso(0.6);
+    await client.settled();
+    assert.ok(difference(before, await client.picture()) > 0.005, "the page is alive");
+    assert.deepEqual(client.problems, []);
+    await client.close();
+  });
+
+  test("a link to a dataset that is not here opens a page from which one is chosen", async () => {
+    const client = await Client.open(browser, server.address + fragmentOf({ dataset: "nowhere", layers: {} }));
+    await client.page.getByText("Nothing can be shown").waitFor();
+    await client.keep("link-to-nowhere");
+    await client.choose(dataset);
+    await client.settled();
+    assert.deepEqual(client.problems, []);
+    await client.close();
+  });
+
+  test("a scene that can hardly be seen is a scene all the same", async () => {
+    const camera = { position: [1e6, 1e6, 1e6], target: [0, 0, 0], up: [0, 0, 1] };
+    const client = await fresh({}, fragmentOf({ dataset, camera }));
+    await client.button("Show everything").click();
+    await client.settled();
+    await client.button("Add an iso-surface").click();
+    await client.settled();
+    assert.deepEqual(client.problems, []);
+    await client.close();
+  });
+});

@@ -1,0 +1,324 @@
+// Every way of taking hold of the scene: fingers, keys alone, typing, and what the panels offer.
+import assert from "node:assert/strict";
+import { after, before, describe, test } from "node:test";
+import { launch, type Browser, type CDPSession } from "./chromium.ts";
+import { Client } from "./page.ts";
+import { difference, distance, share } from "./png.ts";
+import { datasets, freePort, Server } from "./server.ts";
+
+const data = datasets();
+const skip = data.length === 0 ? "no dataset: set CIEL_BROWSER_DATA" : false;
+
+type Point = [number, number];
+interface Camera {
+  position: Point3;
+  target: Point3;
+}
+type Point3 = [number, number, number];
+
+const away = ({ position, target }: Camera): number =>
+  Math.hypot(position[0] - target[0], position[1] - target[1], position[2] - target[2]);
+
+describe("hands", { skip }, () => {
+  let browser: Browser;
+  let server: Server;
+  let client: Client;
+
+  before(async () => {
+    server = new Server(await freePort(), data);
+    await server.start();
+    browser = await launch();
+    client = await Client.open(browser, server.address, { touch: true });
+    await client.settled();
+  });
+  after(async () => {
+    await client.close();
+    await browser.close();
+    await server.stop();
+  });
+  const cameras = (): Camera[] =>
+    client.patches.flatMap(({ patch }) => ("camera" in patch ? [patch.camera as Camera] : []));
+  const gestures = (): number => new Set(client.patches.map(({ gesture }) => gesture)).size;
+
+  async function fingers(session: CDPSession, path: (at: number) => Point[], steps = 6): Promise<void> {
+    const points = (at: number): { x: number; y: number; id: number }[] => path(at).map(([x, y], id) => ({ x, y, id }));
+    await session.send("Input.dispatchTouchEvent", { type: "touchStart", touchPoints: points(0) });
+    for (let i = 1; i <= steps; i += 1) {
+      await session.send("Input.dispatchTouchEvent", { type: "touchMove", touchPoints: points(i / steps) });
+      await client.page.waitForTimeout(30); // a frame, so that the moves are told apart
+    }
+    await session.send("Input.dispatchTouchEvent", { type: "touchEnd", touchPoints: [] });
+  }
+
+  test("two fingers that part come closer, as one step", async () => {
+    const before = await client.picture();
+    const session = await client.page.context().newCDPSession(client.page);
+    client.patches.length = 0;
+    await fingers(session, (at) => [
+      [450 - 150 * at, 350],
+      [500 + 150 * at, 350],
+    ]);
+    await client.settled();
+    const [first, last] = [cameras()[0], cameras().at(-1)];
+    assert.ok(first !== undefined && last !== undefined);
+    assert.ok(away(last) < away(first) / 2, `from ${away(first)} to ${away(last)}`);
+    assert.equal(gestures(), 1);
+    const closer = await client.picture();
+    assert.ok(difference(before, closer) > 0.05);
+    assert.equal(await client.page.evaluate(() => window.visualViewport?.scale), 1); // the page itself is not zoomed
+    await client.button("Undo").click();
+    await client.settled();
+    assert.ok(difference(before, await client.picture()) < 0.005);
+  });
+
+  test("one finger turns, a tap reads the values", async () => {
+    const before = await client.picture();
+    const session = await client.page.context().newCDPSession(client.page);
+    client.patches.length = 0;
+    await fingers(session, (at) => [[400 + 120 * at, 350]]);
+    await client.settled();
+    const [first, last] = [cameras()[0], cameras().at(-1)];
+    assert.ok(first !== undefined && last !== undefined);
+    assert.ok(Math.abs(away(first) / away(last) - 1) < 1e-6, "the distance stays");
+    assert.ok(difference(before, await client.picture()) > 0.02);
+    await client.button("Undo").click();
+    await client.settled();
+    const picture = await client.picture();
+    let [x, y] = [0, 0];
+    share(picture, (color, px, py) => {
+      const inside = px > picture.width * 0.4 && py > picture.height * 0.4;
+      if (x === 0 && inside && distance(color, picture.at(1, py)) > 60) [x, y] = [px, py];
+      return false;
+    });
+    const box = await client.canvas.boundingBox();
+    await client.page.touchscreen.tap((box?.x ?? 0) + x + 2, (box?.y ?? 0) + y + 2);
+    await client.page.getByLabel("Values at the clicked point").waitFor();
+    await client.button("Close the values").click();
+  });
+
+  test("several iso-values: one more, moved on its own, taken away", async () => {
+    const before = await client.picture();
+    const value = await client.value();
+    const handles = client.page.locator(".histogram-track").first().getByRole("slider");
+    await client.button("Add a value").first().click();
+    await client.settled();
+    assert.equal(await handles.count(), 2);
+    const two = await client.picture();
+    assert.ok(difference(before, two) > 0.005, "a second surface is seen");
+    await handles.nth(1).focus();
+    await client.page.keyboard.press("PageDown");
+    await client.settled();
+    assert.equal(Number(await handles.nth(0).getAttribute("aria-valuenow")), value);
+    assert.ok(difference(two, await client.picture()) > 0.001);
+    await client.keep("two-values");
+    await client.button("Remove value 2").click();
+    await client.settled();
+    assert.equal(await handles.count(), 1);
+    assert.ok(difference(before, await client.picture()) < 0.005);
+  });
+
+  test("patches come and go one by one", async (context) => {
+    const section = client.page.locator(".section", { hasText: "Boundary" });
+    const names = await section.locator(".check span").allTextContents();
+    const boxes = section.getByRole("checkbox");
+    const patches = await boxes.count();
+    if (patches < 3) {
+      context.skip(`no dataset with patches: ${names.join()}`);
+      return;
+    }
+    const on = async (): Promise<boolean[]> =>
+      Promise.all(Array.from({ length: patches }, (_, i) => boxes.nth(i).isChecked()));
+    const state = await on();
+    const start = await client.picture();
+    const free = state.indexOf(false, 1);
+    await boxes.nth(free).check();
+    await client.settled();
+    const more = await client.picture();
+    assert.ok(difference(start, more) > 0.01, `${names[free] ?? ""} is seen`);
+    assert.deepEqual(await on(), state.with(free, true));
+    await boxes.nth(free).uncheck();
+    await client.settled();
+    assert.ok(difference(start, await client.picture()) < 0.005);
+    await boxes.nth(0).check(); // the whole boundary
+    await client.settled();
+    assert.deepEqual(
+      await on(),
+      state.map((_, i) => i === 0),
+    );
+    assert.ok(difference(start, await client.picture()) > 0.05);
+    await client.button("Undo").click();
+    await client.settled();
+    assert.deepEqual(await on(), state);
+  });
+
+  test("the range of the colours: held over time, symmetric, the data's again", async () => {
+    const legend = client.page.locator(".legend").first();
+    const ends = async (): Promise<string[]> => [
+      await legend.getByLabel(/^Lowest/).inputValue(),
+      await legend.getByLabel(/^Highest/).inputValue(),
+    ];
+    const range = (): unknown =>
+      Object.values((client.patches.at(-1)?.patch.layers ?? {}) as Record<string, { color: { range: unknown } }>)[0]
+        ?.color.range;
+    const own = await ends();
+    await legend.getByLabel(/^Lowest/).fill("-0.5");
+    await legend.getByLabel(/^Lowest/).press("Enter");
+    await client.settled();
+    await legend.getByRole("button", { name: /^Range symmetric/ }).click();
+    await client.settled();
+    const [low, high] = range() as [number, number];
+    assert.ok(high > 0 && low === -high, `${low} to ${high}`);
+    await legend.getByRole("button", { name: /^Range of the data/ }).click();
+    await client.settled();
+    assert.deepEqual(await ends(), own);
+    const hold = legend.getByRole("button", { name: /^The same range/ });
+    if ((await hold.count()) > 0) {
+      await hold.click();
+      await client.settled();
+      assert.equal((range() as number[]).length, 2);
+      await client.button("Undo").click();
+      await client.settled();
+    }
+    assert.deepEqual(await ends(), own);
+  });
+
+  test("a logarithmic slider spreads what spans decades", async () => {
+    const track = client.page.locator(".histogram-track").first();
+    const value = await client.value();
+    const array = client.page.getByLabel("Array of the iso-surface").first();
+    const old = await array.inputValue();
+    const names = await array.locator("option").allTextContents();
+    await array.selectOption(names.find((name) => name.endsWith(":magnitude") || name === "speed") ?? old);
+    await client.settled();
+    const button = client.button("log axis").first();
+    await button.click();
+    const top = Number(await client.isoValue.getAttribute("aria-valuemax"));
+    const start = Math.max(Number(await client.isoValue.getAttribute("aria-valuemin")), top / 1e6);
+    await client.dragIso(0.5);
+    await client.settled();
+    const middle = await client.value();
+    const expected = Math.sqrt(start * top);
+    assert.ok(middle > expected / 1.2 && middle < expected * 1.2, `${middle} is not about ${expected}`);
+    const [handle, box] = [await client.isoValue.boundingBox(), await track.boundingBox()];
+    const at = ((handle?.x ?? 0) + (handle?.width ?? 0) / 2 - (box?.x ?? 0)) / (box?.width ?? 1);
+    assert.ok(Math.abs(at - 0.5) < 0.03, `the handle stands at ${at}`);
+    await client.keep("log-axis");
+    await button.click();
+    await client.button("Undo").click();
+    await client.button("Undo").click();
+    await client.settled();
+    assert.deepEqual([await array.inputValue(), await client.value()], [old, value]);
+  });
+
+  test("typed rubbish is said and changes nothing; a value outside the data says so", async () => {
+    const value = await client.value();
+    const before = await client.picture();
+    const field = client.page.getByLabel("Iso-value", { exact: true });
+    for (const rubbish of ["abc", "1e400", "1 2"]) {
+      await field.fill(rubbish);
+      assert.equal(await field.getAttribute("aria-invalid"), "true");
+      await field.press("Enter");
+      await client.toast(`"${rubbish}" is not a number`).waitFor();
+      assert.equal(await client.value(), value);
+    }
+    for (const far of ["1e30", "-1e30", "1e300"]) {
+      await field.fill(far);
+      await field.press("Enter");
+      await client.settled();
+      await client.page.getByText("No surface: the data goes from").waitFor();
+    }
+    await client.keep("rubbish");
+    await field.fill(String(value));
+    await field.press("Enter");
+    await client.settled();
+    assert.ok(difference(before, await client.picture()) < 0.005);
+  });
+
+  test("the tab key reaches every control, and each shows that it has the focus", async () => {
+    await client.page.evaluate(() => (document.activeElement as HTMLElement | null)?.blur());
+    const reachable = await client.page.evaluate(() => {
+      const controls = [...document.querySelectorAll("button, select, input, [tabindex='0']")];
+      const open = controls.filter((e) => !e.matches(":disabled") && (e as HTMLElement).offsetParent !== null);
+      open.forEach((e, i) => e.setAttribute("data-nth", String(i)));
+      return open.length;
+    });
+    const seen = new Set<string>();
+    const dim: string[] = [];
+    for (let i = 0; i < reachable + 5; i += 1) {
+      await client.page.keyboard.press("Tab");
+      const [nth, shown, html] = await client.page.evaluate(() => {
+        const e = document.activeElement;
+        if (e === null || e === document.body) return ["", true, ""] as const;
+        const style = getComputedStyle(e);
+        const mark = getComputedStyle(e, "::after").boxShadow;
+        const outlined = style.outlineStyle !== "none" && parseFloat(style.outlineWidth) > 0;
+        return [e.getAttribute("data-nth") ?? "", outlined || mark !== "none", e.outerHTML.slice(0, 120)] as const;
+      });
+      if (nth !== "") seen.add(nth);
+      if (!shown) dim.push(html);
+    }
+    assert.equal(seen.size, reachable);
+    assert.deepEqual(dim, []);
+  });
+
+  test("without a mouse: a slice, a surface less and more, a turn, and all of it undone", async () => {
+    const before = await client.picture();
+    const keys = client.page.keyboard;
+    await client.page.getByLabel("Y", { exact: true }).focus();
+    await keys.press("Space");
+    await keys.press("Tab");
+    for (let i = 0; i < 3; i += 1) await keys.press("PageUp");
+    await client.settled();
+    const sliced = await client.picture();
+    assert.ok(difference(before, sliced) > 0.01);
+    await client.button("Hide this iso-surface").first().focus();
+    await keys.press("Enter");
+    await client.settled();
+    assert.ok(difference(sliced, await client.picture()) > 0.005);
+    await client.canvas.focus();
+    for (const key of ["ArrowLeft", "ArrowLeft", "ArrowUp", "+"]) await keys.press(key);
+    await client.settled();
+    assert.ok(difference(sliced, await client.picture()) > 0.02);
+    for (let i = 0; i < 20 && (await client.button("Undo").isEnabled()); i += 1) {
+      await keys.press("Control+z");
+      await client.settled();
+      if (difference(before, await client.picture()) < 0.005) break;
+    }
+    assert.ok(difference(before, await client.picture()) < 0.005);
+  });
+
+  test("the readout: what a change cost, and rest", async () => {
+    await client.dragIso(0.4);
+    await client.settled();
+    const shown = (name: string): Promise<string | null> => client.page.locator(`[data-readout=${name}]`).textContent();
+    assert.match((await shown("latency")) ?? "", /^latency \d+(\.\d)? ms$/);
+    assert.match((await shown("triangles")) ?? "", /^[1-9][\d\u202f]* triangles$/);
+    assert.equal(await shown("stream"), "image, still");
+    await client.page.getByText("idle", { exact: true }).waitFor();
+    await client.button("Undo").click();
+    await client.settled();
+  });
+
+  test("the automatic stream: pictures from a server as fast as this machine, polygons for a graphics card", async () => {
+    await client.page.getByLabel("Stream").selectOption("auto");
+    await client.dragCanvas([0.5, 0.5], [0.55, 0.5]);
+    await client.settled("image");
+    await client.button("Undo").click();
+    await client.page.getByLabel("Stream").selectOption("image");
+    const card = `const asked = WebGL2RenderingContext.prototype.getParameter;
+      WebGL2RenderingContext.prototype.getParameter = function (name) {
+        const answer = asked.call(this, name);
+        return typeof answer === "string" && /swiftshader/i.test(answer) ? "A graphics card" : answer;
+      };`;
+    const other = await Client.open(browser, server.address, { before: card });
+    await other.settled();
+    const image = await other.picture();
+    await other.page.getByLabel("Stream").selectOption("auto");
+    await other.settled("geometry");
+    assert.ok(difference(image, await other.picture()) < 0.08);
+    assert.deepEqual(other.problems, []);
+    await other.close();
+  });
+
+  test("nothing went wrong on the way", () => assert.deepEqual(client.problems, []));
+});

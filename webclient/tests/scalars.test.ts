@@ -1,0 +1,58 @@
+import { describe, expect, test } from "vitest";
+import type { ArrayInfo, DatasetDescription, Scene } from "../src/generated/protocol";
+import { freeId, layersOf, legendsOf, nearestStep, rangeOfAllSteps, topOrder, unitsOf } from "../src/scene/scalars";
+
+const array = (name: string, components: number, scalars: string[]): ArrayInfo => ({
+  name,
+  association: "point",
+  components,
+  units: "m^2/s^2",
+  description: "",
+  range: [-1, 5],
+  scalars,
+  times: [0],
+});
+const description = {
+  arrays: [array("p", 1, ["p"]), array("U", 3, ["U:x", "U:y", "U:z", "U:magnitude"])],
+} as unknown as DatasetDescription;
+const scene: Scene = {
+  dataset: "d",
+  layers: {
+    a: { type: "iso", array: "p", values: [0], order: 5, color: { array: "p" } },
+    b: { type: "iso", array: "p", values: [1], order: 2, color: { array: "p", map: "viridis" } },
+    c: { type: "slice", axis: "x", value: 0, color: { array: "p", range: [0, 1] } },
+    d: { type: "surface", visible: false, color: { array: "U:x" } },
+    e: { type: "surface", color: {} },
+    outline: { type: "outline" },
+  },
+};
+
+describe("scalars", () => {
+  test("units belong to the array, the range of all steps to scalars and magnitudes", () => {
+    expect(unitsOf(description, "U:x")).toBe("m\u00b2/s\u00b2");
+    expect(unitsOf(description, "gone")).toBe("");
+    expect(rangeOfAllSteps(description, "p")).toEqual([-1, 5]);
+    expect(rangeOfAllSteps(description, "U:magnitude")).toEqual([-1, 5]);
+    expect(rangeOfAllSteps(description, "U:x")).toBeNull();
+    expect(rangeOfAllSteps(null, "p")).toBeNull();
+  });
+
+  test("the nearest step", () => {
+    expect([-9, 0.2, 0.3, 99].map((time) => nearestStep([0, 0.5, 1], time))).toEqual([0, 0, 1, 2]);
+    expect(nearestStep([], 1)).toBe(0);
+  });
+
+  test("layers in drawing order, and a place for one more", () => {
+    expect(layersOf(scene, "iso").map(([id]) => id)).toEqual(["b", "a"]);
+    expect([freeId(scene, "a"), freeId(scene, "slice")]).toEqual(["a2", "slice"]);
+    expect(topOrder(scene)).toBe(6);
+  });
+
+  test("one legend for layers that share their colours, none for what is hidden or of one colour", () => {
+    expect(legendsOf(scene).map(({ coloring, layers }) => [coloring.array, coloring.range, layers])).toEqual([
+      ["p", undefined, ["a", "b"]],
+      ["p", [0, 1], ["c"]],
+    ]);
+    expect(legendsOf(null)).toEqual([]);
+  });
+});
