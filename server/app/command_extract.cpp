@@ -2,6 +2,7 @@
 #include "app/commands.hpp"
 #include "app/scene_options.hpp"
 #include "store/files.hpp"
+#include "store/statistics.hpp"
 #include "wire/joined_surface.hpp"
 
 #include <CLI/CLI.hpp>
@@ -9,7 +10,9 @@
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <sstream>
+#include <utility>
 
 namespace ciel::app {
 namespace {
@@ -32,11 +35,41 @@ std::vector<wire::NamedValues> values_of(const Surface& surface, const std::vect
     return all;
 }
 
+std::string range_of(const std::string& scalar, store::LoadedDataset& loaded, std::size_t step) {
+    const auto values = loaded.scalar_values(scalar, step);
+    const store::ArrayStep found = store::statistics(*values, 1);
+    if (found.invalid == values->size()) return scalar + " has no finite value";
+    std::ostringstream text;
+    text << scalar << " lies between " << found.range[0] << " and " << found.range[1];
+    return text.str();
+}
+
+// What an iso-value or a slice would have had to be.
+std::string why_empty(const scene::Scene& scene, const session::Geometry& geometry, store::LoadedDataset& loaded) {
+    std::ostringstream text;
+    text << "the surface is empty: at time " << geometry.time;
+    std::set<std::string> scalars;
+    bool slices = false;
+    for (const scene::Layer& layer : scene.layers) {
+        if (const auto* iso = std::get_if<scene::IsoLayer>(&layer.kind)) scalars.insert(iso->array);
+        slices = slices || std::holds_alternative<scene::SliceLayer>(layer.kind);
+    }
+    const char* separator = " ";
+    for (const std::string& scalar : scalars)
+        text << std::exchange(separator, ", ") << range_of(scalar, loaded, geometry.step);
+    if (slices)
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            text << std::exchange(separator, ", ") << "xyz"[axis] << " lies between " << geometry.bounds_min[axis]
+                 << " and " << geometry.bounds_max[axis];
+    return text.str();
+}
+
 int run_command(const ExtractCommand& extract) {
     const auto format = wire::surface_format(std::filesystem::path(extract.output).extension());
-    if (!extract.scene.has_layers()) throw Error("nothing to extract; give --iso, --slice or --plane");
+    if (!extract.scene.has_layers()) throw UsageError("nothing to extract; give --iso, --slice or --plane");
     const auto loaded = load_dataset(extract.scene.dataset);
-    const auto geometry = make_geometry(parse_scene(extract.scene.document(*loaded->dataset())), loaded);
+    const scene::Scene scene = parse_scene(extract.scene.document(*loaded->dataset()));
+    const auto geometry = make_geometry(scene, loaded);
     wire::JoinedSurface joined;
     for (const session::Drawable& drawable : geometry->drawables) {
         const Surface& surface = drawable.shape->surface;
@@ -47,8 +80,7 @@ int run_command(const ExtractCommand& extract) {
         wire::write_surface(format, {joined.surface(), geometry->origin, joined.values(), extract.triangles}, bytes);
     const std::string text = std::move(bytes).str();
     store::replace_file(std::filesystem::absolute(extract.output), store::bytes_of(text));
-    if (written.polygons == 0)
-        std::cerr << "ciel: there is no surface; `ciel info` shows the arrays' ranges and the bounds\n";
+    if (written.polygons == 0) std::cerr << "ciel: " << why_empty(scene, *geometry, *loaded) << '\n';
     std::printf("wrote %s: %zu polygons, %zu vertices\n", extract.output.c_str(), written.polygons, written.vertices);
     return 0;
 }
@@ -57,6 +89,9 @@ int run_command(const ExtractCommand& extract) {
 
 void add_extract(CLI::App& app, Run& run) {
     CLI::App* command = app.add_subcommand("extract", "Write iso-surfaces and slices to a PLY, STL or VTP file.");
+    command->footer(
+        "A value that the array never takes is no failure: the file then holds an empty surface, a sentence "
+        "on stderr\nsays what the array's range is, and the exit code is 0.");
     auto extract = std::make_shared<ExtractCommand>();
     extract->scene.add_to(*command);
     command->add_option("--color", extract->colors, "Point scalars to interpolate onto the surface.")

@@ -2,10 +2,13 @@
 #include "app/commands.hpp"
 #include "app/scene_options.hpp"
 #include "session/default_scene.hpp"
+#include "session/errors.hpp"
+#include "session/picture.hpp"
 #include "store/files.hpp"
 #include "wire/png.hpp"
 
 #include <CLI/CLI.hpp>
+#include <charconv>
 #include <cstdio>
 #include <fstream>
 #include <memory>
@@ -22,15 +25,22 @@ struct RenderCommand {
 };
 
 struct Size {
-    int width = 0, height = 0;
+    std::int64_t width = 0, height = 0;
 };
 
 Size parse_size(const std::string& text) {
     Size size;
-    int used = 0;
-    if (std::sscanf(text.c_str(), "%5dx%5d%n", &size.width, &size.height, &used) != 2 ||
-        static_cast<std::size_t>(used) != text.size() || size.width < 1 || size.height < 1)
-        throw Error("--size " + text + " is not of the form WIDTHxHEIGHT");
+    const char* const end = text.data() + text.size();
+    const auto [cross, first] = std::from_chars(text.data(), end, size.width);
+    const bool has_cross = first == std::errc{} && cross != end && *cross == 'x';
+    const auto [stop, second] = std::from_chars(has_cross ? cross + 1 : end, end, size.height);
+    if (second != std::errc{} || stop != end || size.width < 1 || size.height < 1)
+        throw UsageError("--size " + text + " is not of the form WIDTHxHEIGHT");
+    try {
+        session::check_picture_size({}, size.width, size.height);
+    } catch (const session::LimitReached& error) {
+        throw UsageError("--size " + text + " is too large: " + error.what());
+    }
     return size;
 }
 
@@ -44,6 +54,12 @@ nlohmann::json read_scene_file(const std::string& path) {
     }
 }
 
+std::vector<double> parse_range(const std::string& text) {
+    auto range = parse_numbers("--range", text);
+    if (range.size() != 2) throw UsageError("--range " + text + " is not of the form MIN,MAX");
+    return range;
+}
+
 nlohmann::json document_of_options(const RenderCommand& render, const store::Dataset& dataset) {
     nlohmann::json document = render.scene.document(dataset);
     for (auto& layer : document["layers"]) {
@@ -52,7 +68,7 @@ nlohmann::json document_of_options(const RenderCommand& render, const store::Dat
             color["array"] = render.color;
         else if (layer["type"] == "iso")
             color["array"] = layer["array"];
-        if (!render.range.empty()) color["range"] = parse_numbers("--range", render.range);
+        if (!render.range.empty()) color["range"] = parse_range(render.range);
         layer["color"] = std::move(color);
     }
     document["layers"]["outline"] = {{"type", "outline"}, {"color", {{"solid", "#808890"}}}};
@@ -62,7 +78,8 @@ nlohmann::json document_of_options(const RenderCommand& render, const store::Dat
 
 nlohmann::json document_of(const RenderCommand& render, store::LoadedDataset& loaded) {
     if (!render.scene_file.empty()) {
-        if (render.scene.has_layers()) throw Error("--scene says what to show; leave out --iso, --slice and --plane");
+        if (render.scene.has_layers())
+            throw UsageError("--scene says what to show; leave out --iso, --slice and --plane");
         nlohmann::json document = read_scene_file(render.scene_file);
         if (render.scene.time && document.is_object()) document["time"] = *render.scene.time;
         return document;
@@ -84,7 +101,9 @@ int run_command(const RenderCommand& render) {
     const auto geometry = make_geometry(scene, loaded);
     render::Image image;
     render::Renderer renderer(backend);
-    renderer.draw(session::frame_of(*geometry, scene, size.width, size.height, samples), image);
+    renderer.draw(
+        session::frame_of(*geometry, scene, static_cast<int>(size.width), static_cast<int>(size.height), samples),
+        image);
     std::vector<std::uint8_t> png;
     wire::encode_png(image.width, image.height, image.rgb, wire::PngEffort::still, png);
     store::replace_file(std::filesystem::absolute(render.output), std::as_bytes(std::span(png)));
@@ -109,8 +128,8 @@ void add_render(CLI::App& app, Run& run) {
         ->type_name("MIN,MAX");
     command->add_option("--background", render->background, "dark, light or #rrggbb.")->capture_default_str();
     command->add_option("--size", render->size, "Of the picture in pixels.")->type_name("WxH")->capture_default_str();
-    command->add_option("--gl", render->gl, "auto, egl-device, egl-surfaceless or osmesa.")
-        ->type_name("NAME")
+    command->add_option("--gl", render->gl, "What draws.")
+        ->check(CLI::IsMember({"auto", "egl-device", "egl-surfaceless", "osmesa"}))
         ->capture_default_str();
     command->add_option("-o,--output", render->output, "The picture.")->required()->type_name("FILE.png");
     command->callback([&run, render] { run = [render] { return run_command(*render); }; });

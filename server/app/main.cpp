@@ -4,9 +4,12 @@
 #include <CLI/CLI.hpp>
 #include <exception>
 #include <iostream>
+#include <string>
 #include <vector>
 
 namespace {
+
+constexpr int failed = 1, wrong_usage = 2;
 
 using AddCommand = void (*)(CLI::App& app, ciel::app::Run& run);
 
@@ -16,24 +19,43 @@ const std::vector<AddCommand> commands{
     ciel::app::add_extract, ciel::app::add_render, ciel::app::add_serve,
 };
 
+// One sentence of what is wrong with the command line and where to read more.
+std::string sentence(const CLI::App& app, const CLI::ParseError& error) {
+    const auto unknown = app.remaining(); // before the command, or instead of one
+    const auto chosen = app.get_subcommands();
+    if (unknown.empty() && !chosen.empty())
+        return std::string(error.what()) + "; see `ciel " + chosen.front()->get_name() + " --help`";
+    std::string names;
+    for (const CLI::App* command : app.get_subcommands({})) names += (names.empty() ? "" : ", ") + command->get_name();
+    const std::string problem = unknown.empty() ? "a command is missing" : "there is no command '" + unknown[0] + "'";
+    return problem + "; the commands are " + names + ", and `ciel --help` says what each does";
+}
+
+int fail(const std::string& sentence, int exit_code) {
+    std::cerr << "ciel: " << sentence << '\n';
+    return exit_code;
+}
+
 } // namespace
 
 int main(int argc, char** argv) { // NOLINT(bugprone-exception-escape): only a fault of ours can throw before parsing
     CLI::App app{"CIEL: explore huge simulation results on unstructured meshes in a browser.", "ciel"};
     app.set_version_flag("--version", "ciel " CIEL_VERSION);
     app.require_subcommand(1);
+    app.footer("Exit codes: 0 done, 1 failed, 2 wrong usage, 3 done with cells left out.");
     ciel::app::Run run;
     for (const auto add : commands) add(app, run);
 
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
-        return app.exit(error) == 0 ? 0 : 2;
+        return error.get_exit_code() == 0 ? app.exit(error) : fail(sentence(app, error), wrong_usage);
     }
     try {
         return run();
+    } catch (const ciel::app::UsageError& error) {
+        return fail(error.what(), wrong_usage);
     } catch (const std::exception& error) {
-        std::cerr << "ciel: " << error.what() << '\n';
-        return 1;
+        return fail(error.what(), failed);
     }
 }

@@ -1,5 +1,7 @@
 #include "app/scene_options.hpp"
 
+#include "app/commands.hpp"
+
 #include <CLI/CLI.hpp>
 #include <charconv>
 #include <cmath>
@@ -16,7 +18,7 @@ std::pair<std::string, std::string> split_assignment(const std::string& option, 
                                                      const char* form) {
     const auto equals = text.rfind('=');
     if (equals == std::string::npos || equals == 0 || equals + 1 == text.size())
-        throw Error(option + " " + text + " is not of the form " + form);
+        throw UsageError(option + " " + text + " is not of the form " + form);
     return {text.substr(0, equals), text.substr(equals + 1)};
 }
 
@@ -29,14 +31,15 @@ nlohmann::json slice_layer(const std::string& text) {
     const auto [axis, value] = split_assignment("--slice", text, "x=VALUE, y=VALUE or z=VALUE");
     const std::vector<double> numbers = parse_numbers("--slice", value);
     if ((axis != "x" && axis != "y" && axis != "z") || numbers.size() != 1)
-        throw Error("--slice " + text + " is not of the form x=VALUE, y=VALUE or z=VALUE");
+        throw UsageError("--slice " + text + " is not of the form x=VALUE, y=VALUE or z=VALUE");
     return {{"type", "slice"}, {"axis", axis}, {"value", numbers[0]}};
 }
 
 nlohmann::json plane_layer(const std::string& text) {
     const std::vector<double> n = parse_numbers("--plane", text);
-    if (n.size() != 6) throw Error("--plane " + text + " needs six numbers: a point and a normal, ox,oy,oz,nx,ny,nz");
-    if (std::hypot(n[3], n[4], n[5]) == 0) throw Error("--plane " + text + " has a normal without length");
+    if (n.size() != 6)
+        throw UsageError("--plane " + text + " needs six numbers: a point and a normal, ox,oy,oz,nx,ny,nz");
+    if (std::hypot(n[3], n[4], n[5]) == 0) throw UsageError("--plane " + text + " has a normal without length");
     return {{"type", "slice"}, {"origin", {n[0], n[1], n[2]}}, {"normal", {n[3], n[4], n[5]}}};
 }
 
@@ -66,7 +69,7 @@ nlohmann::json SceneOptions::document(const store::Dataset& loaded) const {
     add("slice", slices, slice_layer);
     add("plane", planes, plane_layer);
     nlohmann::json document{{"dataset", loaded.info().name}, {"layers", std::move(layers)}};
-    if (time && !std::isfinite(*time)) throw Error("--time must be a finite number");
+    if (time && !std::isfinite(*time)) throw UsageError("--time must be a finite number");
     if (time)
         document["time"] = *time;
     else if (!loaded.steps().empty())
@@ -82,7 +85,8 @@ scene::Scene parse_scene(const nlohmann::json& document) {
     try {
         return scene::parse(document);
     } catch (const scene::Invalid& error) {
-        throw Error("the scene cannot be shown: " + error.path + ": " + error.what());
+        const std::string reason = error.what(); // that of the schema names the path itself
+        throw Error("the scene cannot be shown: " + (reason.starts_with(error.path) ? "" : error.path + ": ") + reason);
     }
 }
 
@@ -103,7 +107,8 @@ std::vector<double> parse_numbers(const std::string& option, const std::string& 
         double number = 0;
         const auto [stop, problem] = std::from_chars(at, end, number);
         if (problem != std::errc{} || !std::isfinite(number) || (stop != end && *stop != ','))
-            throw Error(std::string(option).append(" ").append(text).append(" has something that is not a number"));
+            throw UsageError(
+                std::string(option).append(" ").append(text).append(" has something that is not a number"));
         numbers.push_back(number);
         if (stop == end) return numbers;
         at = stop + 1;

@@ -22,8 +22,8 @@ struct SceneOptions {
 
     void add_to(CLI::App& command);
     [[nodiscard]] bool has_layers() const { return !isos.empty() || !slices.empty() || !planes.empty(); }
-    // The layers without colours, at the asked time or else at the first step. Throws Error on an option that cannot
-    // be read.
+    // The layers without colours, at the asked time or else at the first step. Throws UsageError on an option that
+    // cannot be read.
     [[nodiscard]] nlohmann::json document(const store::Dataset& dataset) const;
 };
 
@@ -33,7 +33,7 @@ struct SceneOptions {
 [[nodiscard]] std::shared_ptr<const session::Geometry>
 make_geometry(const scene::Scene& scene, const std::shared_ptr<store::LoadedDataset>& loaded);
 
-// "a,b,c" as finite numbers. Throws Error naming the option.
+// "a,b,c" as finite numbers. Throws UsageError naming the option.
 [[nodiscard]] std::vector<double> parse_numbers(const std::string& option, const std::string& text);
 
 } // namespace ciel::app

@@ -17,13 +17,6 @@ std::shared_ptr<session::Connection> Context::streaming_connection() const {
     return connection.is_streaming() ? server.services().connections.find(connection.id) : nullptr;
 }
 
-void check_picture_size(const session::Limits& limits, std::int64_t width, std::int64_t height) {
-    if (std::max(width, height) > limits.image_side)
-        throw session::LimitReached("a picture may be " + std::to_string(limits.image_side) + " pixels wide and high");
-    if (static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height) > limits.image_pixels)
-        throw session::LimitReached("a picture may have " + std::to_string(limits.image_pixels) + " pixels");
-}
-
 protocol::SessionState state_of(const session::Session& session, const session::SessionStatus& status) {
     return {session.id(), static_cast<std::int64_t>(status.version->revision), *status.version->document,
             status.can_undo, status.can_redo};

@@ -34,9 +34,6 @@ public:
     using std::runtime_error::runtime_error;
 };
 
-// Throws LimitReached.
-void check_picture_size(const session::Limits& limits, std::int64_t width, std::int64_t height);
-
 [[nodiscard]] protocol::SessionState state_of(const session::Session& session, const session::SessionStatus& status);
 
 } // namespace ciel::methods

@@ -6,7 +6,7 @@
 namespace ciel::methods {
 
 protocol::PictureRenderResult picture_render(Context& context, const protocol::PictureRenderParams& params) {
-    check_picture_size(context.server.limits(), params.width, params.height);
+    session::check_picture_size(context.server.limits(), params.width, params.height);
     const SceneSource source(context, params.session, params.scene);
     const session::ViewSize size{static_cast<std::uint32_t>(params.width), static_cast<std::uint32_t>(params.height)};
     const auto [image, time] = context.server.frame_workers().run([&](session::Worker& worker) {

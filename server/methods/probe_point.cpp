@@ -1,4 +1,5 @@
 #include "methods/scene_source.hpp"
+#include "session/picture.hpp"
 #include "session/probe.hpp"
 
 #include <cmath>
@@ -9,7 +10,7 @@ namespace {
 session::ViewSize size_of(const Context& context, const protocol::ProbePointParams& params) {
     if (!params.width) throw InvalidParams("/width", "a pixel needs the width of the picture it is in");
     if (!params.height) throw InvalidParams("/height", "a pixel needs the height of the picture it is in");
-    check_picture_size(context.server.limits(), *params.width, *params.height);
+    session::check_picture_size(context.server.limits(), *params.width, *params.height);
     return {static_cast<std::uint32_t>(*params.width), static_cast<std::uint32_t>(*params.height)};
 }
 

@@ -1,10 +1,11 @@
 #include "methods/context.hpp"
+#include "session/picture.hpp"
 
 namespace ciel::methods {
 
 protocol::ViewOpenResult view_open(Context& context, const protocol::ViewOpenParams& params) {
     const auto session = context.session(params.session);
-    check_picture_size(context.server.limits(), params.width, params.height);
+    session::check_picture_size(context.server.limits(), params.width, params.height);
     const auto connection = context.streaming_connection();
     if (!connection) throw NeedsWebSocket("frames travel over a WebSocket; over HTTP use picture.render");
     const auto view = context.server.sessions().open_view(

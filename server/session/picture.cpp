@@ -1,5 +1,6 @@
 #include "session/picture.hpp"
 
+#include "session/errors.hpp"
 #include "wire/png.hpp"
 
 #include <cmath>
@@ -9,6 +10,13 @@ namespace {
 constexpr double interactive_pixels = 1280.0 * 720.0;
 constexpr int still_samples = 4;
 } // namespace
+
+void check_picture_size(const Limits& limits, std::int64_t width, std::int64_t height) {
+    if (std::max(width, height) > limits.image_side)
+        throw LimitReached("a picture may be " + std::to_string(limits.image_side) + " pixels wide and high");
+    if (static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height) > limits.image_pixels)
+        throw LimitReached("a picture may have " + std::to_string(limits.image_pixels) + " pixels");
+}
 
 render::Image draw(const Geometry& geometry, const scene::Scene& scene, ViewSize size, bool still, Worker& worker) {
     double scale = 1;

@@ -2,12 +2,15 @@
 #pragma once
 
 #include "session/frame_workers.hpp"
+#include "session/limits.hpp"
 #include "session/scene_geometry.hpp"
 #include "session/view.hpp"
 #include "wire/frame_header.hpp"
 
 namespace ciel::session {
 
+// Throws LimitReached.
+void check_picture_size(const Limits& limits, std::int64_t width, std::int64_t height);
 // A still has the asked size and four samples a pixel; an interactive picture has at most 1280 x 720 pixels of the same
 // shape and one sample.
 [[nodiscard]] render::Image draw(const Geometry& geometry, const scene::Scene& scene, ViewSize size, bool still,

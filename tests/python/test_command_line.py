@@ -1,0 +1,53 @@
+"""The command line's own words: what is missing, unknown or too much, in one line that says what to do."""
+
+import os
+import subprocess
+
+import pytest
+
+CIEL = os.environ["CIEL_BINARY"]
+COMMANDS = ["import", "info", "append", "demo", "extract", "render", "serve"]
+
+
+def ciel(*arguments):
+    return subprocess.run([CIEL, *arguments], capture_output=True, text=True)
+
+
+WRONG = [
+    ("no command", [], ["command is missing", *COMMANDS, "`ciel --help`"]),
+    ("unknown command", ["frobnicate", "x"], ["'frobnicate'", *COMMANDS, "`ciel --help`"]),
+    ("option before the command", ["--bogus", "info"], ["'--bogus'"]),
+    ("unknown option", ["info", "x.ciel", "--bogus"], ["--bogus", "`ciel info --help`"]),
+    ("missing value", ["render", "x.ciel", "-o"], ["--output", "`ciel render --help`"]),
+    ("missing argument", ["info"], ["dataset is required", "`ciel info --help`"]),
+    ("too many arguments", ["info", "x.ciel", "y.ciel"], ["y.ciel", "`ciel info --help`"]),
+    ("not a number", ["extract", "x.ciel", "--time", "soon", "-o", "s.ply"], ["--time", "soon", "`ciel extract --help`"]),
+    ("outside the range", ["serve", "--workers", "0"], ["--workers", "64", "`ciel serve --help`"]),
+    ("not one of", ["serve", "--gl", "vulkan"], ["--gl", "vulkan", "osmesa", "`ciel serve --help`"]),
+    ("missing company", ["append", "x.ciel", "--time", "1"], ["--time", "--array", "`ciel append --help`"]),
+    ("nothing to append", ["append", "x.ciel"], ["--from", "`ciel append --help`"]),
+]
+
+
+@pytest.mark.parametrize("arguments,words", [row[1:] for row in WRONG], ids=[row[0] for row in WRONG])
+def test_wrong_usage_is_one_line_and_exit_code_two(arguments, words):
+    result = ciel(*arguments)
+    assert result.returncode == 2, result.stderr
+    assert result.stdout == ""
+    assert result.stderr.startswith("ciel: ") and result.stderr.count("\n") == 1, result.stderr
+    for word in words:
+        assert word in result.stderr, result.stderr
+
+
+def test_help_is_everywhere_and_names_the_exit_codes():
+    result = ciel("--help")
+    assert result.returncode == 0 and result.stderr == ""
+    assert all(command in result.stdout for command in COMMANDS) and "2 wrong usage" in result.stdout
+    for command in COMMANDS:
+        result = ciel(command, "--help")
+        assert result.returncode == 0 and result.stderr == "" and "Usage: ciel " + command in result.stdout
+
+
+def test_the_version_is_one_line():
+    result = ciel("--version")
+    assert result.returncode == 0 and result.stdout.startswith("ciel ") and result.stdout.count("\n") == 1
