@@ -1,5 +1,6 @@
 #include "gateway/http_session.hpp"
 
+#include "gateway/deadline.hpp"
 #include "gateway/routes.hpp"
 #include "gateway/websocket_session.hpp"
 
@@ -19,6 +20,7 @@ namespace http = beast::http;
 using Parser = http::request_parser<http::string_body>;
 
 constexpr std::uint32_t header_bytes_limit = 16 << 10;
+constexpr std::size_t first_read_bytes = 4096;
 constexpr std::chrono::seconds linger_time{2};
 
 std::string text_of(boost::string_view view) { return {view.data(), view.size()}; }
@@ -38,7 +40,7 @@ Request plain(HttpRequest& message, const std::string& remote) {
     return request;
 }
 
-// The answer to what is not HTTP as we read it; nothing when the peer has gone or fallen silent.
+// The answer to what is not HTTP as we read it; nothing when the peer has gone.
 std::optional<Response> malformed(const error_code& error) {
     if (error == http::error::header_limit) return sentence(431, "The request's header is larger than 16 KiB.");
     if (error == http::error::body_limit)
@@ -52,7 +54,8 @@ std::optional<Response> malformed(const error_code& error) {
 class HttpSession {
 public:
     HttpSession(ConnectionStart start, Context& context, asio::thread_pool& workers)
-        : start_(std::move(start)), context_(context), workers_(workers), stream_(std::move(start_.socket)) {
+        : start_(std::move(start)), context_(context), workers_(workers), stream_(std::move(start_.socket)),
+          deadline_(stream_) {
         error_code ignored;
         const auto peer = stream_.socket().remote_endpoint(ignored);
         if (!ignored) remote_ = peer.address().to_string() + ":" + std::to_string(peer.port());
@@ -71,21 +74,34 @@ public:
 private:
     // False when the connection ends with it.
     asio::awaitable<bool> one_request() {
+        waiting_ = true;
+        const bool begun = co_await request_begins();
+        if (!begun) co_return false;
         const auto& limits = context_.server.limits();
         Parser parser;
         parser.header_limit(header_bytes_limit);
         parser.body_limit(limits.message_bytes);
         error_code error;
-        waiting_ = true;
-        stream_.expires_after(std::chrono::seconds(limits.request_seconds)); // for the whole request
+        deadline_.start(std::chrono::seconds(limits.request_seconds)); // for the whole request
         co_await http::async_read_header(stream_, buffer_, parser, asio::redirect_error(asio::use_awaitable, error));
         waiting_ = false;
-        if (error) {
+        if (error || deadline_.passed()) {
             co_await answer_malformed(error);
             co_return false;
         }
         const bool goes_on = co_await answer(parser);
         co_return goes_on;
+    }
+
+    // False when the peer has gone, or for too long says nothing: that is no fault and gets no answer.
+    asio::awaitable<bool> request_begins() {
+        if (buffer_.size() > 0) co_return true; // pipelined
+        deadline_.start(std::chrono::seconds(context_.server.limits().keep_alive_seconds));
+        error_code error;
+        const std::size_t bytes = co_await stream_.async_read_some(buffer_.prepare(first_read_bytes),
+                                                                   asio::redirect_error(asio::use_awaitable, error));
+        buffer_.commit(bytes);
+        co_return !error;
     }
 
     asio::awaitable<bool> answer(Parser& parser) {
@@ -106,12 +122,13 @@ private:
         if (!resolved.refusal) {
             error_code error;
             co_await read_body(parser, error);
-            if (error) {
+            if (error || deadline_.passed()) {
                 co_await answer_malformed(error);
                 co_return false;
             }
             request.body = std::move(parser.get().body());
         }
+        deadline_.stop();
         const bool unread = !parser.is_done();
         Response response = co_await response_to(request, resolved);
         const bool keep_alive = parser.get().keep_alive() && !unread && !context_.draining && !start_.over_limit;
@@ -127,6 +144,11 @@ private:
         return response;
     }
 
+    std::optional<Response> too_slow() const {
+        return sentence(408, "The request did not arrive whole within " +
+                                 std::to_string(context_.server.limits().request_seconds) + " s.");
+    }
+
     std::optional<Response> refused_upgrade(const HttpRequest& message) const {
         if (!offers_subprotocol(text_of(message[http::field::sec_websocket_protocol])))
             return sentence(400, "This WebSocket needs the subprotocol ciel.v1 (Sec-WebSocket-Protocol).");
@@ -136,6 +158,7 @@ private:
 
     asio::awaitable<void> upgrade(HttpRequest message) {
         *start_.on_drain = nullptr;
+        deadline_.stop();
         co_await websocket_session(std::move(stream_), std::move(message), remote_, start_.on_drain, context_,
                                    workers_);
     }
@@ -153,19 +176,18 @@ private:
         Response response;
         if (resolved.route == nullptr || !resolved.route->long_running)
             response = respond(context_, request, resolved);
-        else {
-            stream_.expires_never();
+        else
             co_await on_worker(workers_, [&] {
                 response = respond(context_, request, resolved);
                 return std::string();
             });
-        }
         spdlog::debug("{} {} {} {}", remote_, request.method, resolved.target.path, response.status);
         co_return response;
     }
 
     asio::awaitable<void> answer_malformed(const error_code& error) {
-        auto refusal = malformed(error);
+        auto refusal = deadline_.passed() ? too_slow() : malformed(error);
+        deadline_.stop();
         if (!refusal) co_return;
         const Resolved resolved{std::move(refusal), nullptr, {}};
         const Request unknown;
@@ -191,6 +213,7 @@ private:
             stream_.expires_after(std::chrono::seconds(context_.server.limits().request_seconds)); // to take some of it
             co_await http::async_write_some(stream_, serializer, asio::redirect_error(asio::use_awaitable, error));
         }
+        stream_.expires_never(); // what is read next has a deadline of its own
         co_return !error;
     }
 
@@ -215,9 +238,10 @@ private:
     Context& context_;
     asio::thread_pool& workers_;
     beast::tcp_stream stream_;
+    Deadline deadline_; // of what is read
     beast::flat_buffer buffer_;
     std::string remote_;
-    bool waiting_ = false; // for a request, with none under way
+    bool waiting_ = false; // for a request, or for the rest of its header
 };
 
 } // namespace

@@ -70,7 +70,7 @@ asio::awaitable<bool> WebSocketSession::accept(HttpRequest upgrade) {
     const auto& limits = context_.server.limits();
     beast::get_lowest_layer(socket_).expires_never(); // the WebSocket has its own time-outs
     websocket::stream_base::timeout timeouts{};
-    timeouts.handshake_timeout = std::chrono::seconds(limits.drain_seconds / 2);
+    timeouts.handshake_timeout = std::chrono::milliseconds(500) * limits.drain_seconds;
     timeouts.idle_timeout = std::chrono::seconds(limits.websocket_idle_seconds);
     timeouts.keep_alive_pings = true;
     socket_.set_option(timeouts);

@@ -4,26 +4,36 @@
 namespace ciel::methods {
 namespace {
 
+// A row that is added to the limits does not compile until it is named here.
 std::map<std::string, double> table_of(const session::Limits& limits) {
+    const auto& [message_bytes, json_depth, batch_requests, connections, sessions, views_per_session, layers,
+                 values_per_layer, undo_steps, image_side, image_pixels, histogram_bins, export_bytes,
+                 field_cache_bytes, session_memory_bytes, unacknowledged_frames, session_idle_seconds,
+                 keep_alive_seconds, request_seconds, waiting_text_bytes, websocket_idle_seconds, drain_seconds] =
+        limits;
     const auto number = [](auto value) { return static_cast<double>(value); };
-    return {{"message_bytes", number(limits.message_bytes)},
-            {"json_depth", number(limits.json_depth)},
-            {"batch_requests", number(limits.batch_requests)},
-            {"connections", number(limits.connections)},
-            {"sessions", number(limits.sessions)},
-            {"views_per_session", number(limits.views_per_session)},
-            {"layers", number(limits.layers)},
-            {"values_per_layer", number(limits.values_per_layer)},
-            {"undo_steps", number(limits.undo_steps)},
-            {"image_side", number(limits.image_side)},
-            {"image_pixels", number(limits.image_pixels)},
-            {"histogram_bins", number(limits.histogram_bins)},
-            {"export_bytes", number(limits.export_bytes)},
-            {"field_cache_bytes", number(limits.field_cache_bytes)},
-            {"session_memory_bytes", number(limits.session_memory_bytes)},
-            {"unacknowledged_frames", number(limits.unacknowledged_frames)},
-            {"session_idle_seconds", number(limits.session_idle_seconds)},
-            {"request_seconds", number(limits.request_seconds)}};
+    return {{"message_bytes", number(message_bytes)},
+            {"json_depth", number(json_depth)},
+            {"batch_requests", number(batch_requests)},
+            {"connections", number(connections)},
+            {"sessions", number(sessions)},
+            {"views_per_session", number(views_per_session)},
+            {"layers", number(layers)},
+            {"values_per_layer", number(values_per_layer)},
+            {"undo_steps", number(undo_steps)},
+            {"image_side", number(image_side)},
+            {"image_pixels", number(image_pixels)},
+            {"histogram_bins", number(histogram_bins)},
+            {"export_bytes", number(export_bytes)},
+            {"field_cache_bytes", number(field_cache_bytes)},
+            {"session_memory_bytes", number(session_memory_bytes)},
+            {"unacknowledged_frames", number(unacknowledged_frames)},
+            {"session_idle_seconds", number(session_idle_seconds)},
+            {"keep_alive_seconds", number(keep_alive_seconds)},
+            {"request_seconds", number(request_seconds)},
+            {"waiting_text_bytes", number(waiting_text_bytes)},
+            {"websocket_idle_seconds", number(websocket_idle_seconds)},
+            {"drain_seconds", number(drain_seconds)}};
 }
 
 } // namespace

@@ -48,6 +48,11 @@ void FrameWorkers::drain() {
     changed_.wait(lock, [&] { return busy_ == 0; });
 }
 
+unsigned FrameWorkers::busy() const {
+    const std::scoped_lock lock(mutex_);
+    return busy_;
+}
+
 FrameWorkers::Job FrameWorkers::next(std::unique_lock<std::mutex>& lock, const std::stop_token& stop) {
     const auto take_later = [&] {
         Job job = std::move(later_.begin()->second);

@@ -60,14 +60,15 @@ public:
         throw Error("the server is about to stop and draws no more");
     }
 
-    void drain(); // no new jobs; returns when those under way have ended
+    void drain();                        // no new jobs; returns when those under way have ended
+    [[nodiscard]] unsigned busy() const; // workers with a job under way
 
 private:
     void work(const std::stop_token& stop);
     [[nodiscard]] Job next(std::unique_lock<std::mutex>& lock, const std::stop_token& stop);
 
     render::Backend backend_;
-    std::mutex mutex_;
+    mutable std::mutex mutex_;
     std::condition_variable_any changed_;
     std::deque<Job> now_;
     std::multimap<Clock::time_point, Job> later_;

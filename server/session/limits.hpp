@@ -1,4 +1,5 @@
-// Every limit in one table. server.info tells clients; tests/methods has a test of each (the gateway its own).
+// Every limit in one table. server.info tells clients; tests/methods has a test of each, tests/gateway those of
+// sockets.
 #pragma once
 
 #include <cstddef>
@@ -20,11 +21,12 @@ struct Limits {
     std::uint64_t image_pixels = 33'554'432; // per picture
     std::size_t histogram_bins = 4096;
     std::size_t export_bytes = 256 << 20;
-    std::size_t field_cache_bytes = std::size_t{4} << 30;
+    std::size_t field_cache_bytes = std::size_t{4} << 30;    // of one dataset
     std::size_t session_memory_bytes = std::size_t{2} << 30; // query state and surfaces of one session
     unsigned unacknowledged_frames = 2;
     unsigned session_idle_seconds = 3600;      // without a connection
-    unsigned request_seconds = 30;             // to send a whole HTTP request
+    unsigned keep_alive_seconds = 30;          // until the next HTTP request of a connection begins
+    unsigned request_seconds = 30;             // to send a whole HTTP request, or to take some of its answer
     std::size_t waiting_text_bytes = 16 << 20; // answers that a WebSocket has not read
     unsigned websocket_idle_seconds = 60;      // without a sign of life; pings go out at half of it
     unsigned drain_seconds = 10;               // from SIGTERM to the end

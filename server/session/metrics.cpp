@@ -79,6 +79,7 @@ std::string Metrics::text(const Gauges& gauges) const {
     single(out, "ciel_sessions", "gauge", "Sessions kept.", gauges.sessions);
     single(out, "ciel_connections", "gauge", "Open WebSockets.", gauges.connections);
     single(out, "ciel_views", "gauge", "Open views.", gauges.views);
+    single(out, "ciel_frame_workers_busy", "gauge", "Workers that make a frame or a picture.", gauges.busy_workers);
     single(out, "ciel_session_bytes", "gauge", "Query state and surfaces of all sessions.", gauges.session_bytes);
     single(out, "ciel_datasets", "gauge", "Datasets in memory.", gauges.datasets);
     single(out, "ciel_dataset_bytes", "gauge", "Topologies and cached fields of all datasets.", gauges.dataset_bytes);

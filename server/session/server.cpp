@@ -24,7 +24,7 @@ struct Server::State {
     std::jthread housekeeping; // last: it uses the others
 
     explicit State(ServerOptions chosen)
-        : options(std::move(chosen)), catalog(options.data),
+        : options(std::move(chosen)), catalog(options.data, options.limits.field_cache_bytes),
           workers(options.render_workers, options.backend), services{options.limits, options.engine, catalog,
                                                                      connections,    workers,        metrics},
           sessions(services) {
@@ -100,6 +100,7 @@ std::string Server::metrics() const {
     }
     gauges.connections = state_->connections.size();
     gauges.datasets = datasets.size();
+    gauges.busy_workers = state_->workers.busy();
     for (const auto& dataset : datasets) gauges.dataset_bytes += dataset->memory_bytes();
     const std::scoped_lock lock(state_->readiness_mutex);
     gauges.gl_renderer = state_->last_readiness.gl_renderer;

@@ -33,6 +33,7 @@ class Locators;     // locator.hpp
 
 // Draws a triangle and checks its pixels.
 [[nodiscard]] Readiness draw_test_picture(render::Renderer& renderer);
+[[nodiscard]] bool is_test_picture(const render::Image& image);
 
 // Thread-safe. The gateway calls connection_closed and drain; methods reach the rest.
 class Server {

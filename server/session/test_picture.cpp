@@ -17,6 +17,12 @@ bool close(const std::uint8_t* pixel, const std::array<int, 3>& color) {
 
 } // namespace
 
+bool is_test_picture(const render::Image& image) {
+    const std::size_t middle = std::size_t{3} * (size / 2 * size + size / 2);
+    return image.rgb.size() == std::size_t{3} * size * size && close(&image.rgb[middle], orange) &&
+           !close(image.rgb.data(), orange);
+}
+
 Readiness draw_test_picture(render::Renderer& renderer) {
     // The triangle covers the middle and leaves the corners.
     const std::vector<Vec3f> positions{{-1, 0, -1}, {1, 0, -1}, {0, 0, 1}};
@@ -39,9 +45,7 @@ Readiness draw_test_picture(render::Renderer& renderer) {
     readiness.gl_renderer = renderer.gl_renderer();
     readiness.gl_version = renderer.gl_version();
     readiness.backend = render::name_of(renderer.backend());
-    const std::size_t middle = std::size_t{3} * (size / 2 * size + size / 2);
-    readiness.ready = image.rgb.size() == std::size_t{3} * size * size && close(&image.rgb[middle], orange) &&
-                      !close(image.rgb.data(), orange);
+    readiness.ready = is_test_picture(image);
     if (!readiness.ready)
         readiness.problem = readiness.gl_renderer + " drew a test picture with wrong pixels; try another --gl";
     return readiness;

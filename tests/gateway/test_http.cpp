@@ -1,14 +1,7 @@
-// The real gateway on a loopback socket, and bytes that no well-behaved client sends.
-#include "gateway/gateway.hpp"
+// Requests and answers byte by byte, among them bytes that no well-behaved client sends.
+#include "running_server.hpp"
 
-#include <arpa/inet.h>
-#include <csignal>
-#include <future>
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
-#include <sys/socket.h>
-#include <thread>
-#include <unistd.h>
 
 namespace ciel::gateway {
 namespace {
@@ -19,52 +12,15 @@ using testing::StartsWith;
 
 class Http : public testing::Test {
 protected:
-    static void SetUpTestSuite() {
-        std::promise<unsigned short> port;
-        auto listening = port.get_future();
-        thread_ = std::thread([promise = std::move(port)]() mutable {
-            session::Server server({});
-            GatewayOptions options;
-            options.port = 0;
-            options.prefix = "/ciel";
-            options.version = "test";
-            options.origins = {"https://lab.example.org"};
-            serve(server, options, [&](const Listening& at) { promise.set_value(at.port); });
-        });
-        port_ = listening.get();
-    }
-    static void TearDownTestSuite() {
-        kill(getpid(), SIGTERM);
-        thread_.join();
-    }
-
-    static int connected() {
-        const int socket = ::socket(AF_INET, SOCK_STREAM, 0);
-        sockaddr_in address{};
-        address.sin_family = AF_INET;
-        address.sin_port = htons(port_);
-        address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-        EXPECT_EQ(::connect(socket, reinterpret_cast<sockaddr*>(&address), sizeof address), 0);
-        const timeval patience{20, 0}; // a server that neither answers nor closes fails the test
-        setsockopt(socket, SOL_SOCKET, SO_RCVTIMEO, &patience, sizeof patience);
-        return socket;
-    }
+    static void SetUpTestSuite() { server_ = std::make_unique<RunningServer>(); }
+    static void TearDownTestSuite() { server_.reset(); }
 
     // Everything that comes back until the server closes.
     static std::string exchange(const std::string& request) {
-        const int socket = connected();
-        for (std::size_t sent = 0; sent < request.size();) {
-            const auto some = ::send(socket, request.data() + sent, request.size() - sent, MSG_NOSIGNAL);
-            if (some <= 0) break;
-            sent += static_cast<std::size_t>(some);
-        }
-        ::shutdown(socket, SHUT_WR);
-        std::string answer;
-        char buffer[65536];
-        for (ssize_t got = 0; (got = ::recv(socket, buffer, sizeof buffer, 0)) > 0;)
-            answer.append(buffer, static_cast<std::size_t>(got));
-        ::close(socket);
-        return answer;
+        Socket socket(*server_);
+        socket.send(request);
+        socket.end_of_requests();
+        return socket.receive_all();
     }
 
     static std::string request(const std::string& line, const std::string& headers = {}, const std::string& body = {}) {
@@ -77,11 +33,8 @@ protected:
                        body);
     }
 
-    static std::thread thread_;
-    static unsigned short port_;
+    static inline std::unique_ptr<RunningServer> server_;
 };
-std::thread Http::thread_;
-unsigned short Http::port_ = 0;
 
 const std::string discover = R"({"jsonrpc":"2.0","id":1,"method":"rpc.discover"})";
 
@@ -206,15 +159,12 @@ TEST_F(Http, GoesOnAfter100Continue) {
 }
 
 TEST_F(Http, BytesMayComeOneByOne) {
-    const int socket = connected();
+    Socket socket(*server_);
     for (const char byte : request("GET /healthz")) {
-        ASSERT_EQ(::send(socket, &byte, 1, MSG_NOSIGNAL), 1);
+        ASSERT_TRUE(socket.send({byte}));
         std::this_thread::sleep_for(std::chrono::microseconds(200));
     }
-    char answer[12] = {};
-    ASSERT_EQ(::recv(socket, answer, sizeof answer, MSG_WAITALL), 12);
-    EXPECT_EQ(std::string(answer, 12), "HTTP/1.1 200");
-    ::close(socket);
+    EXPECT_EQ(socket.receive(12), "HTTP/1.1 200");
 }
 
 } // namespace

@@ -45,7 +45,13 @@ TEST_F(Methods, server_info) {
     const json info = client.call("server.info");
     EXPECT_FALSE(info["gl_renderer"].get<std::string>().empty());
     EXPECT_EQ(info["engine"], "signatures");
-    EXPECT_EQ(info["limits"]["sessions"], 64);
+    const session::Limits& limits = server.limits();
+    EXPECT_EQ(info["limits"].size(), 22U) << "a row of limits.hpp each";
+    EXPECT_EQ(info["limits"]["sessions"], limits.sessions);
+    EXPECT_EQ(info["limits"]["keep_alive_seconds"], limits.keep_alive_seconds);
+    EXPECT_EQ(info["limits"]["waiting_text_bytes"], limits.waiting_text_bytes);
+    EXPECT_EQ(info["limits"]["websocket_idle_seconds"], limits.websocket_idle_seconds);
+    EXPECT_EQ(info["limits"]["drain_seconds"], limits.drain_seconds);
     EXPECT_THAT(info["color_maps"], testing::Contains("viridis"));
 }
 

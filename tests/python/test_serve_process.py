@@ -1,9 +1,11 @@
 """`ciel serve` as a process: starting, failing to start, stopping, staying small."""
 
 import asyncio
+import base64
 import os
 import signal
 import socket
+import struct
 import subprocess
 
 import pytest
@@ -51,8 +53,7 @@ def test_what_cannot_be_is_said_in_one_line(arguments, code, words):
     assert status == code, text
     for word in words:
         assert word in text
-    if code == 1:
-        assert text.startswith("ciel: ") and text.count("\n") == 1, text
+    assert text.startswith("ciel: ") and text.count("\n") == 1, text
 
 
 def test_a_port_in_use_is_named(box):
@@ -106,6 +107,34 @@ def test_sigterm_drains_while_frames_stream(box):
         assert running.process.wait(PATIENCE) == 0
         with pytest.raises(requests.ConnectionError):
             running.get("/healthz")
+
+
+def test_a_picture_under_way_is_delivered_and_nobody_else_is_let_in(box):
+    async def attempt(running: Server) -> None:
+        def is_drawing() -> bool:
+            return running.metrics()["ciel_frame_workers_busy"] == 1
+
+        loop = asyncio.get_running_loop()
+        async with client(running) as caller:
+            await caller.call("picture.render", scene={"dataset": "box"}, width=16, height=16)  # all is opened and compiled
+            number = await caller.send("picture.render", scene={"dataset": "box", "layers": iso(0.7)["layers"]},
+                                       width=8192, height=4096)
+            while not await loop.run_in_executor(None, is_drawing):
+                pass
+            running.process.send_signal(signal.SIGTERM)
+            assert (await caller.receive())["method"] == "server.draining"
+            with pytest.raises(ConnectionRefusedError):
+                socket.create_connection(("127.0.0.1", running.port))
+            answer = await caller.answer(number)
+            picture = base64.b64decode(answer["result"]["data"])
+            assert picture.startswith(b"\x89PNG") and struct.unpack_from(">II", picture, 16) == (8192, 4096)
+            with pytest.raises(websockets.ConnectionClosed) as closed:
+                await caller.receive()
+            assert closed.value.rcvd.code == 1001
+
+    with Server(box) as running:
+        asyncio.run(asyncio.wait_for(attempt(running), PATIENCE))
+        assert running.process.wait(PATIENCE) == 0
 
 
 def test_a_dead_client_does_not_hold_up_the_end(box):
