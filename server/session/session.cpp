@@ -88,21 +88,14 @@ SessionStatus Session::replace(nlohmann::json document, std::uint64_t author) {
     return change(std::move(next), author);
 }
 
-SessionStatus Session::undo(std::uint64_t author) {
-    const std::scoped_lock lock(mutex_);
-    if (!history_.can_undo()) return current();
-    History after = history_; // the old one stays when the document cannot be shown any more
-    const Document document = after.undo(version_->document);
-    auto next = make_version(services_, *document, version_->revision + 1);
-    history_ = std::move(after);
-    return change(std::move(next), author);
-}
+SessionStatus Session::undo(std::uint64_t author) { return move_in_history(&History::undo, author); }
+SessionStatus Session::redo(std::uint64_t author) { return move_in_history(&History::redo, author); }
 
-SessionStatus Session::redo(std::uint64_t author) {
+SessionStatus Session::move_in_history(Document (History::*move)(Document), std::uint64_t author) {
     const std::scoped_lock lock(mutex_);
-    if (!history_.can_redo()) return current();
-    History after = history_;
-    const Document document = after.redo(version_->document);
+    History after = history_; // the old one stays when the document cannot be shown any more
+    const Document document = (after.*move)(version_->document);
+    if (!document) return current();
     auto next = make_version(services_, *document, version_->revision + 1);
     history_ = std::move(after);
     return change(std::move(next), author);

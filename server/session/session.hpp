@@ -68,6 +68,7 @@ public:
     [[nodiscard]] std::size_t view_count() const;
 
 private:
+    SessionStatus move_in_history(Document (History::*move)(Document), std::uint64_t author);
     SessionStatus change(std::shared_ptr<const SceneVersion> next, std::uint64_t author); // REQUIRES: the lock
     [[nodiscard]] SessionStatus current() const;                                          // REQUIRES: the lock
 

@@ -17,26 +17,6 @@
 namespace ciel::test {
 namespace {
 
-struct NamedMesh {
-    std::string name;
-    FaceMesh mesh;
-};
-
-std::vector<NamedMesh> all_meshes() {
-    return {{"tetrahedron", one_tetrahedron().assembled().mesh},
-            {"hexahedra", hexahedra(5, 4, 3).assembled().mesh},
-            {"tetrahedra", tetrahedra(3, 3, 3).assembled().mesh},
-            {"prisms", hexagonal_prisms(5, 4, 3).assembled().mesh},
-            {"hanging", hanging_nodes().assembled().mesh},
-            {"mixed", mixed_cells().assembled().mesh},
-            {"collapsed", collapsed_hexahedra(7).assembled().mesh},
-            {"shared edge", cubes_that_share_an_edge().assembled().mesh},
-            {"hollow", hollow_box().assembled().mesh},
-            {"pinched", pinched_cell().assembled().mesh},
-            {"cell around a cell", cell_around_a_cell().assembled().mesh},
-            {"nothing", FaceMesh{}}};
-}
-
 std::vector<float> random_field(std::size_t size, unsigned seed, int levels) {
     std::mt19937 random(seed);
     std::vector<float> out(size);

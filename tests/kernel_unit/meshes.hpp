@@ -4,6 +4,7 @@
 #include "ciel/assemble.hpp"
 
 #include <initializer_list>
+#include <string>
 
 namespace ciel::test {
 
@@ -34,5 +35,11 @@ Polyhedra hollow_box(); // 26 cubes around a void
 // cubes, and a box around a cube that is a cell of its own.
 Polyhedra pinched_cell();
 Polyhedra cell_around_a_cell();
+
+struct NamedMesh {
+    std::string name;
+    FaceMesh mesh;
+};
+std::vector<NamedMesh> all_meshes(); // one of each of the above, and one without cells
 
 } // namespace ciel::test

@@ -10,6 +10,11 @@ namespace {
 
 class Sharing : public Service {};
 
+json iso_scene(double time) {
+    return {
+        {"dataset", "box"}, {"time", time}, {"layers", {{"iso", {{"type", "iso"}, {"array", "p"}, {"values", {20}}}}}}};
+}
+
 json values_patch(double value) { return {{"layers", {{"iso", {{"values", {value}}}}}}}; }
 
 TEST_F(Sharing, of_a_burst_of_patches_at_most_the_first_and_the_last_are_drawn) {
@@ -86,14 +91,22 @@ TEST_F(Sharing, a_session_outlives_its_connections_until_it_has_been_idle) {
     EXPECT_THROW((void)server.sessions().find(id), session::NotFound);
 }
 
-TEST_F(Sharing, appended_steps_are_told) {
+// The dataset "run" of its own, in use by a session.
+class Growing : public testing::Test {
+protected:
+    Growing() { client.call("session.open", {{"dataset", "run"}}); }
+    static session::ServerOptions options_with(const Folder& folder) {
+        write_small_dataset(folder.path() / "run.ciel");
+        session::ServerOptions options;
+        options.data = {folder.path()};
+        return options;
+    }
     const Folder own;
-    write_small_dataset(own.path() / "run.ciel");
-    session::ServerOptions chosen;
-    chosen.data = {own.path()};
-    session::Server server(chosen);
-    Client client(server, true);
-    client.call("session.open", {{"dataset", "run"}});
+    session::Server server{options_with(own)};
+    Client client{server, true};
+};
+
+TEST_F(Growing, appended_steps_are_told) {
     append_step(own.path() / "run.ciel", 3);
     const json told = client.next_text();
     EXPECT_EQ(told["method"], "dataset.changed");
@@ -101,14 +114,7 @@ TEST_F(Sharing, appended_steps_are_told) {
     EXPECT_EQ(told["params"]["times"], json({0, 1, 2, 3}));
 }
 
-TEST_F(Sharing, a_dataset_that_goes_away_is_told) {
-    const Folder own;
-    write_small_dataset(own.path() / "run.ciel");
-    session::ServerOptions chosen;
-    chosen.data = {own.path()};
-    session::Server server(chosen);
-    Client client(server, true);
-    client.call("session.open", {{"dataset", "run"}});
+TEST_F(Growing, a_dataset_that_goes_away_is_told) {
     std::filesystem::rename(own.path() / "run.ciel", own.path() / "elsewhere");
     const json told = client.next_text();
     EXPECT_EQ(told["method"], "dataset.changed");
@@ -148,9 +154,9 @@ TEST_F(Sharing, the_other_engine_serves_the_same_pictures) {
     EXPECT_EQ(pictures[0], pictures[1]);
 }
 
-// One test a row of limits.hpp; message_bytes, json_depth and batch_requests are in json_rpc_test.cpp, connections and
-// request_seconds are the gateway's, field_cache_bytes the store's, unacknowledged_frames and session_idle_seconds
-// above.
+// One test a row of limits.hpp; message_bytes, json_depth and batch_requests are in json_rpc_test.cpp,
+// unacknowledged_frames and session_idle_seconds above, those of sockets in tests/gateway/test_limits.cpp, and
+// connections in tests/python/test_serve_websocket.py.
 class LimitsOf : public Service {};
 
 TEST_F(LimitsOf, sessions) {
@@ -234,6 +240,23 @@ TEST_F(LimitsOf, histogram_bins_and_export_bytes) {
     EXPECT_EQ(client.error_code("dataset.histogram", {{"dataset", "box"}, {"array", "p"}, {"bins", 9}}), -32003);
     const json scene{{"dataset", "box"}, {"layers", {{"s", {{"type", "surface"}}}}}};
     EXPECT_EQ(client.error_code("surface.export", {{"scene", scene}, {"layer", "s"}, {"format", "stl"}}), -32003);
+}
+
+TEST_F(LimitsOf, field_cache_bytes) {
+    const auto kept_with = [](std::size_t bytes) {
+        session::Limits limits;
+        limits.field_cache_bytes = bytes;
+        session::Server server(options(limits));
+        Client client(server, false);
+        const auto loaded = server.catalog().open("box");
+        (void)client.call("picture.render", {{"scene", iso_scene(0)}, {"width", 16}, {"height", 16}});
+        const std::size_t first = loaded->memory_bytes();
+        for (const int time : {1, 2})
+            (void)client.call("picture.render", {{"scene", iso_scene(time)}, {"width", 16}, {"height", 16}});
+        return loaded->memory_bytes() - first;
+    };
+    EXPECT_GT(kept_with(1 << 30), 0U);
+    EXPECT_EQ(kept_with(1), 0U) << "the fields of one step make room for those of the next";
 }
 
 TEST_F(LimitsOf, memory_of_a_session) {

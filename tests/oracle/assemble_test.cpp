@@ -11,16 +11,6 @@
 namespace ciel::test {
 namespace {
 
-// From its least vertex on, in the direction it has.
-Loop canonical(Loop loop) {
-    Loop best = loop;
-    for (std::size_t i = 1; i < loop.size(); ++i) {
-        std::rotate(loop.begin(), loop.begin() + 1, loop.end());
-        best = std::min(best, loop);
-    }
-    return best;
-}
-
 using CellFaces = std::vector<std::multiset<Loop>>; // per input cell, outward loops
 
 CellFaces faces_of(const Polyhedra& mesh) {

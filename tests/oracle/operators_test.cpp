@@ -25,15 +25,6 @@ Loop without_repeats(std::span<const Index> loop) {
     return result;
 }
 
-Loop canonical(Loop loop) {
-    Loop best = loop;
-    for (std::size_t i = 1; i < loop.size(); ++i) {
-        std::rotate(loop.begin(), loop.begin() + 1, loop.end());
-        best = std::min(best, loop);
-    }
-    return best;
-}
-
 class Operators : public testing::TestWithParam<std::tuple<NamedMesh, Index>> {
 protected:
     KernelMesh mesh{std::get<0>(GetParam()).make(), {std::get<1>(GetParam())}};

@@ -20,6 +20,17 @@ struct Pixel {
     [[nodiscard]] int brightness() const { return (r + g + b) / 3; }
 };
 
+Mesh yellow_line(const std::vector<Vec3f>& ends, float width) {
+    static const std::vector<Index> indices{0, 1};
+    Mesh line;
+    line.positions = ends;
+    line.indices = indices;
+    line.lines = true;
+    line.line_width = width;
+    line.color = {1, 1, 0, 1};
+    return line;
+}
+
 class RendererTest : public testing::TestWithParam<Backend> {
 protected:
     Renderer renderer{GetParam()};
@@ -150,13 +161,7 @@ TEST_P(RendererTest, ValuesOutsideTheRangeTakeItsEndsAndNaNIsGrey) {
 
 TEST_P(RendererTest, LinesHaveTheirWidthAndHideBehindSurfaces) {
     const std::vector<Vec3f> ends{{-1.5F, 0, 0}, {1.5F, 0, 0}};
-    const std::vector<Index> indices{0, 1};
-    Mesh lines;
-    lines.positions = ends;
-    lines.indices = indices;
-    lines.lines = true;
-    lines.line_width = 8;
-    lines.color = {1, 1, 0, 1};
+    const Mesh lines = yellow_line(ends, 8);
     frame.meshes = {lines};
     draw();
     int lit = 0;
@@ -179,14 +184,7 @@ TEST_P(RendererTest, LinesThroughTheEyeAreCutAtTheNearestPlane) {
     frame.camera.position = {0, 0, 0};
     frame.camera.target = {0, 1, 0};
     const std::vector<Vec3f> ends{{0.2F, -1, 0}, {0.2F, 1, 0}};
-    const std::vector<Index> indices{0, 1};
-    Mesh lines;
-    lines.positions = ends;
-    lines.indices = indices;
-    lines.lines = true;
-    lines.line_width = 4;
-    lines.color = {1, 1, 0, 1};
-    frame.meshes = {lines};
+    frame.meshes = {yellow_line(ends, 4)};
     draw();
     EXPECT_GT(at(300, 120).r, 200);
     EXPECT_LT(at(20, 120).r, 60) << "what is behind the eye must not appear on the other side";

@@ -20,39 +20,47 @@ struct Order {
     }
 };
 
+// One worker with a job that does not end until it is let go: all that is posted meanwhile waits together.
+class BusyWorker {
+    std::latch started_{1}, go_{1}, done_{1}; // before the workers that use them
+
+public:
+    BusyWorker() {
+        workers.post([this](Worker&) {
+            started_.count_down();
+            go_.wait();
+        });
+        started_.wait();
+    }
+    void let_go_and_wait() {
+        go_.count_down();
+        done_.wait();
+    }
+    FrameWorkers::Job last() {
+        return [this](Worker&) { done_.count_down(); };
+    }
+    FrameWorkers workers{1, render::Backend::automatic};
+};
+
 TEST(frame_workers, interactive_jobs_go_before_stills_that_are_due) {
-    FrameWorkers workers(1, render::Backend::automatic);
     Order order;
-    std::latch started(1), go(1), done(1);
-    workers.post([&](Worker&) {
-        started.count_down();
-        go.wait();
-    });
-    started.wait(); // the worker is busy: all that follows waits together
-    workers.post_later(Clock::now(), order.note('s'));
-    workers.post(order.note('a'));
-    workers.post(order.note('b'));
-    workers.post_later(Clock::now() + 1ms, order.note('t'));
-    workers.post_later(Clock::now() + 2ms, [&](Worker&) { done.count_down(); });
-    go.count_down();
-    done.wait();
+    BusyWorker busy;
+    busy.workers.post_later(Clock::now(), order.note('s'));
+    busy.workers.post(order.note('a'));
+    busy.workers.post(order.note('b'));
+    busy.workers.post_later(Clock::now() + 1ms, order.note('t'));
+    busy.workers.post_later(Clock::now() + 2ms, busy.last());
+    busy.let_go_and_wait();
     EXPECT_EQ(order.letters, "abst");
 }
 
 TEST(frame_workers, a_still_that_waits_too_long_goes_first) {
-    FrameWorkers workers(1, render::Backend::automatic);
     Order order;
-    std::latch started(1), go(1), done(1);
-    workers.post([&](Worker&) {
-        started.count_down();
-        go.wait();
-    });
-    started.wait();
-    workers.post(order.note('a'));
-    workers.post_later(Clock::now() - 2s, order.note('s'));
-    workers.post([&](Worker&) { done.count_down(); });
-    go.count_down();
-    done.wait();
+    BusyWorker busy;
+    busy.workers.post(order.note('a'));
+    busy.workers.post_later(Clock::now() - 2s, order.note('s'));
+    busy.workers.post(busy.last());
+    busy.let_go_and_wait();
     EXPECT_EQ(order.letters, "sa");
 }
 

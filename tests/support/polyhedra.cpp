@@ -87,6 +87,15 @@ std::vector<std::vector<Id>> neighbours(const Polyhedra& mesh) {
 
 } // namespace
 
+Loop canonical(Loop loop) {
+    Loop best = loop;
+    for (std::size_t i = 1; i < loop.size(); ++i) {
+        std::rotate(loop.begin(), loop.begin() + 1, loop.end());
+        best = std::min(best, loop);
+    }
+    return best;
+}
+
 double signed_volume(const Polyhedra& mesh, Id cell) {
     double sum = 0;
     const Point o = mesh.position(mesh.loops(cell)[0][0]);

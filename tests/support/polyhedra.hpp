@@ -40,6 +40,9 @@ struct Polyhedra {
     [[nodiscard]] std::vector<Loop> loops(Id cell) const;
 };
 
+// From its least vertex on, in the direction it has.
+[[nodiscard]] Loop canonical(Loop loop);
+
 // Positive when the faces are wound outwards; faces that are not planar count as fans from their first corner.
 [[nodiscard]] double signed_volume(const Polyhedra& mesh, Id cell);
 
