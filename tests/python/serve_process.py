@@ -103,6 +103,7 @@ class Client:
         self.socket = socket
         self.ids = itertools.count(1)
         self.frames: list[Frame] = []
+        self.looked_at = 0  # of the frames
         self.notifications: list[dict] = []
 
     async def send(self, method: str, **params) -> int:
@@ -136,14 +137,20 @@ class Client:
         notification = {"jsonrpc": "2.0", "method": "view.ack", "params": {"view": frame.view, "frame": frame.number}}
         await self.socket.send(json.dumps(notification))
 
+    async def next_frame(self) -> Frame:
+        """The oldest that nobody has looked at: it may have come before an answer that was waited for."""
+        while self.looked_at == len(self.frames):
+            await self.receive()
+        self.looked_at += 1
+        return self.frames[self.looked_at - 1]
+
     async def frame(self, revision: int = 0, still: bool = False) -> Frame:
         """Acknowledges frames until one shows this revision (and is a still)."""
         while True:
-            message = await self.receive()
-            if isinstance(message, Frame):
-                await self.acknowledge(message)
-                if message.revision >= revision and (message.still or not still):
-                    return message
+            frame = await self.next_frame()
+            await self.acknowledge(frame)
+            if frame.revision >= revision and (frame.still or not still):
+                return frame
 
 
 @contextlib.asynccontextmanager

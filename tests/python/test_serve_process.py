@@ -109,28 +109,41 @@ def test_sigterm_drains_while_frames_stream(box):
             running.get("/healthz")
 
 
+def is_refused(port: int) -> bool:
+    try:
+        socket.create_connection(("127.0.0.1", port)).close()
+    except ConnectionRefusedError:
+        return True
+    return False
+
+
+async def picture_under_way(running: Server, caller: Client) -> tuple[int, int]:
+    """The number of a request for a picture that is being drawn, and the picture's side: the first that takes long enough."""
+    for side in (16, 1024, 2048, 4096):
+        done = running.metrics()["ciel_pictures_total"]
+        number = await caller.send("picture.render", scene={"dataset": "box", **iso(0.7)}, width=side, height=side)
+        while (now := running.metrics())["ciel_pictures_total"] == done and side > 16:
+            if now["ciel_frame_workers_busy"] == 1:
+                return number, side
+        await caller.answer(number)
+    raise AssertionError("no picture takes long enough to be seen under way")
+
+
 def test_a_picture_under_way_is_delivered_and_nobody_else_is_let_in(box):
     async def attempt(running: Server) -> None:
-        def is_drawing() -> bool:
-            return running.metrics()["ciel_frame_workers_busy"] == 1
-
-        loop = asyncio.get_running_loop()
         async with client(running) as caller:
-            await caller.call("picture.render", scene={"dataset": "box"}, width=16, height=16)  # all is opened and compiled
-            number = await caller.send("picture.render", scene={"dataset": "box", "layers": iso(0.7)["layers"]},
-                                       width=8192, height=4096)
-            while not await loop.run_in_executor(None, is_drawing):
-                pass
+            number, side = await picture_under_way(running, caller)
             running.process.send_signal(signal.SIGTERM)
-            assert (await caller.receive())["method"] == "server.draining"
-            with pytest.raises(ConnectionRefusedError):
-                socket.create_connection(("127.0.0.1", running.port))
+            while not is_refused(running.port):
+                pass
             answer = await caller.answer(number)
             picture = base64.b64decode(answer["result"]["data"])
-            assert picture.startswith(b"\x89PNG") and struct.unpack_from(">II", picture, 16) == (8192, 4096)
+            assert picture.startswith(b"\x89PNG") and struct.unpack_from(">II", picture, 16) == (side, side)
             with pytest.raises(websockets.ConnectionClosed) as closed:
-                await caller.receive()
+                while True:
+                    await caller.receive()
             assert closed.value.rcvd.code == 1001
+            assert "server.draining" in [notification["method"] for notification in caller.notifications]
 
     with Server(box) as running:
         asyncio.run(asyncio.wait_for(attempt(running), PATIENCE))

@@ -98,10 +98,10 @@ def test_geometry_comes_in_batches(server):
             revision = (await caller.call("scene.patch", session=session, patch=iso(0.6)))["revision"]
             vertices = 0
             while True:
-                frame = await caller.receive()
-                if isinstance(frame, Frame) and frame.flags & 2:
+                frame = await caller.next_frame()
+                if frame.flags & 2:
                     await caller.acknowledge(frame)
-                if not isinstance(frame, Frame) or frame.revision < revision:
+                if frame.revision < revision:
                     continue
                 assert frame.kind == 2 and frame.view == view
                 size = int.from_bytes(frame.payload[:4], "little")
