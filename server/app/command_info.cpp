@@ -138,7 +138,7 @@ std::string number(const json& value) {
 }
 
 void line(const std::string& label, const std::string& text) {
-    std::cout << "  " << std::left << std::setw(18) << label << text << '\n';
+    std::cout << "  " << std::left << std::setw(17) << label << ' ' << text << '\n';
 }
 
 void print_counts(const json& mesh) {

@@ -26,8 +26,10 @@ namespace {
 constexpr std::string_view cell_sets[] = {"cellZones", "Element Sets"};
 constexpr std::string_view face_zones = "faceZones"; // carry the values of the cells behind them
 
-// Between a CGNS zone and what it holds: no part of a name.
-constexpr std::string_view transparent[] = {"Internal", "Patches"};
+// What readers put between a region or zone and what it holds: no part of a name.
+constexpr std::string_view containers[] = {"boundary", "zones",     "cellZones",      "faceZones",
+                                           "Patches",  "Side Sets", "Element Blocks", "Element Sets"};
+constexpr std::string_view interiors[] = {"internalMesh", "Internal"}; // named by what they are the inside of
 
 struct Leaf {
     std::vector<std::string> path;
@@ -78,8 +80,6 @@ void walk_child(vtkDataObject* child, vtkInformation* information, unsigned inde
                 std::vector<Leaf>& leaves) {
     if (child == nullptr) return;
     const char* name = name_in(information);
-    if (name != nullptr && std::find(std::begin(transparent), std::end(transparent), name) != std::end(transparent))
-        return walk(child, path, leaves);
     path.emplace_back(name != nullptr && *name != '\0' ? std::string(name) : std::to_string(index));
     walk(child, path, leaves);
     path.pop_back();
@@ -116,32 +116,50 @@ bool is_zone(const Leaf& leaf) {
                        [&](std::string_view parent) { return is_under(leaf, parent); });
 }
 
-std::string name_with_parents(const Leaf& leaf, std::size_t depth) {
+template <std::size_t n>
+bool is_one_of(const std::string& name, const std::string_view (&names)[n]) {
+    return std::find(std::begin(names), std::end(names), name) != std::end(names);
+}
+
+// Its own name and those of its parents that say something.
+std::vector<std::string> names_of(const Leaf& leaf) {
+    std::vector<std::string> names;
+    for (std::size_t i = 0; i + 1 < leaf.path.size(); ++i)
+        if (!is_one_of(leaf.path[i], containers)) names.push_back(leaf.path[i]);
+    if (!leaf.path.empty() && (names.empty() || !is_one_of(leaf.path.back(), interiors)))
+        names.push_back(leaf.path.back());
+    return names;
+}
+
+std::string joined(const std::vector<std::string>& names, std::size_t depth) {
     std::string name;
-    const std::size_t first = leaf.path.size() - std::min(depth, leaf.path.size());
-    for (std::size_t i = first; i < leaf.path.size(); ++i) {
+    for (std::size_t i = names.size() - std::min(depth, names.size()); i < names.size(); ++i) {
         if (!name.empty()) name += '/';
-        name += leaf.path[i];
+        name += names[i];
     }
     return name;
 }
 
 std::vector<Block> named(const std::vector<const Leaf*>& leaves) {
     std::size_t deepest = 1;
-    for (const Leaf* leaf : leaves) deepest = std::max(deepest, leaf->path.size());
+    std::vector<std::vector<std::string>> names;
+    for (const Leaf* leaf : leaves) {
+        names.push_back(names_of(*leaf));
+        deepest = std::max(deepest, names.back().size());
+    }
     std::vector<Block> blocks;
     std::map<std::string, int> used;
-    for (const Leaf* leaf : leaves) {
+    for (std::size_t i = 0; i < leaves.size(); ++i) {
         std::size_t depth = 1;
         const auto taken = [&] {
-            const std::string name = name_with_parents(*leaf, depth);
-            return std::count_if(leaves.begin(), leaves.end(),
-                                 [&](const Leaf* other) { return name_with_parents(*other, depth) == name; }) > 1;
+            const std::string name = joined(names[i], depth);
+            return std::count_if(names.begin(), names.end(),
+                                 [&](const auto& other) { return joined(other, depth) == name; }) > 1;
         };
         while (depth < deepest && leaves.size() < 1000 && taken()) ++depth;
-        std::string name = name_with_parents(*leaf, depth);
+        std::string name = joined(names[i], depth);
         if (const int earlier = used[name]++; earlier > 0) name.append(" ").append(std::to_string(earlier + 1));
-        blocks.push_back({std::move(name), leaf->data, !is_under(*leaf, face_zones)});
+        blocks.push_back({std::move(name), leaves[i]->data, !is_under(*leaves[i], face_zones)});
     }
     return blocks;
 }

@@ -94,14 +94,8 @@ public:
 
     [[nodiscard]] std::map<std::string, std::string> units() const override {
         std::map<std::string, std::string> found;
-        for (const auto& time : fs::directory_iterator(layout_.results)) {
-            if (!time.is_directory() || !is_time(time.path().filename().string())) continue;
-            for (const auto& field : fs::directory_iterator(time.path())) {
-                const std::string name = field.path().filename().string();
-                if (field.is_regular_file() && !found.contains(name))
-                    found[name] = openfoam_units(read_start(field.path()));
-            }
-        }
+        for (const auto& time : fs::directory_iterator(layout_.results))
+            if (time.is_directory() && is_time(time.path().filename().string())) add_units(time.path(), found);
         return found;
     }
 
@@ -112,6 +106,17 @@ public:
     [[nodiscard]] std::string length_units() const override { return "m"; } // OpenFOAM is SI throughout
 
 private:
+    void add_units(const fs::path& directory, std::map<std::string, std::string>& found) const {
+        for (const auto& entry : fs::directory_iterator(directory)) {
+            const std::string name = entry.path().filename().string();
+            const bool region = entry.is_directory() && fs::exists(layout_.results / "constant" / name / "polyMesh");
+            if (region)
+                add_units(entry.path(), found);
+            else if (entry.is_regular_file() && !found.contains(name))
+                found[name] = openfoam_units(read_start(entry.path()));
+        }
+    }
+
     Layout layout_;
 };
 

@@ -43,12 +43,13 @@ void describe_assembly(const JoinedMesh& joined, const AssembleReport& report, S
         mesh.notes.push_back(plural(report.reversed_faces, "face was", "faces were") +
                              " turned to agree with the cell.");
     if (report.internal_boundaries > 0)
-        mesh.notes.push_back(plural(report.internal_boundaries, "face is", "faces are") +
-                             " claimed by three or more cells and stay internal boundary.");
+        mesh.notes.push_back(plural(report.internal_boundaries, "face is claimed by three or more cells and stays",
+                                    "faces are claimed by three or more cells and stay") +
+                             " internal boundary.");
     if (report.inverted_cells > 0)
         mesh.notes.push_back(
-            plural(report.inverted_cells, "cell has", "cells have") +
-            " negative volume and were kept (first ids: " + id_list(report.first_inverted, joined.source_cell) + ").");
+            plural(report.inverted_cells, "cell has negative volume and was", "cells have negative volume and were") +
+            " kept (first ids: " + id_list(report.first_inverted, joined.source_cell) + ").");
 }
 
 void describe_joining(const JoinedMesh& joined, StepMesh& mesh) {

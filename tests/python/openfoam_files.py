@@ -84,7 +84,7 @@ def write_fields(case, centres, more_patches=()):
     processor = {name: "type processor; value uniform 0;" for name in more_patches}
     for time in (1, 2):
         folder = case / str(time)
-        folder.mkdir()
+        folder.mkdir(parents=True)
         speed = np.zeros((len(centres), 3))
         speed[:, 0] = time * centres[:, 1] * (1 - centres[:, 1])
         (folder / "U").write_text(
@@ -122,6 +122,26 @@ def write_case(case):
 def write_cell_zones(poly, zones):
     rows = [f"{name}\n{{\n    type cellZone;\n    cellLabels List<label>\n{listing(list(map(str, cells)))};\n}}" for name, cells in zones.items()]
     (poly / "cellZones").write_text(header("regIOobject", "cellZones") + listing(rows))
+
+
+def write_regions(case, regions):
+    """Cubes side by side, each a region with a zone of two cells; regions: name -> where it begins along x."""
+    write_control(case)
+    (case / "constant").mkdir()
+    names = " ".join(regions)
+    (case / "constant/regionProperties").write_text(
+        header("dictionary", "regionProperties") + f"regions\n(\n    fluid ({names})\n);\n")
+    inner, outer = mesh()
+    for name, begin in regions.items():
+        poly = case / "constant" / name / "polyMesh"
+        write_mesh(poly, [(x + begin, y, z) for x, y, z in POINTS], inner, outer, KINDS)
+        write_cell_zones(poly, {"core": [0, 1]})
+        write_fields(case / name, CENTRES)
+        for time in ("1", "2"):
+            (case / time).mkdir(exist_ok=True)
+            (case / name / time).rename(case / time / name)
+        (case / name).rmdir()
+    return case
 
 
 def write_face_zones(poly, zones):

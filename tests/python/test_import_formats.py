@@ -271,6 +271,30 @@ def test_a_face_that_looks_inwards_is_named_in_the_notes(tmp_path):
     assert note in ciel_info(dataset.path)
 
 
+def test_a_face_of_three_cells_stays_boundary_and_is_told(tmp_path):
+    above = [(x, y, z + 1) for x, y, z in CUBE[4:]]
+    askew = [(x + 0.1, y, z + 1) for x, y, z in CUBE[4:]]
+    cells = [list(range(8)), [4, 5, 6, 7, 8, 9, 10, 11], [4, 5, 6, 7, 12, 13, 14, 15]]
+    grid = unstructured([(vtk.VTK_HEXAHEDRON, cell) for cell in cells], CUBE + above + askew)
+    dataset = imported(tmp_path, write(vtk.vtkXMLUnstructuredGridWriter(), tmp_path / "a.vtu", grid))
+    assert "1 face is claimed by three or more cells and stays internal boundary" in dataset.notes
+    assert dataset.counts()["cells"] == 3 and dataset.counts()["boundary_faces"] == 18
+
+
+def test_a_folded_cell_is_kept_and_named(tmp_path):
+    """A row of cells whose second one is turned inside out by its neighbour's position."""
+    grid, points = vtk.vtkStructuredGrid(), vtk.vtkPoints()
+    grid.SetDimensions(5, 2, 2)
+    for k in range(2):
+        for j in range(2):
+            for x in (0, 2, 1.9, 3, 4):
+                points.InsertNextPoint(x, j, k)
+    grid.SetPoints(points)
+    dataset = imported(tmp_path, write(vtk.vtkXMLStructuredGridWriter(), tmp_path / "a.vts", grid))
+    assert dataset.counts()["cells"] == 4 and dataset.counts()["components"] == 1
+    assert "1 cell has negative volume and was kept (first ids: 1)" in dataset.notes
+
+
 def test_blanked_cells_are_left_out(tmp_path):
     grid = image(3)
     ghosts = vtk.vtkUnsignedCharArray()

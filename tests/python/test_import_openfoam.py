@@ -4,8 +4,17 @@ import re
 
 import numpy as np
 import pytest
-from import_support import imported, run_import
-from openfoam_files import CENTRES, N, mesh, write_case, write_cell_zones, write_decomposed, write_face_zones
+from import_support import ciel_info, imported, run_import
+from openfoam_files import (
+    CENTRES,
+    N,
+    mesh,
+    write_case,
+    write_cell_zones,
+    write_decomposed,
+    write_face_zones,
+    write_regions,
+)
 
 
 def test_polyhedra_patches_units_and_times(tmp_path):
@@ -137,6 +146,19 @@ def test_pieces_that_were_not_welded_when_nothing_is_to_be(tmp_path):
     write_decomposed(tmp_path / "case", [c % N >= N // 2 for c in range(N**3)], {})
     dataset = imported(tmp_path, tmp_path / "case", "--no-weld")
     assert dataset.counts()["components"] == 2 and dataset.counts()["vertices"] == dataset.input["vertices"]
+
+
+def test_regions_name_what_they_hold(tmp_path):
+    case = write_regions(tmp_path / "case", {"air": 0, "metal": 1})
+    dataset = imported(tmp_path, case)
+    assert dataset.input["cells"] == 2 * N**3 and dataset.times == [1, 2] and dataset.volume() == pytest.approx(2)
+    assert {name: len(ids) for name, ids in dataset.groups().items()} == {
+        "air": N**3, "metal": N**3,
+        "air/inlet": 16, "air/outlet": 16, "air/walls": 64, "metal/inlet": 16, "metal/outlet": 16, "metal/walls": 64,
+        "air/core": 2, "metal/core": 2,
+    }
+    assert dataset.units("U") == "m/s"
+    assert "  metal/outlet      16 faces" in ciel_info(dataset.path)
 
 
 def test_pieces_are_read_where_they_have_the_results(tmp_path):
