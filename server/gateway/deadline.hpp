@@ -29,7 +29,8 @@ public:
     }
     void stop() {
         if (armed_) *armed_ = false;
-        timer_.cancel();
+        error_code ignored;
+        timer_.cancel(ignored);
     }
     [[nodiscard]] bool passed() const { return passed_; }
 

@@ -43,6 +43,14 @@ TEST(schema, every_keyword_of_the_contract_is_understood) {
     }
 }
 
+TEST(schema, one_of_is_exactly_one_and_any_of_is_at_least_one) {
+    const json forms = json::parse(R"([{"type": "number"}, {"type": "integer"}])");
+    EXPECT_FALSE(check_schema({{"oneOf", forms}}, 1.5));
+    EXPECT_TRUE(check_schema({{"oneOf", forms}}, 1)) << "both";
+    EXPECT_TRUE(check_schema({{"oneOf", forms}}, "1")) << "neither";
+    EXPECT_FALSE(check_schema({{"anyOf", forms}}, 1));
+}
+
 class Valijson { // the other implementation; it wants local references only
 public:
     explicit Valijson(const std::string& name) {
