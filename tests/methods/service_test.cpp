@@ -62,6 +62,20 @@ TEST_F(Sharing, no_more_than_two_frames_wait_for_the_client) {
     (void)second;
 }
 
+TEST_F(Sharing, acknowledgements_of_older_frames_or_of_none_change_nothing) {
+    session::Server server(options());
+    Client client(server, true);
+    const std::string session = client.call("session.open", {{"dataset", "box"}})["session"];
+    client.call("view.open", {{"session", session}, {"width", 64}, {"height", 64}});
+    const auto first = client.next_frame(), second = client.next_frame();
+    client.acknowledge(second);
+    client.acknowledge(first);
+    client.call("view.ack", {{"view", first.view}, {"frame", 999}});
+    client.call("scene.patch", {{"session", session}, {"patch", values_patch(7)}});
+    EXPECT_EQ(client.next_frame().frame, 3U);
+    EXPECT_EQ(client.next_frame().frame, 4U) << "there is room for two";
+}
+
 TEST_F(Sharing, two_sessions_share_one_topology) {
     session::Server server(options());
     Client a(server, true), b(server, true);

@@ -177,6 +177,13 @@ TEST_F(CatalogTest, AFolderIsScannedAgainAndDuplicatesAreNumbered) {
     EXPECT_THAT(names(catalog), ElementsAre("box-2", "new")) << "names stay with their directories";
 }
 
+TEST_F(CatalogTest, AHiddenFolderIsOneThatIsStillBeingWritten) {
+    test::write_box(scratch / "folder/box.ciel", test::box(1, 1, 1));
+    fs::rename(scratch / "folder/box.ciel", scratch / "folder/.half.ciel");
+    const Catalog catalog({scratch / "folder"});
+    EXPECT_THAT(names(catalog), ElementsAre());
+}
+
 TEST_F(CatalogTest, ADamagedOneIsListedWithItsProblem) {
     test::write_box(scratch / "bad.ciel", test::box(1, 1, 1));
     test::overwrite_file(scratch / "bad.ciel/steps.json", "{");
