@@ -39,7 +39,7 @@ void add_options(CLI::App& command, ImportCommand& import) {
 }
 
 int run_command(const ImportCommand& import) {
-    ImportView view;
+    ImportView view(stdout);
     const auto& output = import.values.at("output");
     const bool list = !import.values.at("list").empty();
     store::ImportListener listener = view.listener();

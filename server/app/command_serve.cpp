@@ -9,6 +9,7 @@
 #include "store/import_missing.hpp"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdlib>
 #include <iostream>
 #include <spdlog/sinks/stdout_color_sinks.h>
@@ -35,12 +36,15 @@ struct ServeOptions {
     gateway::GatewayOptions gateway;
 };
 
-std::vector<fs::path> import_what_is_foreign(const ServeOptions& options) {
-    ImportView view;
-    auto served =
+// One input that cannot be imported does not take the others with it; when none can, there is nothing to serve.
+std::vector<store::Servable> import_what_is_foreign(const ServeOptions& options) {
+    ImportView view(stderr); // stdout has the address alone
+    auto servable =
         store::import_missing(options.data, options.import_folder, {}, view.listener(), cancelled_by_signal());
     view.clear();
-    return served;
+    const auto failed = [](const store::Servable& each) { return !each.problem.empty(); };
+    if (!servable.empty() && std::all_of(servable.begin(), servable.end(), failed)) throw Error(servable[0].problem);
+    return servable;
 }
 
 // Where the web client is when this program was built, and when it was installed.
@@ -88,16 +92,21 @@ int serve(ServeOptions& options) {
     if (options.gateway.webclient.empty()) spdlog::warn("no web client found; name its folder with --webclient");
 
     session::ServerOptions server_options;
-    server_options.data = import_what_is_foreign(options);
+    const auto servable = import_what_is_foreign(options);
+    for (const auto& each : servable)
+        if (each.problem.empty()) server_options.data.push_back(each.path);
     server_options.backend = render::backend_named(options.gl);
     server_options.engine = options.engine == "propagation" ? Engine::propagation : Engine::signatures;
     server_options.render_workers = options.render_workers;
     session::Server server(std::move(server_options));
+    for (const auto& each : servable)
+        if (!each.problem.empty()) server.catalog().add_failed(each.path, each.problem);
     options.gateway.version = CIEL_VERSION;
     return gateway::serve(server, options.gateway, [&](const gateway::Listening& listening) {
         log_renderer(server);
         for (const auto& entry : server.catalog().list())
-            spdlog::info("dataset {}{}", entry.name, entry.problem.empty() ? "" : ": " + entry.problem);
+            entry.problem.empty() ? spdlog::info("dataset {}", entry.name)
+                                  : spdlog::error("dataset {}: {}", entry.name, entry.problem);
         print_address(options.gateway, listening);
     });
 }

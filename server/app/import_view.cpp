@@ -16,7 +16,7 @@ void on_signal(int) { cancelled = true; }
 
 } // namespace
 
-ImportView::ImportView() : terminal_(::isatty(STDERR_FILENO) != 0) {}
+ImportView::ImportView(std::FILE* out) : out_(out), terminal_(::isatty(STDERR_FILENO) != 0) {}
 
 void ImportView::progress(double share, const std::string& phase) {
     const int percent = static_cast<int>(std::clamp(share, 0.0, 1.0) * 100);
@@ -25,14 +25,14 @@ void ImportView::progress(double share, const std::string& phase) {
         std::fprintf(stderr, "\r[%-*s] %3d %% %-40.40s", width, done.c_str(), percent, phase.c_str());
     } else if (percent / 10 != shown_tenth_) {
         shown_tenth_ = percent / 10;
-        std::printf("%d %% %s\n", percent, phase.c_str());
-        std::fflush(stdout);
+        std::fprintf(out_, "%d %% %s\n", percent, phase.c_str());
+        std::fflush(out_);
     }
 }
 
 void ImportView::line(const std::string& line) const {
     clear();
-    std::printf("%s\n", line.c_str());
+    std::fprintf(out_, "%s\n", line.c_str());
 }
 
 void ImportView::clear() const {

@@ -3,18 +3,21 @@
 
 #include "store/importer.hpp"
 
+#include <cstdio>
+
 namespace ciel::app {
 
-// A bar on a terminal; elsewhere a line for every tenth.
+// A bar on a terminal; elsewhere a line for every tenth. Lines go to `out`.
 class ImportView {
 public:
-    ImportView();
+    explicit ImportView(std::FILE* out);
     void progress(double share, const std::string& phase);
     void line(const std::string& line) const;
     void clear() const;                             // takes the bar away
     [[nodiscard]] store::ImportListener listener(); // borrows this view
 
 private:
+    std::FILE* out_;
     bool terminal_;
     int shown_tenth_ = -1;
 };

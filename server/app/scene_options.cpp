@@ -93,7 +93,9 @@ scene::Scene parse_scene(const nlohmann::json& document) {
 std::shared_ptr<const session::Geometry> make_geometry(const scene::Scene& scene,
                                                        const std::shared_ptr<store::LoadedDataset>& loaded) {
     try {
-        return session::SceneGeometry(Engine::signatures).update(scene, loaded);
+        auto made = session::SceneGeometry(Engine::signatures).update(scene, loaded);
+        session::require_complete(*made);
+        return made;
     } catch (const scene::Invalid& error) {
         throw Error(error.path + ": " + error.what());
     }

@@ -16,9 +16,10 @@ SceneSource::SceneSource(const Context& context, const std::optional<std::string
 }
 
 std::shared_ptr<const session::Geometry> SceneSource::geometry() const {
-    if (session_) return session_->geometry(*version_, {});
-    session::SceneGeometry geometry(services_.engine);
-    return geometry.update(version_->scene, version_->loaded);
+    auto made = session_ ? session_->geometry(*version_, {})
+                         : session::SceneGeometry(services_.engine).update(version_->scene, version_->loaded);
+    session::require_complete(*made);
+    return made;
 }
 
 } // namespace ciel::methods

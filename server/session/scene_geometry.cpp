@@ -64,7 +64,14 @@ struct Update {
 
     void add(Painted& painted, const std::shared_ptr<const Shape>& shape, const scene::Coloring& coloring,
              const scene::Layer& layer, bool lit) {
-        painted.paint(shape, coloring.array, out.step, *loaded);
+        scene::Coloring shown = coloring;
+        try {
+            painted.paint(shape, shown.array, out.step, *loaded);
+        } catch (const store::NotWritten& missing) {
+            lack(layer, "has no colours", missing);
+            shown.array.clear();
+            painted.paint(shape, shown.array, out.step, *loaded);
+        }
         Drawable drawable;
         drawable.layer = layer.id;
         drawable.shape = shape;
@@ -72,9 +79,13 @@ struct Update {
         drawable.lit = lit;
         drawable.identity = painted.identity;
         drawable.revision = painted.revision;
-        colour(drawable, coloring, layer, *dataset, out.step);
+        colour(drawable, shown, layer, *dataset, out.step);
         if (!shape->lines) out.triangles += shape->indices.size() / 3;
         out.drawables.push_back(std::move(drawable));
+    }
+
+    void lack(const scene::Layer& layer, const char* what, const store::NotWritten& missing) const {
+        out.lacking.push_back("layer " + layer.id + " " + what + ": " + missing.what());
     }
 
     bool operator()(const scene::Layer& layer, const scene::IsoLayer& iso) {
@@ -82,7 +93,12 @@ struct Update {
             used.insert({layer.id, i});
             Cut& cut = cuts[{layer.id, i}];
             const std::string name = "field " + std::to_string(out.step) + " " + iso.array;
-            if (cut.field_name != name) cut.use_field(name, loaded->scalar(iso.array, out.step), engine);
+            try {
+                if (cut.field_name != name) cut.use_field(name, loaded->scalar(iso.array, out.step), engine);
+            } catch (const store::NotWritten& missing) {
+                lack(layer, "is not shown", missing);
+                return true;
+            }
             if (!cut.extract(iso.values[i], iso.smooth, stop)) return false;
             add(cut.painted, cut.shape, iso.color, layer, true);
         }
@@ -132,6 +148,10 @@ struct Update {
 
 } // namespace
 
+void require_complete(const Geometry& geometry) {
+    if (!geometry.lacking.empty()) throw store::NotWritten(geometry.lacking.front());
+}
+
 SceneGeometry::SceneGeometry(Engine engine) : engine_(engine) {}
 SceneGeometry::~SceneGeometry() = default;
 SceneGeometry::SceneGeometry(SceneGeometry&&) noexcept = default;
@@ -167,6 +187,7 @@ std::shared_ptr<const Geometry> SceneGeometry::update(const scene::Scene& scene,
         const auto make = [&](const auto& kind) { return run(layer, kind); };
         if (!std::visit(make, layer.kind)) return nullptr;
     }
+    dataset->check_intact();
     std::erase_if(cuts_, [&](const auto& entry) { return !run.used.contains(entry.first); });
     std::erase_if(boundaries_, [&](const auto& entry) { return !run.used.contains(entry.first); });
     geometry->bytes = memory_bytes();

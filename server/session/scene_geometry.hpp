@@ -41,7 +41,12 @@ struct Geometry {
     double time = 0; // of the step shown
     std::size_t step = 0;
     std::size_t triangles = 0, bytes = 0;
+    // A sentence for each layer that is left out, or left uncoloured, because its array was not written at this step.
+    std::vector<std::string> lacking;
 };
+
+// Throws store::NotWritten when something is lacking: for pictures and files, which nobody can add a word to.
+void require_complete(const Geometry& geometry);
 
 struct Cut; // cut.hpp
 struct Boundary;

@@ -142,8 +142,15 @@ void Session::close() {
     subscribers_.clear();
 }
 
-void Session::offer_again() {
+void Session::dataset_changed() {
     const std::scoped_lock lock(mutex_);
+    try {
+        if (open_dataset(services_.catalog, version_->scene.dataset) != version_->loaded)
+            version_ = make_version(services_, *version_->document, version_->revision);
+    } catch (const std::exception&) {
+        // The scene does not fit what stands there now: the next patch is told so, and what is mapped can still be
+        // shown.
+    }
     for (const auto& [id, view] : views_) view->offer(version_);
 }
 

@@ -55,7 +55,7 @@ public:
     void remove_view(std::uint32_t view);
     void disconnect(std::uint64_t connection); // its views and its subscription
     void close();                              // all views
-    void offer_again();                        // the dataset has grown: the nearest step may be another
+    void dataset_changed();                    // it has grown, or was replaced: the same scene is shown anew
 
     // The geometry of a version, made on the calling thread; others wait. Null when stopped. Throws Error,
     // LimitReached.

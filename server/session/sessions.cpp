@@ -114,7 +114,7 @@ void Sessions::connection_closed(std::uint64_t connection) {
 
 void Sessions::dataset_changed(const std::string& dataset) {
     for (const auto& session : all())
-        if (session->newest()->scene.dataset == dataset) session->offer_again();
+        if (session->newest()->scene.dataset == dataset) session->dataset_changed();
 }
 
 void Sessions::expire(Clock::time_point now) {

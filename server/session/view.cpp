@@ -117,6 +117,14 @@ void View::deliver(const FrameRequest& request, std::vector<std::vector<std::uin
     if (bytes > 0) services_.metrics.count_frame(request.still, bytes, times);
 }
 
+void View::tell_lacking(const FrameRequest& request, const std::vector<std::string>& lacking) {
+    const std::scoped_lock lock(mutex_);
+    if (closed_ || lacking == lacking_) return;
+    lacking_ = lacking;
+    const protocol::ViewLacking note{id_, static_cast<std::int64_t>(request.version->revision), lacking};
+    connection_->send_text(notification_text(note));
+}
+
 void View::give_up() {
     services_.metrics.count_cancelled_frame();
     const std::scoped_lock lock(mutex_);

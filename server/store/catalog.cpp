@@ -36,10 +36,20 @@ std::string plain_name(const fs::path& dataset) {
     return dataset.extension() == ".ciel" ? dataset.stem().string() : dataset.filename().string();
 }
 
+bool is_intact(const LoadedDataset& loaded) {
+    try {
+        loaded.dataset()->check_intact();
+        return true;
+    } catch (const Error&) {
+        return false;
+    }
+}
+
 struct Known {
     fs::path directory;
     std::string problem;
-    Stamp examined{}; // the marker that `problem` is about
+    bool failed = false; // to be made: `problem` holds as long as the marker is the one in `examined`
+    Stamp examined{};    // the marker that `problem` is about
     std::shared_ptr<LoadedDataset> loaded;
     Stamp loaded_stamp{};
     std::shared_ptr<std::mutex> opening = std::make_shared<std::mutex>();
@@ -53,21 +63,24 @@ struct Catalog::State {
     mutable std::mutex mutex;
     std::map<std::string, Known> known; // by name
 
-    void learn(const fs::path& directory) {
-        for (const auto& [name, each] : known)
-            if (each.directory == directory) return;
+    Known& learn(const fs::path& directory) {
+        for (auto& [name, each] : known)
+            if (each.directory == directory) return each;
         const std::string plain = plain_name(directory);
         std::string name = plain;
         for (int number = 2; known.count(name) > 0; ++number) name = plain + "-" + std::to_string(number);
         known[name].directory = directory;
+        return known[name];
     }
 
     // A name once given stays with its directory as long as that exists.
     void scan() {
-        std::erase_if(known, [](const auto& entry) { return !looks_like_dataset(entry.second.directory); });
+        std::erase_if(known, [](const auto& entry) {
+            return !entry.second.failed && !looks_like_dataset(entry.second.directory);
+        });
         for (const fs::path& root : roots) {
             if (looks_like_dataset(root)) {
-                learn(root);
+                (void)learn(root);
                 continue;
             }
             std::error_code error;
@@ -75,12 +88,14 @@ struct Catalog::State {
             for (const auto& entry : fs::directory_iterator(root, error))
                 if (looks_like_dataset(entry.path())) found.push_back(entry.path());
             std::sort(found.begin(), found.end());
-            for (const fs::path& path : found) learn(path);
+            for (const fs::path& path : found) (void)learn(path);
         }
     }
 
     static void examine(Known& entry) {
         const Stamp now = stamp_of(entry.directory);
+        if (entry.failed && now == entry.examined) return;
+        entry.failed = false;
         if (entry.loaded || (now == entry.examined && now != Stamp{})) return;
         entry.examined = now;
         try {
@@ -115,6 +130,14 @@ Catalog::Catalog(std::vector<fs::path> paths, std::size_t field_budget_bytes) : 
 
 Catalog::~Catalog() = default;
 
+void Catalog::add_failed(const fs::path& directory, const std::string& problem) {
+    const std::lock_guard lock(state_->mutex);
+    Known& entry = state_->learn(directory);
+    entry.problem = problem;
+    entry.failed = true;
+    entry.examined = stamp_of(directory); // an older import may stand there: it is not what was asked for
+}
+
 std::vector<CatalogEntry> Catalog::list() const {
     const std::lock_guard lock(state_->mutex);
     state_->scan();
@@ -136,6 +159,8 @@ std::shared_ptr<LoadedDataset> Catalog::open(const std::string& name) {
         if (found == state_->known.end())
             throw Error("there is no dataset '" + name + "'; there are: " + state_->names());
         if (found->second.loaded) return found->second.loaded;
+        State::examine(found->second);
+        if (found->second.failed) throw Error(found->second.problem);
         directory = found->second.directory;
         opening = found->second.opening;
     }
@@ -174,7 +199,7 @@ void Catalog::State::poll(const std::function<void(const std::string&)>& on_chan
         for (auto& [name, entry] : known) {
             if (!entry.loaded) continue;
             const Stamp now = stamp_of(entry.directory);
-            if (now == entry.loaded_stamp) continue;
+            if (now == entry.loaded_stamp && is_intact(*entry.loaded)) continue;
             entry.loaded_stamp = now;
             changed.emplace_back(name, entry.loaded);
         }

@@ -22,6 +22,9 @@ public:
     explicit Catalog(std::vector<std::filesystem::path> paths, std::size_t field_budget_bytes = std::size_t{4} << 30);
     ~Catalog();
 
+    // Lists a dataset that could not be made, with the reason, until another stands there.
+    void add_failed(const std::filesystem::path& directory, const std::string& problem);
+
     [[nodiscard]] std::vector<CatalogEntry> list() const;
     // Throws Error naming the datasets that exist when there is none of this name.
     [[nodiscard]] std::shared_ptr<LoadedDataset> open(const std::string& name);

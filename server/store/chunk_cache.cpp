@@ -30,6 +30,14 @@ std::span<const float> ChunkCache::get(const std::filesystem::path& file, std::s
 }
 
 void ChunkCache::check_sizes() const {
+    for_each([](const MappedFile& file) { file.check_size(); });
+}
+
+void ChunkCache::check_intact() const {
+    for_each([](const MappedFile& file) { file.check_intact(); });
+}
+
+void ChunkCache::for_each(const std::function<void(const MappedFile&)>& visit) const {
     std::vector<Entry*> all;
     {
         const std::lock_guard lock(mutex_);
@@ -37,7 +45,7 @@ void ChunkCache::check_sizes() const {
     }
     for (Entry* entry : all) {
         const std::lock_guard lock(entry->mutex);
-        entry->file.check_size();
+        visit(entry->file);
     }
 }
 

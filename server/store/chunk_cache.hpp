@@ -19,8 +19,11 @@ public:
                                              const std::string& checksum,
                                              const std::function<void(std::span<const float>)>& verify = {});
     void check_sizes() const;
+    void check_intact() const;
 
 private:
+    void for_each(const std::function<void(const MappedFile&)>& visit) const;
+
     struct Entry {
         std::mutex mutex; // of its own: a slow disk under one chunk must not hold up the others
         MappedFile file;

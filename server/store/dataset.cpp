@@ -5,6 +5,7 @@
 #include "store/files.hpp"
 #include "store/layout.hpp"
 #include "store/mapped_mesh.hpp"
+#include "store/shrunken_files.hpp"
 #include "store/statistics.hpp"
 
 #include <algorithm>
@@ -71,6 +72,12 @@ public:
             refuse(directory_, "was replaced by another dataset while it was open; open it again");
         if (now.marker.steps.size() == steps_.size()) return nullptr;
         return std::make_shared<MappedDataset>(directory_, std::move(now), this);
+    }
+
+    void check_intact() const override {
+        if (!any_mapping_lost()) return;
+        for (const auto& mesh : meshes_) mesh->check_intact();
+        chunks_->check_intact();
     }
 
     FaceMeshView mesh(std::size_t mesh, std::size_t coordinates) const override {

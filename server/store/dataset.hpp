@@ -81,6 +81,10 @@ public:
     // The dataset with the steps committed since, or nullptr when there are none. Chunks stay mapped once.
     [[nodiscard]] virtual std::shared_ptr<Dataset> refreshed() const = 0;
 
+    // Throws Error naming a file that was truncated while somebody read it: whatever was made since is worthless. To be
+    // asked after the reading; costs next to nothing.
+    virtual void check_intact() const = 0;
+
     [[nodiscard]] virtual FaceMeshView mesh(std::size_t mesh, std::size_t coordinates) const = 0;
     [[nodiscard]] virtual std::vector<Group> groups(std::size_t mesh) const = 0;
     [[nodiscard]] virtual std::span<const Index> original_vertex(std::size_t mesh) const = 0;

@@ -54,34 +54,39 @@ bool is_imported(const fs::path& input, const fs::path& target) {
     return is_dataset(target) && fs::last_write_time(target / layout::commit_marker) >= newest(input);
 }
 
-void import_one(const fs::path& input, const fs::path& target, const ImportLimits& limits,
-                const ImportListener& listener, const std::atomic<bool>& cancel) {
+// The importer's sentence; empty when a dataset stands at `target` now.
+std::string import_one(const fs::path& input, const fs::path& target, const ImportLimits& limits,
+                       const ImportListener& listener, const std::atomic<bool>& cancel) {
     make_directory(target.parent_path());
     listener.line("importing " + input.string());
     const ImportValues values{{"inputs", {input.string()}}, {"output", {target.string()}}, {"force", {"yes"}}};
     const ImportEnd end = run_import(values, limits, listener, cancel);
-    if (end.exit_code == 1 || end.exit_code == 2) throw Error(end.problem);
+    if (cancel) throw Error(end.problem);
+    if (end.exit_code == 1 || end.exit_code == 2) return end.problem;
     if (!end.problem.empty()) listener.line(end.problem);
+    return {};
 }
 
 } // namespace
 
-std::vector<fs::path> import_missing(const std::vector<fs::path>& data, const fs::path& folder,
+std::vector<Servable> import_missing(const std::vector<fs::path>& data, const fs::path& folder,
                                      const ImportLimits& limits, const ImportListener& listener,
                                      const std::atomic<bool>& cancel) {
-    std::vector<fs::path> served;
+    for (const fs::path& path : data)
+        if (!fs::exists(path))
+            throw Error(path.string() + " does not exist; name a dataset, a folder of datasets or a file to import");
+    std::vector<Servable> result;
     for (const fs::path& path : data) {
         const fs::path input = without_slash(path);
-        if (!fs::exists(input))
-            throw Error(path.string() + " does not exist; name a dataset, a folder of datasets or a file to import");
         if (input.extension() == extension || is_folder_of_datasets(input)) {
-            served.push_back(input);
+            result.push_back({input, {}});
             continue;
         }
-        served.push_back(target_of(input, folder));
-        if (!is_imported(input, served.back())) import_one(input, served.back(), limits, listener, cancel);
+        const fs::path target = target_of(input, folder);
+        result.push_back(
+            {target, is_imported(input, target) ? "" : import_one(input, target, limits, listener, cancel)});
     }
-    return served;
+    return result;
 }
 
 } // namespace ciel::store

@@ -5,12 +5,17 @@
 
 namespace ciel::store {
 
+struct Servable {
+    std::filesystem::path path;
+    std::string problem; // the importer's sentence, when it could not be imported; nothing stands at `path` then
+};
+
 // Datasets, and folders other than OpenFOAM cases, come back as they are. Everything else is imported to
 // folder/KEY/NAME.ciel, where KEY stands for the input's path and NAME is its name without extension, unless a dataset
-// not older than the input stands there. Throws Error with the importer's sentence at the first input that cannot be
-// imported, or when `cancel` is set.
-[[nodiscard]] std::vector<std::filesystem::path>
-import_missing(const std::vector<std::filesystem::path>& data, const std::filesystem::path& folder,
-               const ImportLimits& limits, const ImportListener& listener, const std::atomic<bool>& cancel);
+// not older than the input stands there. Throws Error for a path that does not exist, before anything is imported, and
+// when `cancel` is set.
+[[nodiscard]] std::vector<Servable> import_missing(const std::vector<std::filesystem::path>& data,
+                                                   const std::filesystem::path& folder, const ImportLimits& limits,
+                                                   const ImportListener& listener, const std::atomic<bool>& cancel);
 
 } // namespace ciel::store

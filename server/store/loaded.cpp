@@ -78,8 +78,8 @@ struct LoadedDataset::State {
         if (values.empty()) {
             std::ostringstream time;
             time << dataset.steps()[step].time;
-            throw Error("'" + array + "' was not written at time " + time.str() + "; it was at " +
-                        times_written(dataset, array));
+            throw NotWritten("'" + array + "' was not written at time " + time.str() + "; it was at " +
+                             times_written(dataset, array));
         }
         return values;
     }
@@ -105,6 +105,7 @@ struct LoadedDataset::State {
             return {std::make_shared<KeptField>(KeptField{topology, Field(*topology, *made, made)}),
                     field_bytes(mesh.vertex_count()) + made->size() * sizeof(float)};
         });
+        of->check_intact();
         // The field's own topology: a key may have been filled by an earlier refresh of the dataset.
         return {kept->topology, {kept, &kept->field}, mesh, of};
     }
@@ -155,11 +156,13 @@ std::shared_ptr<const std::vector<float>> LoadedDataset::scalar_values(const std
     (void)State::step_of(*of, step);
     const ScalarName scalar = parse_scalar(*of, name);
     const auto values = State::written(*of, scalar.array, step);
-    return state_->fields.get<std::vector<float>>(step_key("values", name, step), [&]() -> Cache::Made {
+    auto made = state_->fields.get<std::vector<float>>(step_key("values", name, step), [&]() -> Cache::Made {
         const auto components = static_cast<std::size_t>(of->find(scalar.array)->components);
         return {std::make_shared<std::vector<float>>(one_scalar(values, components, scalar)),
                 values.size_bytes() / components};
     });
+    of->check_intact();
+    return made;
 }
 
 ScalarField LoadedDataset::plane(std::size_t step, Vec3d origin, Vec3d normal) {

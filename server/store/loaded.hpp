@@ -14,6 +14,11 @@ struct ScalarField {
     std::shared_ptr<const void> keep_alive;
 };
 
+// An array has no values at a step: nothing is wrong, but nothing can be shown of it.
+class NotWritten : public Error {
+    using Error::Error;
+};
+
 // Thread-safe. Fields are kept in a least-recently-used cache of `field_budget_bytes`.
 class LoadedDataset {
 public:
@@ -24,7 +29,7 @@ public:
     bool refresh();                                         // true when steps were added
 
     [[nodiscard]] std::shared_ptr<const Topology> topology(std::size_t mesh);
-    // Throws Error when the scalar does not exist, is a cell array, or was not written at this step.
+    // Throws NotWritten, and Error when the scalar does not exist or is a cell array.
     [[nodiscard]] ScalarField scalar(const std::string& name, std::size_t step);
     // Point scalar by name as a plain array (magnitudes and components are made once), for colouring and probing.
     [[nodiscard]] std::shared_ptr<const std::vector<float>> scalar_values(const std::string& name, std::size_t step);

@@ -1,6 +1,7 @@
 #include "store/mapped_file.hpp"
 
 #include "store/files.hpp"
+#include "store/shrunken_files.hpp"
 
 #include <cerrno>
 #include <fcntl.h>
@@ -26,6 +27,10 @@ void check_status(const std::filesystem::path& file, const struct stat& status, 
     refuse_errno(file, "cannot be opened");
 }
 
+[[noreturn]] void refuse_shrunken(const std::filesystem::path& file) {
+    refuse(file, "has shrunk while it was open; restore it, and replace files of a dataset instead of truncating them");
+}
+
 } // namespace
 
 void check_file_size(const std::filesystem::path& file, std::size_t bytes) {
@@ -45,28 +50,37 @@ MappedFile::MappedFile(std::filesystem::path file, std::size_t bytes) : path_(st
     if (data == MAP_FAILED) refuse_errno(path_, "cannot be mapped");
     data_ = data;
     size_ = bytes;
+    watched_ = watch_mapping(data_, size_);
 }
 
 MappedFile::~MappedFile() {
-    if (data_ != nullptr) ::munmap(data_, size_);
+    if (data_ == nullptr) return;
+    unwatch_mapping(watched_);
+    ::munmap(data_, size_);
 }
 
 MappedFile::MappedFile(MappedFile&& other) noexcept
-    : path_(std::move(other.path_)), data_(std::exchange(other.data_, nullptr)), size_(std::exchange(other.size_, 0)) {}
+    : path_(std::move(other.path_)), data_(std::exchange(other.data_, nullptr)), size_(std::exchange(other.size_, 0)),
+      watched_(std::exchange(other.watched_, nullptr)) {}
 
 MappedFile& MappedFile::operator=(MappedFile&& other) noexcept {
     std::swap(path_, other.path_);
     std::swap(data_, other.data_);
     std::swap(size_, other.size_);
+    std::swap(watched_, other.watched_);
     return *this;
 }
 
 void MappedFile::check_size() const {
+    check_intact();
     struct stat status {};
     // A missing file was replaced or deleted: the mapping keeps its content.
     if (size_ == 0 || ::stat(path_.c_str(), &status) != 0) return;
-    if (static_cast<std::size_t>(status.st_size) < size_)
-        refuse(path_, "has shrunk while it was open; files of a dataset must be replaced, never truncated");
+    if (static_cast<std::size_t>(status.st_size) < size_) refuse_shrunken(path_);
+}
+
+void MappedFile::check_intact() const {
+    if (watched_ != nullptr && is_lost(*watched_)) refuse_shrunken(path_);
 }
 
 } // namespace ciel::store

@@ -1,8 +1,8 @@
 // A file mapped for reading, of exactly the expected size.
 //
-// The SIGBUS rule: touching a page of a mapping beyond the end of a file that has shrunk kills the process. So sizes
-// are checked when mapping and on every refresh, and whoever changes a dataset replaces files (new file + rename) and
-// never truncates or rewrites them in place; a mapping of a replaced or deleted file stays valid.
+// Whoever changes a dataset replaces files (new file + rename) and never truncates or rewrites them in place; a mapping
+// of a replaced or deleted file stays valid. A file that shrinks all the same reads as zeros from then on, and
+// check_intact says so (shrunken_files.hpp).
 #pragma once
 
 #include <cstddef>
@@ -10,6 +10,8 @@
 #include <span>
 
 namespace ciel::store {
+
+struct WatchedMapping; // shrunken_files.hpp
 
 // Throws Error when `file` is missing, not a regular file, or of another size.
 void check_file_size(const std::filesystem::path& file, std::size_t bytes);
@@ -30,13 +32,16 @@ public:
         return {static_cast<const T*>(data_), size_ / sizeof(T)};
     }
 
-    // Throws Error when the file at the path is shorter than the mapping.
+    // Throws Error when the file has shrunk under a reader, or at the path is a shorter one.
     void check_size() const;
+    // Throws Error when the file has shrunk under a reader: what was read since is worthless.
+    void check_intact() const;
 
 private:
     std::filesystem::path path_;
     void* data_ = nullptr;
     std::size_t size_ = 0;
+    WatchedMapping* watched_ = nullptr;
 };
 
 } // namespace ciel::store

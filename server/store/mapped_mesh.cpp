@@ -169,4 +169,8 @@ void MappedMesh::check_sizes() const {
     for (const auto& [name, file] : arrays_) file.check_size();
 }
 
+void MappedMesh::check_intact() const {
+    for (const auto& [name, file] : arrays_) file.check_intact();
+}
+
 } // namespace ciel::store

@@ -23,6 +23,7 @@ public:
     // The topology with these positions.
     [[nodiscard]] FaceMeshView view(std::span<const float> positions) const;
     void check_sizes() const;
+    void check_intact() const;
 
 private:
     [[nodiscard]] const MappedFile& array(const std::string& name) const { return arrays_.at(name); }

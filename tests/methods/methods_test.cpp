@@ -218,15 +218,22 @@ TEST_F(Methods, geometry_is_sent_once_for_any_camera) {
     EXPECT_EQ(header.kind, wire::FrameKind::image);
 }
 
-TEST_F(Methods, a_frame_that_cannot_be_made_is_told) {
+TEST_F(Methods, what_a_frame_lacks_is_told_and_the_rest_is_shown) {
     client.call("view.open", in_session({{"width", 64}, {"height", 64}}));
-    client.frames_until_still(1);
+    const auto whole = client.frames_until_still(1).back().triangles;
     client.call("scene.patch", in_session({{"patch", {{"layers", {{"iso", {{"array", "late"}}}}}}}}));
-    const json failed = client.next_text();
-    EXPECT_EQ(failed["method"], "view.failed");
-    EXPECT_EQ(failed["params"]["revision"], 2);
-    EXPECT_THAT(failed["params"]["message"].get<std::string>(), testing::HasSubstr("late"));
+    const json lacking = client.next_text();
+    EXPECT_EQ(lacking["method"], "view.lacking");
+    EXPECT_EQ(lacking["params"]["revision"], 2);
+    ASSERT_EQ(lacking["params"]["sentences"].size(), 1U);
+    EXPECT_THAT(lacking["params"]["sentences"][0].get<std::string>(),
+                testing::AllOf(testing::HasSubstr("iso"), testing::HasSubstr("'late' was not written at time 0")));
+    const auto rest = client.frames_until_still(2).back().triangles;
+    EXPECT_GT(rest, 0U);
+    EXPECT_LT(rest, whole);
+    EXPECT_EQ(client.error_code("picture.render", in_session({{"width", 64}, {"height", 64}})), -32005);
     client.call("scene.patch", in_session({{"patch", {{"time", 2}}}}));
+    EXPECT_EQ(client.next_text()["params"]["sentences"], json::array());
     EXPECT_EQ(client.frames_until_still(3).back().time, 2);
 }
 

@@ -280,6 +280,11 @@ TEST_F(LimitsOf, memory_of_a_session) {
     Client client(server, true);
     const std::string session = client.call("session.open", {{"dataset", "box"}})["session"];
     EXPECT_EQ(client.error_code("picture.render", {{"session", session}}), -32003);
+    client.call("view.open", {{"session", session}, {"width", 64}, {"height", 64}});
+    const json failed = client.next_text();
+    EXPECT_EQ(failed["method"], "view.failed");
+    EXPECT_EQ(failed["params"]["revision"], 1);
+    EXPECT_THAT(failed["params"]["message"].get<std::string>(), testing::HasSubstr("show fewer values or layers"));
     client.call("scene.patch",
                 {{"session", session}, {"patch", {{"layers", {{"iso", nullptr}, {"surface", nullptr}}}}}});
     EXPECT_EQ(client.error_code("picture.render", {{"session", session}}), 0) << "it goes on with a smaller scene";

@@ -2,7 +2,9 @@
 
 import asyncio
 import base64
+import json
 import os
+import shutil
 import signal
 import socket
 import struct
@@ -178,6 +180,46 @@ def test_a_second_signal_ends_it_at_once(box):
         running.process.send_signal(signal.SIGTERM)
         assert running.process.wait(PATIENCE) in (0, 128 + signal.SIGTERM)
         held.close()
+
+
+def test_a_dataset_truncated_while_it_is_shown_is_named_and_comes_back(tmp_path):
+    dataset = box_dataset.write_box(tmp_path / "box.ciel", n=24)
+    kept = tmp_path / "kept"
+    shutil.copytree(dataset, kept)
+
+    async def attempt(running: Server) -> None:
+        async with client(running) as caller:
+            opened = await caller.call("session.open", dataset="box", scene={"dataset": "box", **iso(0.4)})
+            await caller.call("view.open", session=opened["session"], width=160, height=120)
+            await caller.frame(opened["revision"], still=True)
+            for file in dataset.rglob("*"):
+                if file.is_file() and file.stat().st_size > 4096:
+                    os.truncate(file, 0)
+            refused = await caller.answer(await caller.send("scene.patch", session=opened["session"], patch=iso(0.6)))
+            while "error" not in refused and not any(n["method"] == "view.failed" for n in caller.notifications):
+                await caller.receive()
+            told = json.dumps([refused, caller.notifications])  # by the frame, or by the next look at the directory
+            assert "meshes/0" in told and ("shrunk while it was open" in told or "has 0 bytes where" in told)
+            assert running.get("/healthz").status_code == 200
+            shutil.copytree(kept, dataset, dirs_exist_ok=True)
+            while not any(n["method"] == "dataset.changed" for n in caller.notifications):
+                await caller.receive()
+            shown = await caller.call("scene.patch", session=opened["session"], patch=iso(0.5))
+            await caller.frame(shown["revision"], still=True)
+
+    with Server(dataset) as running:
+        asyncio.run(asyncio.wait_for(attempt(running), PATIENCE))
+        assert running.stop() == 0
+
+
+def test_one_bad_file_does_not_take_the_others_with_it(box, tmp_path):
+    (tmp_path / "bad.vtu").write_text("<VTKFile type='UnstructuredGrid'>")
+    with Server(box, tmp_path / "bad.vtu", "--data-dir", tmp_path / "imported", log=tmp_path / "log") as running:
+        listed = {entry["name"]: entry["problem"] for entry in running.call("dataset.list")}
+        assert listed["box"] == "" and "bad.vtu" in listed["bad"]
+        assert "dataset bad" in (tmp_path / "log").read_text()
+    status, text = failure(str(tmp_path / "bad.vtu"), "--data-dir", str(tmp_path / "imported"))
+    assert status == 1 and "bad.vtu" in text.splitlines()[-1]
 
 
 def test_two_hundred_visitors_leave_nothing_behind(box):

@@ -149,13 +149,25 @@ TEST_P(scene_geometry, a_requested_stop_returns_nothing_and_harms_nothing) {
     EXPECT_GT(geometry.update(document, loaded)->triangles, 0U);
 }
 
-TEST_P(scene_geometry, an_array_that_was_not_written_is_an_error_not_zeros) {
-    json layer = iso({30});
-    layer["array"] = "late";
-    json document = scene_of({{"i", layer}});
-    EXPECT_THROW(show(document), Error);
+TEST_P(scene_geometry, an_array_that_was_not_written_is_lacking_and_never_zeros) {
+    json late = iso({30});
+    late["array"] = "late";
+    json coloured = slice(2);
+    coloured["color"]["array"] = "late";
+    json document = scene_of({{"i", late}, {"p", iso({20})}, {"s", coloured}});
+    const auto at_0 = show(document);
+    ASSERT_EQ(at_0->drawables.size(), 2U) << "without the layer that has no values";
+    EXPECT_EQ(at_0->drawables[1].scalars, nullptr);
+    EXPECT_EQ(at_0->drawables[1].array, "");
+    ASSERT_EQ(at_0->lacking.size(), 2U);
+    EXPECT_EQ(at_0->lacking[0], "layer i is not shown: 'late' was not written at time 0; it was at 2");
+    EXPECT_EQ(at_0->lacking[1], "layer s has no colours: 'late' was not written at time 0; it was at 2");
+    EXPECT_THROW(require_complete(*at_0), store::NotWritten);
     document["time"] = 2;
-    EXPECT_GT(show(document)->triangles, 0U);
+    const auto at_2 = show(document);
+    EXPECT_EQ(at_2->drawables.size(), 3U);
+    EXPECT_NE(at_2->drawables[2].scalars, nullptr);
+    EXPECT_NO_THROW(require_complete(*at_2));
 }
 
 TEST_P(scene_geometry, names_are_checked_with_their_path) {

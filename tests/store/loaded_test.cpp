@@ -142,6 +142,25 @@ TEST_F(LoadedTest, RefreshKeepsWhatIsThere) {
     EXPECT_THAT(loaded.scalar("p", 3).field->values(), ElementsAreArray(p));
 }
 
+TEST_F(LoadedTest, AFileTruncatedUnderAReaderIsNamedAndTheProcessLives) {
+    auto loaded = std::make_unique<LoadedDataset>(Dataset::open(directory), 1U << 20);
+    const auto dataset = loaded->dataset();
+    const auto before = dataset->values("p", 0);
+    EXPECT_NO_THROW(dataset->check_intact());
+    const fs::path chunk = directory / "meshes/0/arrays/p/0.0";
+    ASSERT_TRUE(fs::exists(chunk));
+    fs::resize_file(chunk, 0);
+    EXPECT_EQ(std::accumulate(before.begin(), before.end(), 0.0F), 0.0F);
+    try {
+        dataset->check_intact();
+        ADD_FAILURE() << "zeros taken for values";
+    } catch (const Error& error) {
+        EXPECT_THAT(error.what(), AllOf(HasSubstr(chunk.string()), HasSubstr("shrunk")));
+    }
+    EXPECT_THROW((void)loaded->scalar("p", 0), Error);
+    EXPECT_THROW((void)loaded->scalar_values("p", 0), Error);
+}
+
 class CatalogTest : public LoadedTest {
 protected:
     static std::vector<std::string> names(const Catalog& catalog) {
@@ -196,6 +215,21 @@ TEST_F(CatalogTest, ADamagedOneIsListedWithItsProblem) {
     fs::resize_file(directory / "meshes/0/owner/0", 8); // what list() does not look at, open() does
     EXPECT_THROW((void)catalog.open("box"), Error);
     EXPECT_THAT(catalog.list()[1].problem, HasSubstr("owner"));
+}
+
+TEST_F(CatalogTest, OneThatCouldNotBeMadeIsListedUntilItIs) {
+    Catalog catalog({directory});
+    catalog.add_failed(scratch / "cache/late.ciel", "late.vtu: is empty");
+    catalog.add_failed(directory, "box.vtu: is empty");
+    auto entries = catalog.list();
+    ASSERT_THAT(names(catalog), ElementsAre("box", "late"));
+    EXPECT_EQ(entries[0].problem, "box.vtu: is empty") << "the older one that stands there is not served";
+    EXPECT_EQ(entries[1].problem, "late.vtu: is empty");
+    EXPECT_THROW((void)catalog.open("box"), Error);
+    EXPECT_THROW((void)catalog.open("late"), Error);
+    test::write_box(scratch / "cache/late.ciel", test::box(1, 1, 1));
+    EXPECT_EQ(catalog.list()[1].problem, "");
+    EXPECT_NO_THROW((void)catalog.open("late"));
 }
 
 TEST_F(CatalogTest, PathsThatAreNoDatasetsAreRefused) {

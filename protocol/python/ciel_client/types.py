@@ -412,6 +412,14 @@ class ViewFailedParams(TypedDict):
     message: str
 
 
+class ViewLackingParams(TypedDict):
+    """view.lacking: What the next frame lacks, a sentence each: layers whose array was not written at its time. Empty when nothing is lacking any more."""
+
+    view: int
+    revision: int
+    sentences: list[str]
+
+
 class ServerDrainingParams(TypedDict):
     """server.draining: The server is about to stop."""
 

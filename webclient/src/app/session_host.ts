@@ -41,7 +41,7 @@ export function sessionHost(app: App): SessionHost {
       }
       if (connection.kind !== "open") return;
       app.access.opened();
-      app.store.set({ draining: false, fatal: null });
+      app.store.set({ draining: false, fatal: null, lacking: [] });
       void listDatasets(app);
       void app.session.call("server.info", {}).then(
         (server) => app.store.set({ server }),
@@ -82,6 +82,7 @@ function notificationHandlers(app: App): Handlers {
       app.player.stop();
       app.toasts.show(message, "error");
     },
+    "view.lacking": ({ sentences }) => app.store.set({ lacking: sentences }),
     "server.draining": () => app.store.set({ draining: true }),
   };
 }

@@ -64,6 +64,8 @@ export interface AppState {
   revision: number;
   streamChoice: StreamChoice;
   readout: Readout;
+  /** What the picture lacks, a sentence each. */
+  lacking: string[];
   probe: Probe | null;
   playing: boolean;
   playRate: number;
@@ -113,6 +115,7 @@ export const initialState: AppState = {
   revision: 0,
   streamChoice: "image",
   readout: emptyReadout,
+  lacking: [],
   probe: null,
   playing: false,
   playRate: 10,

@@ -74,6 +74,19 @@ export function FatalNotice(): JSX.Element | null {
   );
 }
 
+export function LackingNotice(): JSX.Element | null {
+  const lacking = useAppState((state) => state.lacking);
+  const connected = useAppState((state) => state.connection.kind === "open");
+  if (lacking.length === 0 || !connected) return null;
+  return (
+    <div class="lacking" role="status">
+      {lacking.map((sentence) => (
+        <p key={sentence}>{sentence}</p>
+      ))}
+    </div>
+  );
+}
+
 /** A picture that is late this long is said to be. */
 const LATE_MS = 400;
 

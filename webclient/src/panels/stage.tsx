@@ -5,7 +5,7 @@ import { listenToGestures } from "../camera/gestures";
 import { AxesTriad } from "./axes_triad";
 import { useApp, useAppState } from "./context";
 import { Legends } from "./legend";
-import { Busy, ConnectionNotice, FatalNotice, ToastList } from "./notice";
+import { Busy, ConnectionNotice, FatalNotice, LackingNotice, ToastList } from "./notice";
 import { ProbeCard } from "./probe_card";
 
 export function Stage(): JSX.Element {
@@ -48,6 +48,7 @@ export function Stage(): JSX.Element {
       <Legends />
       <ProbeCard />
       <Busy />
+      <LackingNotice />
       <FatalNotice />
       <ConnectionNotice />
       <ToastList />
