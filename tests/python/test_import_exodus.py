@@ -33,9 +33,9 @@ def write_sets(file, kind, sets):
             file.createVariable(f"side_ss{i}", "i4", (count,))[:] = sides
 
 
-def write_exodus(path, blocks, points, cell_kind, side_sets, element_sets, nodal=None, element=None, times=()):
+def write_exodus(path, blocks, points, cell_kind, side_sets, element_sets, nodal=None, element=None, times=(), kind="NETCDF3_64BIT_OFFSET"):
     """blocks: name -> rows of nodes from 0; nodal and element: values(step)."""
-    with netCDF4.Dataset(path, "w", format="NETCDF3_64BIT_OFFSET") as file:
+    with netCDF4.Dataset(path, "w", format=kind) as file:
         file.setncatts({"api_version": np.float32(8.03), "version": np.float32(8.03), "floating_point_word_size": 8,
                         "file_size": 1, "maximum_name_length": 32, "title": "a cube"})
         cells = sum(map(len, blocks.values()))
@@ -82,7 +82,8 @@ def on_side(centres, axis, side):
     return elements, np.full(len(elements), SIDES["xyz"[axis] + str(side)])
 
 
-def test_blocks_side_sets_element_sets_and_times(tmp_path):
+@pytest.mark.parametrize("kind", ["NETCDF3_64BIT_OFFSET", "NETCDF4"])
+def test_blocks_side_sets_element_sets_and_times(tmp_path, kind):
     points, cells = hexahedra(N)
     centres = points[cells].mean(axis=1)
     order = np.argsort(centres[:, 0] > 0.5, kind="stable")  # elements are numbered through the blocks
@@ -94,7 +95,7 @@ def test_blocks_side_sets_element_sets_and_times(tmp_path):
     file = write_exodus(
         tmp_path / "a.exo", {"left": cells[:left], "right": cells[left:]}, points, "HEX8",
         {"inlet": inlet, "wet": both}, {"core": (core, None)},
-        nodal=lambda step: linear(points) + step, element=lambda step: linear(centres) + 10 * step, times=(0.25, 0.75),
+        nodal=lambda step: linear(points) + step, element=lambda step: linear(centres) + 10 * step, times=(0.25, 0.75), kind=kind,
     )
     dataset = imported(tmp_path, file, "--weld")
     assert dataset.counts()["cells"] == N**3 and dataset.counts()["vertices"] == (N + 1) ** 3

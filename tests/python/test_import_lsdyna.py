@@ -11,10 +11,10 @@ TIMES = (0.0, 0.5, 1.0)
 
 # Places in the control words.
 NDIM, NUMNP, ICODE, NGLBV, IT, IU, IV = 15, 16, 17, 18, 19, 20, 21
-NEL8, NUMMAT8, NV3D = 23, 24, 27
+NEL8, NUMMAT8, NV3D, MAXINT = 23, 24, 27, 36
 
 
-def control_words(nodes, solids, parts, kind):
+def control_words(nodes, solids, parts, kind, deletion):
     words = np.zeros(64, dtype=kind)
     title = "a cube".ljust(10 * words.itemsize).encode()
     words.view("u1")[: len(title)] = np.frombuffer(title, dtype="u1")
@@ -22,7 +22,7 @@ def control_words(nodes, solids, parts, kind):
     whole[11] = 1  # d3plot
     words[14] = 971.0
     for place, value in {NDIM: 4, NUMNP: nodes, ICODE: 6, NGLBV: 6 + 7 * parts, IT: 1, IU: 1, IV: 1,
-                         NEL8: solids, NUMMAT8: parts, NV3D: 7}.items():
+                         NEL8: solids, NUMMAT8: parts, NV3D: 7, MAXINT: -10003 if deletion else 3}.items():
         whole[place] = value
     return words
 
@@ -44,20 +44,26 @@ def solids():
     return points, np.array(rows), np.array(len(cells) * [1] + 3 * [2])
 
 
-def states(points, rows):
+def alive(time, cells):
+    """1, or 0 for an element that has been deleted: the first ones, half of a part at the end."""
+    return (np.arange(cells) >= 4 * time).astype(float)
+
+
+def states(points, rows, deletion):
     for time in TIMES:
         solid = np.zeros((len(rows), 7))  # six stresses, the effective plastic strain
         solid[:, 0] = linear(points[rows].mean(axis=1)) + time
         solid[:, 6] = time
         here = moved(points, time)
-        yield [[time], np.zeros(6 + 7 * 2), here, linear(points) + time, here - points, solid]
+        state = [[time], np.zeros(6 + 7 * 2), here, linear(points) + time, here - points, solid]
+        yield state + [alive(time, len(rows))] if deletion else state
 
 
-def write_d3plot(folder, kind, states_per_file):
+def write_d3plot(folder, kind, states_per_file, deletion=False):
     points, rows, parts = solids()
     whole = f"{kind[0]}i{kind[-1]}"
-    files = [[control_words(len(points), len(rows), 2, kind), points, np.column_stack([rows + 1, parts]).astype(whole)]]
-    for i, state in enumerate(states(points, rows)):
+    files = [[control_words(len(points), len(rows), 2, kind, deletion), points, np.column_stack([rows + 1, parts]).astype(whole)]]
+    for i, state in enumerate(states(points, rows, deletion)):
         if i and i % states_per_file == 0:
             files.append([])
         files[-1] += state
@@ -88,3 +94,12 @@ def test_parts_fields_and_moving_nodes(tmp_path, kind, states_per_file):
         np.testing.assert_allclose(
             dataset.values("cell:Stress", step)[:, 0], linear(points[rows].mean(axis=1))[original] + time, atol=1e-5)
     assert here[:, 0].max() == pytest.approx(2)
+
+
+def test_deleted_elements_are_gone_from_their_time_on(tmp_path):
+    dataset = imported(tmp_path, write_d3plot(tmp_path, "<f4", 3, deletion=True), "--weld")
+    total = N**3 + 3
+    assert [dataset.counts(step.get("mesh", 0))["cells"] for step in dataset.steps] == [total, total - 2, total - 4]
+    for step, time in enumerate(TIMES):
+        position = dataset.positions(dataset.steps[step].get("mesh", 0))
+        np.testing.assert_allclose(dataset.values("Temperature", step), linear(position / [1 + time, 1, 1]) + time, atol=1e-5)
