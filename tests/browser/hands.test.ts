@@ -267,7 +267,7 @@ describe("hands", { skip }, () => {
     await client.page.getByLabel("Y", { exact: true }).focus();
     await keys.press("Space");
     await keys.press("Tab");
-    for (let i = 0; i < 3; i += 1) await keys.press("PageUp");
+    await keys.press("PageUp");
     await client.settled();
     const sliced = await client.picture();
     assert.ok(difference(before, sliced) > 0.01);
@@ -279,11 +279,9 @@ describe("hands", { skip }, () => {
     for (const key of ["ArrowLeft", "ArrowLeft", "ArrowUp", "+"]) await keys.press(key);
     await client.settled();
     assert.ok(difference(sliced, await client.picture()) > 0.02);
-    for (let i = 0; i < 20 && (await client.button("Undo").isEnabled()); i += 1) {
-      await keys.press("Control+z");
-      await client.settled();
-      if (difference(before, await client.picture()) < 0.005) break;
-    }
+    // The zoom, the turn, the hidden surface, the moved slice, the slice.
+    for (let i = 0; i < 5; i += 1) await keys.press("Control+z");
+    await client.settled();
     assert.ok(difference(before, await client.picture()) < 0.005);
   });
 

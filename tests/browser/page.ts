@@ -52,7 +52,7 @@ export class Client {
 
   static async open(browser: Browser, address: string, options: PageOptions = {}): Promise<Client> {
     const context = await browser.newContext({
-      viewport: { width: options.width ?? 1280, height: options.height ?? 720 },
+      viewport: { width: options.width ?? 1024, height: options.height ?? 640 },
       deviceScaleFactor: options.scale ?? 1,
       colorScheme: options.scheme ?? "dark",
       hasTouch: options.touch ?? false,

@@ -23,7 +23,7 @@ describe("view", { skip }, () => {
     server = new Server(await freePort(), data);
     await server.start();
     browser = await launch();
-    client = await Client.open(browser, server.address);
+    client = await Client.open(browser, server.address, { width: 1280, height: 720 });
     await client.settled();
   });
   after(async () => {

@@ -181,6 +181,22 @@ describe("scene editor", () => {
 });
 
 describe("without a connection", () => {
+  test("an undo is not lost without a word", async () => {
+    editor.disconnected();
+    await editor.undo();
+    expect(refused.length).toBe(1);
+    expect(editor.isPending).toBe(false);
+  });
+
+  test("an undo that the broken line has swallowed leaves nothing pending", async () => {
+    const undone = editor.undo();
+    editor.disconnected();
+    await undone;
+    expect(editor.isPending).toBe(false);
+    editor.connected(server, state(scene, 20));
+    expect(editor.isPending).toBe(false);
+  });
+
   test("the hand goes on, and one patch brings the server up to date", () => {
     editor.disconnected();
     setValue(5);
@@ -198,8 +214,8 @@ describe("without a connection", () => {
     setValue(5);
     runFrame();
     sent[0]?.refuse(new Disconnected());
-    editor.disconnected();
     await settled();
+    editor.disconnected();
     expect(refused).toEqual([]);
     editor.connected(server, state(scene, 3)); // it never arrived
     runFrame();

@@ -116,8 +116,9 @@ const THEME_WORDS: Record<Theme, string> = { system: "as the system", light: "li
 
 export function Toolbar(): JSX.Element {
   const { actions, store } = useApp();
-  const canUndo = useAppState((state) => state.canUndo);
-  const canRedo = useAppState((state) => state.canRedo);
+  const connected = useAppState((state) => state.connection.kind === "open");
+  const canUndo = useAppState((state) => state.canUndo) && connected; // the server keeps the history
+  const canRedo = useAppState((state) => state.canRedo) && connected;
   const theme = useAppState((state) => state.theme);
   const hasScene = useAppState((state) => state.scene !== null);
   const panelOpen = useAppState((state) => state.panelOpen);

@@ -124,13 +124,8 @@ export class SceneEditor {
 
   /** Like `replace`, for a scene that the server has not seen: it stands here when the server has taken it. */
   async propose(scene: Scene): Promise<void> {
-    const { server } = this;
-    if (server === null || this.document === null) {
-      this.events.refused(new Error("There is no connection now; follow the link again when there is one"));
-      return;
-    }
-    const patch = diff(this.document as unknown as JsonObject, scene as unknown as JsonObject);
-    await this.travel(async () => {
+    const patch = diff((this.document ?? {}) as unknown as JsonObject, scene as unknown as JsonObject);
+    await this.travel(async (server) => {
       await server.patch(patch, this.newGesture());
       return server.get();
     });
@@ -150,7 +145,10 @@ export class SceneEditor {
 
   private async travel(step: (server: SceneServer) => Promise<SessionState>): Promise<void> {
     const server = this.server;
-    if (server === null) return;
+    if (server === null) {
+      this.events.refused(new Error("There is no connection now; try it again when there is one"));
+      return;
+    }
     while (this.queue.length > 0) this.sendOldest(server); // an undo takes back what the hand did last
     const since = this.timing.now();
     const before = new Set(this.unanswered); // the server takes these first
