@@ -16,6 +16,9 @@ using store::ArrayValues;
 using store::Association;
 using store::Dataset;
 
+constexpr std::string_view cell_prefix = "cell:";
+constexpr std::size_t longest_name = 200;
+
 struct Options {
     std::string dataset, from;
     std::optional<double> time;
@@ -81,9 +84,28 @@ std::vector<float> to_stored_order(const store::NpyArray& file, std::span<const 
     return stored;
 }
 
+// What a user types by mistake must not become an array for good. Names that came with a file are not judged.
+void check_new_name(const std::string& name) {
+    const std::string plain = name.starts_with(cell_prefix) ? name.substr(cell_prefix.size()) : name;
+    const auto is_bad = [](unsigned char c) { return c < ' ' || c == 0x7f || c == '/' || c == '\\' || c == ':'; };
+    std::string problem;
+    if (plain.empty() || plain.front() == ' ' || plain.back() == ' ')
+        problem = "is empty, or begins or ends with a space";
+    else if (plain == "." || plain == "..")
+        problem = "stands for a folder";
+    else if (plain.size() > longest_name)
+        problem = "is longer than " + std::to_string(longest_name) + " bytes";
+    else if (std::any_of(plain.begin(), plain.end(), is_bad))
+        problem = "holds a '/', '\\', ':' or control character (only 'cell:' may stand before it)";
+    if (!problem.empty())
+        throw Error("--array '" + name + "': the dataset has no such array, and a new one cannot have a name that " +
+                    problem);
+}
+
 store::ArrayInfo describe(const Dataset& dataset, const std::string& name, int components) {
     if (const store::ArrayInfo* known = dataset.find(name)) return *known;
-    return {name, name.starts_with("cell:") ? Association::cell : Association::point, components, "", ""};
+    check_new_name(name);
+    return {name, name.starts_with(cell_prefix) ? Association::cell : Association::point, components, "", ""};
 }
 
 int append_files(const Options& options) {

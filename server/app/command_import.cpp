@@ -30,12 +30,23 @@ void add_options(CLI::App& command, ImportCommand& import) {
         added->required(option.required)->type_name(std::string(option.value));
         if (!option.several) added->expected(1);
     }
-    command.add_option("--memory-limit", import.limits.memory_gigabytes, "Memory the import may use; all by default.")
+    command
+        .add_option(
+            "--memory-limit", import.limits.memory_gigabytes,
+            "Memory the import may use; by default four fifths of the machine's or the container's; 0: no limit.")
         ->type_name("GB")
-        ->check(CLI::PositiveNumber);
-    command.add_option("--time-limit", import.limits.seconds, "Time the import may take; none by default.")
+        ->check(CLI::NonNegativeNumber)
+        ->capture_default_str();
+    command.add_option("--time-limit", import.limits.seconds, "Time the import may take; 0: no limit.")
         ->type_name("SECONDS")
-        ->check(CLI::PositiveNumber);
+        ->check(CLI::NonNegativeNumber)
+        ->capture_default_str();
+    command
+        .add_option("--stall-limit", import.limits.stalled_seconds,
+                    "Time that may pass without any progress; 0: no limit.")
+        ->type_name("SECONDS")
+        ->check(CLI::NonNegativeNumber)
+        ->capture_default_str();
 }
 
 int run_command(const ImportCommand& import) {

@@ -18,12 +18,13 @@ namespace {
 class Converter {
 public:
     Converter(Source& source, const Options& options)
-        : source_(source), options_(options), arrays_(options.arrays, source.units()) {}
+        : source_(source), options_(options), selection_(options.arrays), arrays_(selection_, source.units()) {}
 
     ConvertResult run() {
         const std::vector<double>& times = source_.times();
+        check_listing();
         for (step_ = 0; step_ < times.size(); ++step_) add_step(times[step_]);
-        arrays_.check_selection();
+        selection_.check();
         tell(1.0, "finishing");
         writer_->finish();
         return std::move(result_);
@@ -43,6 +44,23 @@ private:
         progress(0.98 * done, phase);
     }
 
+    // A misspelt name is told before hours of reading, where the reader lists what is there.
+    void check_listing() {
+        for (std::size_t step = 0; step < source_.times().size() && !selection_.complete(); ++step) {
+            const auto listed = source_.listed_arrays(step);
+            if (!listed) return;
+            for (const ArrayName& array : *listed) selection_.saw(array);
+        }
+        selection_.check();
+    }
+
+    // The same for readers that list nothing; a later step could still bring the array.
+    void check_only_step(const Blocks& blocks) {
+        if (source_.times().size() > 1) return;
+        for (const FieldName& field : field_names(blocks)) selection_.saw(field);
+        selection_.check();
+    }
+
     void add_step(double time) {
         if (!std::isfinite(time)) throw Error("time " + std::to_string(step_) + " of the input is not a finite number");
         if (last_time_ && time <= *last_time_) {
@@ -52,6 +70,7 @@ private:
         last_time_ = time;
         const auto data = source_.read(step_, [this](double share) { tell(0.5 * share, "reading"); });
         const Blocks blocks = collect_blocks(data);
+        check_only_step(blocks);
         const Fingerprint print = fingerprint(blocks);
         if (!writer_ || print.cells != print_.cells)
             new_mesh(blocks);
@@ -115,6 +134,7 @@ private:
 
     Source& source_;
     const Options& options_;
+    ArraySelection selection_;
     StepArrays arrays_;
     std::optional<store::Writer> writer_;
     StepMesh mesh_;
@@ -128,10 +148,6 @@ private:
 
 } // namespace
 
-ConvertResult convert(Source& source, const Options& options) {
-    if (!options.force && std::filesystem::exists(options.output))
-        throw Error(options.output + ": exists already; --force replaces it");
-    return Converter(source, options).run();
-}
+ConvertResult convert(Source& source, const Options& options) { return Converter(source, options).run(); }
 
 } // namespace ciel::importer

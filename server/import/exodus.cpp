@@ -24,9 +24,19 @@ vtkMultiBlockDataSet* child(vtkMultiBlockDataSet* parent, const char* name) {
     return nullptr;
 }
 
+std::vector<ArrayName> arrays_of_blocks(vtkExodusIIReader& reader) {
+    std::vector<ArrayName> arrays;
+    for (const int type : {vtkExodusIIReader::NODAL, vtkExodusIIReader::ELEM_BLOCK})
+        for (int i = 0; i < reader.GetNumberOfObjectArrays(type); ++i)
+            arrays.push_back({type == vtkExodusIIReader::NODAL ? FieldOf::points : FieldOf::cells,
+                              reader.GetObjectArrayName(type, i)});
+    return arrays;
+}
+
 class ExodusSource : public ReaderSource {
 public:
-    ExodusSource(const std::string& file, vtkExodusIIReader* reader) : ReaderSource("Exodus II", file, reader) {
+    ExodusSource(const std::string& file, vtkExodusIIReader* reader)
+        : ReaderSource("Exodus II", file, reader, [&] { return arrays_of_blocks(*reader); }) {
         for (int i = 0; i < reader->GetNumberOfObjects(vtkExodusIIReader::ELEM_BLOCK); ++i)
             block_ids_.push_back(reader->GetObjectId(vtkExodusIIReader::ELEM_BLOCK, i));
         for (int i = 0; i < reader->GetNumberOfObjects(vtkExodusIIReader::ELEM_SET); ++i)

@@ -30,7 +30,7 @@ void collect(const JoinedMesh::Part& part, FieldOf of, std::map<std::string, std
         if (array == nullptr || array->GetName() == nullptr || *array->GetName() == '\0') continue;
         const std::string name = array->GetName();
         const bool skip = std::find(std::begin(bookkeeping), std::end(bookkeeping), name) != std::end(bookkeeping);
-        if (!skip) found[name].push_back({of, name, array->GetNumberOfComponents()});
+        if (!skip) found[name].push_back({{of, name}, array->GetNumberOfComponents()});
     }
 }
 
@@ -49,6 +49,12 @@ std::vector<FieldName> field_names(const std::vector<JoinedMesh::Part>& parts) {
         }
     }
     return names;
+}
+
+std::vector<FieldName> field_names(const Blocks& blocks) {
+    std::vector<JoinedMesh::Part> parts;
+    for (const Block& block : blocks.volumes) parts.push_back({block.name, block.data, 0, 0, 0, 0});
+    return field_names(parts);
 }
 
 std::vector<float> array_values(vtkDataSet* data, const FieldName& field) {

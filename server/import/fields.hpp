@@ -1,21 +1,20 @@
 // The values of a step, array by array, in running order (joined_mesh.hpp).
 #pragma once
 
+#include "import/array_selection.hpp"
+#include "import/blocks.hpp"
 #include "import/joined_mesh.hpp"
 
 namespace ciel::importer {
 
-enum class FieldOf { points, cells };
-
-struct FieldName {
-    FieldOf of = FieldOf::points;
-    std::string name; // as the file has it
+struct FieldName : ArrayName {
     int components = 1;
 };
 
 // What the blocks offer, sorted by name. Ghost levels, ids and blanking are bookkeeping, not fields; arrays whose
 // components differ between blocks, and those of text, are left out.
 [[nodiscard]] std::vector<FieldName> field_names(const std::vector<JoinedMesh::Part>& parts);
+[[nodiscard]] std::vector<FieldName> field_names(const Blocks& blocks); // of the volumes
 
 // components values per running point or cell. Blocks that lack the array give NaN: "no value here".
 [[nodiscard]] std::vector<float> gather_field(const std::vector<JoinedMesh::Part>& parts, const FieldName& field);

@@ -7,7 +7,6 @@
 #include <fstream>
 #include <vtkCONVERGECFDReader.h>
 #include <vtkFLUENTReader.h>
-#include <vtkGenericDataObjectReader.h>
 #include <vtkGenericEnSightReader.h>
 #include <vtkHDFReader.h>
 #include <vtkNew.h>
@@ -54,30 +53,21 @@ std::unique_ptr<Source> open_with(std::string_view format, const Inputs& inputs)
     return std::make_unique<ReaderSource>(std::string(format), inputs.front(), reader.Get());
 }
 
-std::unique_ptr<Source> open_legacy_vtk(const Inputs& inputs, const SourceOptions&) {
-    vtkNew<vtkGenericDataObjectReader> reader;
-    reader->SetFileName(inputs.front().c_str());
-    reader->ReadAllScalarsOn();
-    reader->ReadAllVectorsOn();
-    reader->ReadAllNormalsOn();
-    reader->ReadAllTensorsOn();
-    reader->ReadAllFieldsOn();
-    return std::make_unique<ReaderSource>("legacy VTK", inputs.front(), reader.Get());
-}
-
 std::unique_ptr<Source> open_vtkhdf(const Inputs& inputs, const SourceOptions&) {
     vtkNew<vtkHDFReader> reader;
     reader->SetFileName(inputs.front().c_str());
     if (reader->CanReadFile(inputs.front().c_str()) == 0)
         throw Error(inputs.front() + ": is an HDF5 file but holds no VTKHDF group");
-    return std::make_unique<ReaderSource>("VTKHDF", inputs.front(), reader.Get());
+    return std::make_unique<ReaderSource>("VTKHDF", inputs.front(), reader.Get(),
+                                          [&] { return arrays_of(*reader.Get()); });
 }
 
 std::unique_ptr<Source> open_ensight(const Inputs& inputs, const SourceOptions&) {
     vtkNew<vtkGenericEnSightReader> reader;
     reader->SetCaseFileName(inputs.front().c_str());
     reader->ReadAllVariablesOn();
-    return std::make_unique<ReaderSource>("EnSight", inputs.front(), reader.Get());
+    return std::make_unique<ReaderSource>("EnSight", inputs.front(), reader.Get(),
+                                          [&] { return arrays_of(*reader.Get()); });
 }
 
 std::unique_ptr<Source> open_fluent(const Inputs& inputs, const SourceOptions&) {
@@ -109,7 +99,7 @@ const std::vector<Format>& table() {
         {"Fluent", {".cas"}, is_fluent, false, open_fluent},
         {"CONVERGE", {".h5"}, is_converge, false, open_converge},
         {"Tecplot", {".tec", ".dat"}, is_tecplot, false, open_tecplot},
-        {"PLOT3D", {".xyz", ".x", ".g", ".p3d", ".grd", ".bin"}, is_plot3d, true, open_plot3d},
+        {"PLOT3D", {".xyz", ".x", ".g", ".p3d", ".grd", ".grid", ".bin"}, is_plot3d, true, open_plot3d},
     };
     return rows;
 }

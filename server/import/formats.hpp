@@ -34,13 +34,14 @@ struct Format {
 // Throws Error when the input does not exist, is empty, or is of no known format.
 [[nodiscard]] const Format& find_format(const std::string& input);
 
-std::unique_ptr<Source> open_index(const Inputs& inputs, const SourceOptions& options);    // index_source.cpp
-std::unique_ptr<Source> open_vtk_xml(const Inputs& inputs, const SourceOptions& options);  // vtk_xml.cpp
-std::unique_ptr<Source> open_openfoam(const Inputs& inputs, const SourceOptions& options); // openfoam.cpp
-std::unique_ptr<Source> open_plot3d(const Inputs& inputs, const SourceOptions& options);   // plot3d.cpp
-std::unique_ptr<Source> open_exodus(const Inputs& inputs, const SourceOptions& options);   // exodus.cpp
-std::unique_ptr<Source> open_lsdyna(const Inputs& inputs, const SourceOptions& options);   // lsdyna.cpp
-std::unique_ptr<Source> open_cgns(const Inputs& inputs, const SourceOptions& options);     // cgns.cpp
+std::unique_ptr<Source> open_index(const Inputs& inputs, const SourceOptions& options);      // index_source.cpp
+std::unique_ptr<Source> open_vtk_xml(const Inputs& inputs, const SourceOptions& options);    // vtk_xml.cpp
+std::unique_ptr<Source> open_legacy_vtk(const Inputs& inputs, const SourceOptions& options); // legacy_vtk.cpp
+std::unique_ptr<Source> open_openfoam(const Inputs& inputs, const SourceOptions& options);   // openfoam.cpp
+std::unique_ptr<Source> open_plot3d(const Inputs& inputs, const SourceOptions& options);     // plot3d.cpp
+std::unique_ptr<Source> open_exodus(const Inputs& inputs, const SourceOptions& options);     // exodus.cpp
+std::unique_ptr<Source> open_lsdyna(const Inputs& inputs, const SourceOptions& options);     // lsdyna.cpp
+std::unique_ptr<Source> open_cgns(const Inputs& inputs, const SourceOptions& options);       // cgns.cpp
 
 bool is_openfoam(const Head& head);
 bool is_plot3d(const Head& head);

@@ -35,6 +35,16 @@ public:
     [[nodiscard]] std::string format() const override { return format_; }
     [[nodiscard]] const std::vector<double>& times() const override { return times_; }
 
+    [[nodiscard]] std::optional<std::vector<ArrayName>> listed_arrays(std::size_t step) const override {
+        std::vector<ArrayName> all;
+        for (const IndexEntry& part : steps_[step]) {
+            const auto listed = open_source({part.file}, options_)->listed_arrays(0);
+            if (!listed) return std::nullopt;
+            all.insert(all.end(), listed->begin(), listed->end());
+        }
+        return all;
+    }
+
     [[nodiscard]] vtkSmartPointer<vtkDataObject> read(std::size_t step, const ReadProgress& progress) override {
         const std::vector<IndexEntry>& parts = steps_[step];
         if (parts.size() == 1) return read_part(parts.front(), progress);

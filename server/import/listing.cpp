@@ -39,10 +39,8 @@ void print_listing(Source& source, const Options& options) {
     print_blocks("block  ", blocks.volumes);
     print_blocks("surface", blocks.surfaces);
     print_blocks("zone   ", blocks.zones);
-    std::vector<JoinedMesh::Part> parts;
-    for (const Block& block : blocks.volumes) parts.push_back({block.name, block.data, 0, 0, 0, 0});
     const auto units = source.units();
-    for (const FieldName& field : field_names(parts)) {
+    for (const FieldName& field : field_names(blocks)) {
         const auto unit = units.find(field.name);
         const bool known = unit != units.end() && !unit->second.empty();
         std::printf("array   %s: %s, %d component%s%s%s\n", field.name.c_str(),

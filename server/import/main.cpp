@@ -6,6 +6,7 @@
 #include "import/progress.hpp"
 #include "import/vtk_errors.hpp"
 #include "store/import_options.hpp"
+#include "store/place.hpp"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -13,12 +14,19 @@
 #include <exception>
 #include <filesystem>
 #include <new>
+#include <system_error>
 
 namespace {
 
 using ciel::importer::Options;
 
-enum ExitCode : int { done = 0, failed = 1, wrong_usage = 2, cells_left_out = 3 };
+enum ExitCode : int {
+    done = 0,
+    failed = 1,
+    wrong_usage = 2,
+    cells_left_out = 3,
+    out_of_memory = ciel::store::import_out_of_memory,
+};
 constexpr double most_bad_cells = 0.001; // of all
 
 // The options are declared once, in store/import_options.hpp, for `ciel import` and for this program.
@@ -67,8 +75,7 @@ int run(const Options& options) {
     using namespace ciel::importer;
     install_cancel_handlers();
     capture_vtk_errors();
-    if (!options.list && !options.force && std::filesystem::exists(options.output))
-        throw ciel::Error(options.output + ": exists already; --force replaces it");
+    if (!options.list) ciel::store::check_place(options.output, options.force); // before long work
     const auto source = open_source(options.inputs, options.source);
     if (options.list) {
         print_listing(*source, options);
@@ -85,11 +92,21 @@ int run(const Options& options) {
                 cells_left_out);
 }
 
-// An error of the mesh does not know the file it came from.
-std::string naming_input(const std::vector<std::string>& inputs, const std::string& sentence) {
-    const bool named = std::any_of(inputs.begin(), inputs.end(),
-                                   [&](const std::string& input) { return sentence.find(input) != std::string::npos; });
-    return named ? sentence : inputs.front() + ": " + sentence;
+// An error of the mesh does not know the file it came from; one of the store is about the output.
+std::string naming_input(const Options& options, const std::string& sentence) {
+    const auto names = [&](const std::string& path) { return sentence.find(path) != std::string::npos; };
+    const std::string output = std::filesystem::absolute(options.output).lexically_normal().string();
+    const bool named =
+        std::any_of(options.inputs.begin(), options.inputs.end(), names) || (!options.output.empty() && names(output));
+    return named ? sentence : options.inputs.front() + ": " + sentence;
+}
+
+// What the C++ library makes of a failed allocation, a stack for a thread included.
+bool is_out_of_memory(const std::exception& error) {
+    if (dynamic_cast<const std::bad_alloc*>(&error) != nullptr) return true;
+    const auto* failed = dynamic_cast<const std::system_error*>(&error);
+    return failed != nullptr && (failed->code() == std::errc::not_enough_memory ||
+                                 failed->code() == std::errc::resource_unavailable_try_again);
 }
 
 int run_and_report(const Options& options) {
@@ -98,11 +115,10 @@ int run_and_report(const Options& options) {
         return run(options);
     } catch (const ciel::importer::Cancelled&) {
         return fail("cancelled");
-    } catch (const std::bad_alloc&) {
-        return fail(input + ": needs more memory than --memory-limit allows");
     } catch (const ciel::Error& error) {
-        return fail(naming_input(options.inputs, error.what()));
+        return fail(naming_input(options, error.what()));
     } catch (const std::exception& error) {
+        if (is_out_of_memory(error)) return fail(input + ": needs more memory than it may use", out_of_memory);
         return fail(input + ": cannot be imported: " + error.what());
     }
 }

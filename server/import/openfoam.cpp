@@ -9,6 +9,7 @@
 #include <cstdlib>
 #include <fstream>
 #include <limits>
+#include <regex>
 #include <vtkDummyController.h>
 #include <vtkNew.h>
 #include <vtkPOpenFOAMReader.h>
@@ -18,6 +19,7 @@ namespace ciel::importer {
 namespace {
 
 namespace fs = std::filesystem;
+constexpr std::string_view gzip_signature = "\x1f\x8b";
 
 fs::path case_directory(const fs::path& input) {
     if (fs::is_directory(input)) return input;
@@ -29,6 +31,12 @@ bool is_time(const std::string& name) {
     char* end = nullptr;
     std::strtod(name.c_str(), &end);
     return !name.empty() && *end == '\0';
+}
+
+// "class volScalarField;": what the reader makes cell data of.
+bool is_cell_field(const std::string& head) {
+    static const std::regex entry(R"(\bclass\s+vol\w+Field)");
+    return std::regex_search(head, entry);
 }
 
 std::string read_start(const fs::path& file) {
@@ -94,9 +102,16 @@ public:
 
     [[nodiscard]] std::map<std::string, std::string> units() const override {
         std::map<std::string, std::string> found;
-        for (const auto& time : fs::directory_iterator(layout_.results))
-            if (time.is_directory() && is_time(time.path().filename().string())) add_units(time.path(), found);
+        for (const auto& [name, head] : field_heads()) found[name] = openfoam_units(head);
         return found;
+    }
+
+    // Of all times: the reader itself lists those of the first.
+    [[nodiscard]] std::optional<std::vector<ArrayName>> listed_arrays(std::size_t) const override {
+        std::vector<ArrayName> listed;
+        for (const auto& [name, head] : field_heads())
+            if (is_cell_field(head) || head.starts_with(gzip_signature)) listed.push_back({FieldOf::cells, name});
+        return listed;
     }
 
     [[nodiscard]] bool cut_into_pieces() const override { return layout_.decomposed; }
@@ -106,14 +121,23 @@ public:
     [[nodiscard]] std::string length_units() const override { return "m"; } // OpenFOAM is SI throughout
 
 private:
-    void add_units(const fs::path& directory, std::map<std::string, std::string>& found) const {
+    // How the first file of each name begins, over all times and regions.
+    [[nodiscard]] std::map<std::string, std::string> field_heads() const {
+        std::map<std::string, std::string> heads;
+        for (const auto& time : fs::directory_iterator(layout_.results))
+            if (time.is_directory() && is_time(time.path().filename().string())) add_heads(time.path(), heads);
+        return heads;
+    }
+
+    void add_heads(const fs::path& directory, std::map<std::string, std::string>& heads) const {
         for (const auto& entry : fs::directory_iterator(directory)) {
-            const std::string name = entry.path().filename().string();
+            const bool compressed = entry.path().extension() == ".gz";
+            const std::string name = (compressed ? entry.path().stem() : entry.path().filename()).string();
             const bool region = entry.is_directory() && fs::exists(layout_.results / "constant" / name / "polyMesh");
             if (region)
-                add_units(entry.path(), found);
-            else if (entry.is_regular_file() && !found.contains(name))
-                found[name] = openfoam_units(read_start(entry.path()));
+                add_heads(entry.path(), heads);
+            else if (entry.is_regular_file() && !heads.contains(name))
+                heads[name] = read_start(entry.path());
         }
     }
 

@@ -53,7 +53,8 @@ std::vector<Plot3dLayout> layouts_of(const std::string& file, Plot3dKind kind) {
 
 class Plot3dSource : public Source {
 public:
-    Plot3dSource(const Inputs& inputs, const Plot3dLayout& layout) : inputs_(inputs) {
+    Plot3dSource(const Inputs& inputs, const Plot3dLayout& layout, std::vector<std::string> notes)
+        : inputs_(inputs), notes_(std::move(notes)) {
         reader_->AutoDetectFormatOff();
         reader_->SetBinaryFile(layout.text ? 0 : 1);
         reader_->SetByteOrder(layout.big_endian ? vtkMultiBlockPLOT3DReader::FILE_BIG_ENDIAN
@@ -73,6 +74,7 @@ public:
 
     [[nodiscard]] std::string format() const override { return "PLOT3D"; }
     [[nodiscard]] const std::vector<double>& times() const override { return times_; }
+    [[nodiscard]] std::vector<std::string> notes() const override { return notes_; }
     [[nodiscard]] vtkSmartPointer<vtkDataObject> read(std::size_t step, const ReadProgress& progress) override {
         progress(0);
         if (inputs_.size() > 1) reader_->SetQFileName(inputs_[step + 1].c_str());
@@ -86,28 +88,58 @@ public:
 
 private:
     Inputs inputs_;
+    std::vector<std::string> notes_;
     vtkNew<vtkMultiBlockPLOT3DReader> reader_;
     std::vector<double> times_;
 };
 
+// The grid layouts that the solution agrees with.
+std::vector<Plot3dLayout> agreeing(std::vector<Plot3dLayout> grids, const std::vector<Plot3dLayout>& solutions) {
+    std::erase_if(grids, [&](const Plot3dLayout& grid) {
+        return std::none_of(solutions.begin(), solutions.end(),
+                            [&](const Plot3dLayout& solution) { return plot3d_match(grid, solution); });
+    });
+    return grids;
+}
+
+std::vector<Plot3dLayout> grid_layouts(const std::string& grid, const std::string& words) {
+    std::vector<Plot3dLayout> grids = plot3d_restrict(layouts_of(grid, Plot3dKind::grid), words);
+    if (!grids.empty()) return grids;
+    throw Error(grid + ": is not a PLOT3D grid" + (words.empty() ? "" : " of the layout --plot3d " + words) +
+                ": its size does not fit its dimensions");
+}
+
 // The first grid layout that every solution agrees with.
 Plot3dLayout choose_layout(const Inputs& inputs, const std::string& words) {
-    std::vector<Plot3dLayout> grids = plot3d_restrict(layouts_of(inputs[0], Plot3dKind::grid), words);
-    if (grids.empty())
-        throw Error(inputs[0] + ": is not a PLOT3D grid" + (words.empty() ? "" : " of the layout --plot3d " + words) +
-                    ": its size does not fit its dimensions");
+    std::vector<Plot3dLayout> grids = grid_layouts(inputs[0], words);
     for (std::size_t i = 1; i < inputs.size(); ++i) {
         const std::vector<Plot3dLayout> solutions = layouts_of(inputs[i], Plot3dKind::solution);
         if (solutions.empty())
             throw Error(inputs[i] + ": is not a PLOT3D solution (q): its size does not fit its dimensions");
-        std::erase_if(grids, [&](const Plot3dLayout& grid) {
-            return std::none_of(solutions.begin(), solutions.end(),
-                                [&](const Plot3dLayout& solution) { return plot3d_match(grid, solution); });
-        });
+        grids = agreeing(std::move(grids), solutions);
         if (grids.empty())
             throw Error(inputs[i] + ": does not belong to the grid " + inputs[0] + ": dimensions or byte order differ");
     }
     return grids.front();
+}
+
+// What lies beside a grid that was named alone, and its note. "a.q" and "a.Q" would be a guess.
+std::string take_solution_beside(Inputs& inputs, const std::string& words) {
+    Inputs beside;
+    for (const char* extension : {".q", ".Q"})
+        if (const auto file = std::filesystem::path(inputs[0]).replace_extension(extension);
+            file != inputs[0] && std::filesystem::is_regular_file(file))
+            beside.push_back(file.string());
+    if (beside.empty()) return "";
+    const std::string name = std::filesystem::path(beside[0]).filename().string();
+    if (beside.size() > 1)
+        return "Two solutions lie beside the grid, " + name + " and " +
+               std::filesystem::path(beside[1]).filename().string() + "; neither was read: name the one that belongs.";
+    if (agreeing(grid_layouts(inputs[0], words), layouts_of(beside[0], Plot3dKind::solution)).empty())
+        return name + " lies beside the grid but does not belong to it (dimensions or byte order differ); it was not "
+                      "read.";
+    inputs.push_back(beside[0]);
+    return "The solution was read from " + name + ", which lies beside the grid.";
 }
 
 } // namespace
@@ -127,7 +159,12 @@ std::unique_ptr<Source> open_plot3d(const Inputs& inputs, const SourceOptions& o
                           [](const std::string& file) { return !layouts_of(file, Plot3dKind::grid).empty(); });
     if (layouts_of(ordered[0], Plot3dKind::grid).empty())
         throw Error(ordered[0] + ": is a PLOT3D solution; name its grid (xyz) too");
-    return std::make_unique<Plot3dSource>(ordered, choose_layout(ordered, options.plot3d));
+    std::vector<std::string> notes;
+    if (ordered.size() == 1)
+        if (std::string note = take_solution_beside(ordered, options.plot3d); !note.empty())
+            notes.push_back(std::move(note));
+    const Plot3dLayout layout = choose_layout(ordered, options.plot3d);
+    return std::make_unique<Plot3dSource>(ordered, layout, std::move(notes));
 }
 
 } // namespace ciel::importer

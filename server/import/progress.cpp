@@ -25,7 +25,7 @@ void progress(double share, const std::string& phase) {
     static int shown = -1;
     static std::string shown_phase;
     const int percent = static_cast<int>(share * 100);
-    if (percent == shown && phase == shown_phase) return;
+    if (percent <= shown && phase == shown_phase) return;
     shown = percent;
     shown_phase = phase;
     std::printf("progress %.2f %s\n", share, phase.c_str());

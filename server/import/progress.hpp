@@ -11,7 +11,8 @@ struct Cancelled {};
 // From now on SIGINT and SIGTERM make progress() throw.
 void install_cancel_handlers();
 
-// Prints "progress SHARE PHASE" when it has advanced. SHARE in [0, 1].
+// Prints "progress SHARE PHASE" when it has advanced: a reader that starts over again and again prints nothing, which
+// is how the supervisor notices. SHARE in [0, 1].
 void progress(double share, const std::string& phase);
 
 } // namespace ciel::importer

@@ -36,7 +36,8 @@ void on_progress(vtkObject* caller, unsigned long, void* client_data, void*) {
 
 } // namespace
 
-ReaderSource::ReaderSource(std::string format, std::string file, vtkSmartPointer<vtkAlgorithm> reader)
+ReaderSource::ReaderSource(std::string format, std::string file, vtkSmartPointer<vtkAlgorithm> reader,
+                           const ListArrays& list_arrays)
     : format_(std::move(format)), file_(std::move(file)), reader_(std::move(reader)) {
     reader_->UpdateInformation();
     throw_vtk_errors(file_);
@@ -47,6 +48,7 @@ ReaderSource::ReaderSource(std::string format, std::string file, vtkSmartPointer
         times_.assign(values, values + information->Length(key));
     }
     if (times_.empty()) times_ = {0.0};
+    if (list_arrays) arrays_ = list_arrays();
     if (!std::is_sorted(times_.begin(), times_.end())) throw Error(file_ + ": its time steps are not in order");
 }
 

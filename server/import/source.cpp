@@ -38,6 +38,15 @@ public:
         }
         return joined.Get();
     }
+    [[nodiscard]] std::optional<std::vector<ArrayName>> listed_arrays(std::size_t step) const override {
+        std::vector<ArrayName> all;
+        for (const auto& part : parts_) {
+            const auto listed = part->listed_arrays(step);
+            if (!listed) return std::nullopt;
+            all.insert(all.end(), listed->begin(), listed->end());
+        }
+        return all;
+    }
     [[nodiscard]] std::map<std::string, std::string> units() const override { return parts_[0]->units(); }
     [[nodiscard]] std::string length_units() const override { return parts_[0]->length_units(); }
     [[nodiscard]] bool cut_into_pieces() const override {

@@ -1,9 +1,12 @@
 // An input as a series of steps, whatever its format.
 #pragma once
 
+#include "import/array_selection.hpp"
+
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 #include <vtkDataObject.h>
@@ -27,6 +30,10 @@ public:
     // The data of one step; the caller keeps it as long as it likes. Throws Error naming the file.
     [[nodiscard]] virtual vtkSmartPointer<vtkDataObject> read(std::size_t step, const ReadProgress& progress) = 0;
 
+    // What a step is said to hold before its data is read, or more; nullopt where the reader cannot tell.
+    [[nodiscard]] virtual std::optional<std::vector<ArrayName>> listed_arrays(std::size_t) const {
+        return std::nullopt;
+    }
     [[nodiscard]] virtual std::map<std::string, std::string> units() const { return {}; } // by array name
     [[nodiscard]] virtual std::string length_units() const { return ""; }
     // One mesh, read as pieces with points of their own, cut along faces that no surface names.

@@ -32,19 +32,6 @@ std::vector<PatchValues> patch_values(const StepMesh& mesh, const Blocks& blocks
 
 } // namespace
 
-std::string stored_name(const std::string& name) {
-    std::string stored = name;
-    std::replace(stored.begin(), stored.end(), ':', '_');
-    return stored;
-}
-
-bool StepArrays::wanted(const std::string& field, bool cell_only) const {
-    const auto selects = [&](const std::string& name) {
-        return name == field || stored_name(name) == field || (cell_only && name == "cell:" + field);
-    };
-    return selected_.empty() || std::any_of(selected_.begin(), selected_.end(), selects);
-}
-
 void StepArrays::add(const FieldName& field, const std::string& name, store::Association association,
                      std::vector<float> values) {
     const auto units = units_.find(field.name);
@@ -62,7 +49,7 @@ void StepArrays::add_cell_field(const StepMesh& mesh, const Blocks& blocks, cons
                                 bool point_field_exists, std::unique_ptr<PointMaker>& maker) {
     const std::string name = stored_name(field.name);
     std::vector<float> cells = to_stored(gather_field(mesh.parts, field), mesh.cell_of_cell, field.components);
-    if (!point_field_exists && wanted(name, false)) {
+    if (!point_field_exists && selection_.wants(name, false)) {
         if (!maker)
             maker = std::make_unique<PointMaker>(
                 PointMaker{PointInterpolation(mesh.view()), WallValues(mesh.view(), mesh.patches)});
@@ -88,9 +75,8 @@ const std::vector<store::ArrayValues>& StepArrays::make(const StepMesh& mesh, co
     for (const FieldName& field : fields) {
         const std::string name = stored_name(field.name);
         const bool cell = field.of == FieldOf::cells;
-        seen_.insert(cell ? "cell:" + name : name);
-        if (cell) seen_.insert(name);
-        if (!wanted(name, cell) || !taken.insert((cell ? "cell:" : "") + name).second) continue;
+        selection_.saw(field);
+        if (!selection_.wants(name, cell) || !taken.insert((cell ? "cell:" : "") + name).second) continue;
         if (cell)
             add_cell_field(mesh, blocks, field, has_points(name), maker);
         else
@@ -98,14 +84,6 @@ const std::vector<store::ArrayValues>& StepArrays::make(const StepMesh& mesh, co
                 to_stored(gather_field(mesh.parts, field), mesh.point_of_vertex, field.components));
     }
     return arrays_;
-}
-
-void StepArrays::check_selection() const {
-    std::string names;
-    for (const std::string& name : seen_) names += (names.empty() ? "" : ", ") + name;
-    for (const std::string& name : selected_)
-        if (!seen_.contains(name) && !seen_.contains(stored_name(name)))
-            throw Error("there is no array \"" + name + "\"; there are: " + (names.empty() ? "none" : names));
 }
 
 } // namespace ciel::importer

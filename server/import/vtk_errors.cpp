@@ -3,7 +3,9 @@
 #include "ciel/types.hpp"
 
 #include <mutex>
+#include <new>
 #include <regex>
+#include <utility>
 #include <vtkLogger.h>
 #include <vtkObjectFactory.h>
 #include <vtkOutputWindow.h>
@@ -52,6 +54,7 @@ void throw_vtk_errors(const std::string& file) {
     const std::scoped_lock lock(reported_mutex);
     if (reported.empty()) return;
     const std::string text = std::exchange(reported, {});
+    if (text.find("nable to allocate") != std::string::npos) throw std::bad_alloc();
     throw Error(file + ": cannot be read: " + text);
 }
 

@@ -9,7 +9,8 @@ namespace ciel::importer {
 // Installs the window that keeps what VTK reports instead of printing it. Call once, before any reader is made.
 void capture_vtk_errors();
 
-// Throws Error naming `file` with the first error reported since the last call, if there was one.
+// Throws Error naming `file` with the first error reported since the last call, if there was one; bad_alloc when
+// it was about memory.
 void throw_vtk_errors(const std::string& file);
 
 // Drops what was reported so far (a probe that is expected to fail).

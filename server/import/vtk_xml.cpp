@@ -28,20 +28,21 @@ vtkSmartPointer<vtkXMLReader> make() {
 
 struct XmlType {
     std::string_view type;
+    bool composite; // names the files that hold the data: its own arrays are none
     vtkSmartPointer<vtkXMLReader> (*make)();
 };
 constexpr XmlType xml_types[] = {
-    {"UnstructuredGrid", make<vtkXMLUnstructuredGridReader>},
-    {"PUnstructuredGrid", make<vtkXMLPUnstructuredGridReader>},
-    {"StructuredGrid", make<vtkXMLStructuredGridReader>},
-    {"PStructuredGrid", make<vtkXMLPStructuredGridReader>},
-    {"RectilinearGrid", make<vtkXMLRectilinearGridReader>},
-    {"PRectilinearGrid", make<vtkXMLPRectilinearGridReader>},
-    {"ImageData", make<vtkXMLImageDataReader>},
-    {"PImageData", make<vtkXMLPImageDataReader>},
-    {"vtkMultiBlockDataSet", make<vtkXMLMultiBlockDataReader>},
-    {"vtkPartitionedDataSet", make<vtkXMLPartitionedDataSetReader>},
-    {"vtkPartitionedDataSetCollection", make<vtkXMLPartitionedDataSetCollectionReader>},
+    {"UnstructuredGrid", false, make<vtkXMLUnstructuredGridReader>},
+    {"PUnstructuredGrid", false, make<vtkXMLPUnstructuredGridReader>},
+    {"StructuredGrid", false, make<vtkXMLStructuredGridReader>},
+    {"PStructuredGrid", false, make<vtkXMLPStructuredGridReader>},
+    {"RectilinearGrid", false, make<vtkXMLRectilinearGridReader>},
+    {"PRectilinearGrid", false, make<vtkXMLPRectilinearGridReader>},
+    {"ImageData", false, make<vtkXMLImageDataReader>},
+    {"PImageData", false, make<vtkXMLPImageDataReader>},
+    {"vtkMultiBlockDataSet", true, make<vtkXMLMultiBlockDataReader>},
+    {"vtkPartitionedDataSet", true, make<vtkXMLPartitionedDataSetReader>},
+    {"vtkPartitionedDataSetCollection", true, make<vtkXMLPartitionedDataSetCollectionReader>},
 };
 
 std::string type_in(const std::string& file) {
@@ -62,7 +63,9 @@ std::unique_ptr<Source> open_vtk_xml(const Inputs& inputs, const SourceOptions&)
         if (row.type != type) continue;
         const vtkSmartPointer<vtkXMLReader> reader = row.make();
         reader->SetFileName(file.c_str());
-        return std::make_unique<ReaderSource>("VTK XML " + type, file, reader);
+        ReaderSource::ListArrays list_arrays;
+        if (!row.composite) list_arrays = [&reader] { return arrays_of(*reader); };
+        return std::make_unique<ReaderSource>("VTK XML " + type, file, reader, list_arrays);
     }
     throw Error(file + ": is a VTK XML file of type \"" + type + "\", which holds no volume mesh");
 }

@@ -9,6 +9,7 @@
 #include <csignal>
 #include <cstring>
 #include <fcntl.h>
+#include <fstream>
 #include <optional>
 #include <poll.h>
 #include <sys/prctl.h>
@@ -25,6 +26,7 @@ constexpr std::chrono::seconds patience{5};
 constexpr std::size_t max_errors = 64 * 1024;
 constexpr std::size_t max_line = 1024 * 1024;
 constexpr int could_not_start = 127;
+constexpr double silent_factor = 8; // see the header
 
 struct Pipe {
     Descriptor read, write;
@@ -93,6 +95,15 @@ public:
         return output_.read.get() >= 0 || errors_.read.get() >= 0;
     }
 
+    // Bytes read and written so far, of whatever the kernel counts; 0 where it does not tell.
+    [[nodiscard]] std::uint64_t transferred() const {
+        std::ifstream counters("/proc/" + std::to_string(pid_) + "/io");
+        std::uint64_t total = 0, count = 0;
+        for (std::string name; counters >> name >> count;)
+            if (name == "rchar:" || name == "wchar:") total += count;
+        return total;
+    }
+
     std::optional<int> reap(int flags) {
         int status = 0;
         pid_t ended = 0;
@@ -118,6 +129,52 @@ private:
     bool reaped_ = false;
 };
 
+double seconds_since(Clock::time_point time) { return std::chrono::duration<double>(Clock::now() - time).count(); }
+
+// Ends the child when it should end.
+class Watch {
+public:
+    Watch(const Child& child, const ChildLimits& limits, const std::atomic<bool>& cancel)
+        : child_(child), limits_(limits), cancel_(cancel) {}
+
+    void line_came() { last_line_ = last_transfer_ = Clock::now(); }
+
+    void look(ChildEnd& end) {
+        if (asked_) {
+            if (Clock::now() - *asked_ > patience) child_.signal(SIGKILL);
+            return;
+        }
+        if (cancel_)
+            end.cancelled = true;
+        else if (limits_.seconds > 0 && seconds_since(start_) > limits_.seconds)
+            end.timed_out = true;
+        else if (is_stalled())
+            end.stalled = true;
+        else
+            return;
+        child_.signal(SIGTERM);
+        asked_ = Clock::now();
+    }
+
+private:
+    bool is_stalled() {
+        const double limit = limits_.stalled_seconds;
+        if (limit <= 0 || seconds_since(last_transfer_) < limit) return false;
+        const std::uint64_t now = child_.transferred();
+        if (now == transferred_ || seconds_since(last_line_) > silent_factor * limit) return true;
+        transferred_ = now;
+        last_transfer_ = Clock::now();
+        return false;
+    }
+
+    const Child& child_;
+    const ChildLimits& limits_;
+    const std::atomic<bool>& cancel_;
+    Clock::time_point start_ = Clock::now(), last_line_ = start_, last_transfer_ = start_;
+    std::optional<Clock::time_point> asked_;
+    std::uint64_t transferred_ = 0;
+};
+
 void pass_lines(std::string& text, const std::function<void(std::string_view)>& on_line) {
     std::size_t begin = 0;
     for (std::size_t end = text.find('\n'); end != std::string::npos; end = text.find('\n', begin)) {
@@ -132,31 +189,23 @@ void pass_lines(std::string& text, const std::function<void(std::string_view)>& 
 
 ChildEnd run_child(const std::vector<std::string>& arguments, const ChildLimits& limits,
                    const std::function<void(std::string_view line)>& on_line, const std::atomic<bool>& cancel) {
-    const auto start = Clock::now();
     Child child(arguments, limits);
+    Watch watch(child, limits, cancel);
     ChildEnd end;
     std::string output;
-    std::optional<Clock::time_point> asked;
-    const auto watch = [&] {
-        const auto now = Clock::now();
-        const bool late = limits.seconds > 0 && std::chrono::duration<double>(now - start).count() > limits.seconds;
-        if (!asked && (cancel || late)) {
-            end.cancelled = cancel;
-            end.timed_out = !cancel;
-            child.signal(SIGTERM);
-            asked = now;
-        }
-        if (asked && now - *asked > patience) child.signal(SIGKILL);
+    const auto take_line = [&](std::string_view line) {
+        watch.line_came();
+        on_line(line);
     };
     while (child.read(output, end.errors)) {
-        watch();
+        watch.look(end);
         if (end.errors.size() > max_errors) end.errors.resize(max_errors);
-        pass_lines(output, on_line);
+        pass_lines(output, take_line);
     }
-    pass_lines(output, on_line);
+    pass_lines(output, take_line);
     std::optional<int> status = child.reap(WNOHANG);
     for (; !status; status = child.reap(WNOHANG)) { // it closed its streams but goes on
-        watch();
+        watch.look(end);
         ::usleep(poll_milliseconds * 1000 / 10);
     }
     if (WIFEXITED(*status)) end.exit_code = WEXITSTATUS(*status);

@@ -3,9 +3,9 @@
 #include "ciel/types.hpp"
 #include "store/checksum.hpp"
 #include "store/files.hpp"
+#include "store/freshness.hpp"
 #include "store/layout.hpp"
 
-#include <algorithm>
 #include <span>
 
 namespace ciel::store {
@@ -17,10 +17,7 @@ constexpr const char* extension = ".ciel";
 bool is_dataset(const fs::path& path) { return fs::exists(path / layout::commit_marker); }
 
 // Other folders hold datasets, or will.
-bool is_folder_of_datasets(const fs::path& path) {
-    return fs::is_directory(path) && !fs::exists(path / "system" / "controlDict") &&
-           !fs::exists(path / "constant" / "polyMesh");
-}
+bool is_folder_of_datasets(const fs::path& path) { return fs::is_directory(path) && !is_openfoam_case(path); }
 
 fs::path without_slash(const fs::path& path) {
     const fs::path whole = fs::absolute(path).lexically_normal();
@@ -35,14 +32,6 @@ std::string dataset_name(const fs::path& input) {
     return name.string();
 }
 
-// A case directory is as new as the newest thing in it: time steps come as new folders.
-fs::file_time_type newest(const fs::path& input) {
-    fs::file_time_type time = fs::last_write_time(input);
-    if (fs::is_directory(input))
-        for (const auto& entry : fs::directory_iterator(input)) time = std::max(time, entry.last_write_time());
-    return time;
-}
-
 // Inputs of one name in different places must not be taken for each other.
 fs::path target_of(const fs::path& input, const fs::path& folder) {
     const std::string path = fs::weakly_canonical(input).string();
@@ -50,8 +39,9 @@ fs::path target_of(const fs::path& input, const fs::path& folder) {
     return without_slash(folder) / sum.substr(sum.find(':') + 1) / (dataset_name(input) + extension);
 }
 
+// The marker carries the time of the input that was imported (import_one), or of what was appended since.
 bool is_imported(const fs::path& input, const fs::path& target) {
-    return is_dataset(target) && fs::last_write_time(target / layout::commit_marker) >= newest(input);
+    return is_dataset(target) && fs::last_write_time(target / layout::commit_marker) >= last_change(input);
 }
 
 // The importer's sentence; empty when a dataset stands at `target` now.
@@ -59,10 +49,16 @@ std::string import_one(const fs::path& input, const fs::path& target, const Impo
                        const ImportListener& listener, const std::atomic<bool>& cancel) {
     make_directory(target.parent_path());
     listener.line("importing " + input.string());
+    const auto imported = last_change(input); // what changes from now on may come too late for this import
     const ImportValues values{{"inputs", {input.string()}}, {"output", {target.string()}}, {"force", {"yes"}}};
     const ImportEnd end = run_import(values, limits, listener, cancel);
-    if (cancel) throw Error(end.problem);
-    if (end.exit_code == 1 || end.exit_code == 2) return end.problem;
+    if (end.exit_code == 1 || end.exit_code == 2) {
+        std::error_code error;
+        fs::remove(target.parent_path(), error); // when nothing is in it
+        if (cancel) throw Error(end.problem);
+        return end.problem;
+    }
+    fs::last_write_time(target / layout::commit_marker, imported);
     if (!end.problem.empty()) listener.line(end.problem);
     return {};
 }

@@ -11,9 +11,9 @@ struct Servable {
 };
 
 // Datasets, and folders other than OpenFOAM cases, come back as they are. Everything else is imported to
-// folder/KEY/NAME.ciel, where KEY stands for the input's path and NAME is its name without extension, unless a dataset
-// not older than the input stands there. Throws Error for a path that does not exist, before anything is imported, and
-// when `cancel` is set.
+// folder/KEY/NAME.ciel, where KEY stands for the input's path and NAME is its name without extension, unless it stands
+// there and the input has not been changed since (freshness.hpp). Throws Error for a path that does not exist, before
+// anything is imported, and when `cancel` is set.
 [[nodiscard]] std::vector<Servable> import_missing(const std::vector<std::filesystem::path>& data,
                                                    const std::filesystem::path& folder, const ImportLimits& limits,
                                                    const ImportListener& listener, const std::atomic<bool>& cancel);

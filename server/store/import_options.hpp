@@ -19,7 +19,8 @@ struct ImportOption {
 
 inline constexpr ImportOption import_options[] = {
     {"inputs", "inputs", "INPUT...", true, true,
-     "Files or OpenFOAM case directories. Several are parts of one mesh; for PLOT3D the grid and its solutions."},
+     "Files or OpenFOAM case directories. Several are parts of one mesh; for PLOT3D the grid and its solutions (a grid "
+     "alone takes NAME.q beside it along)."},
     {"output", "-o,--output", "NAME.ciel", false, false, "The dataset to write."},
     {"list", "--list", "", false, false, "Print format, steps, blocks and arrays; convert nothing."},
     {"array", "-a,--array", "NAME", false, true, "Import this array only; may be repeated."},
@@ -37,6 +38,9 @@ inline constexpr ImportOption import_options[] = {
 
 // Before the one sentence on standard error that ciel-import ends with when it fails.
 inline constexpr std::string_view import_error_prefix = "ciel-import: ";
+
+// Its exit code when an allocation failed; the supervisor knows what the limit was and says so.
+inline constexpr int import_out_of_memory = 4;
 
 using ImportValues = std::map<std::string, std::vector<std::string>>; // by name; a given flag has one value
 

@@ -10,9 +10,14 @@
 
 namespace ciel::store {
 
-struct ImportLimits {
-    double memory_gigabytes = 0; // 0: what the machine has
-    double seconds = 0;          // 0: none
+// Four fifths of what the machine has, so that a damaged file cannot take the rest of it along.
+[[nodiscard]] double default_memory_gigabytes();
+
+struct ImportLimits { // 0: none
+    double memory_gigabytes = default_memory_gigabytes();
+    double seconds = 0;
+    // Without progress (child_process.hpp). The longest silence of a sound import is the building of a huge mesh.
+    double stalled_seconds = 1800;
 };
 
 struct ImportListener {

@@ -33,12 +33,26 @@ Place::Place(const fs::path& target, bool overwrite)
     : target_(fs::absolute(target).lexically_normal()), overwrite_(overwrite) {
     if (!target_.has_filename()) target_ = target_.parent_path();
     check_target();
-    make_directory(target_.parent_path());
     remove_left_behind(target_);
-    temporary_ = target_.parent_path() / (temporary_prefix(target_) + std::to_string(::getpid()));
-    for (int attempt = 1; !fs::create_directory(temporary_); ++attempt) // a second writer in this process
-        temporary_.replace_extension("writing-" + std::to_string(::getpid()) + "-" + std::to_string(attempt));
+    make_temporary();
     if (!lock_directory(temporary_, lock_)) refuse(temporary_, "is in use by another process");
+}
+
+void check_place(const fs::path& target, bool overwrite) { const Place place(target, overwrite); }
+
+void Place::make_temporary() {
+    const fs::path folder = target_.parent_path();
+    std::error_code error;
+    if (!fs::is_directory(folder, error))
+        refuse(target_, "cannot be written: there is no folder " + folder.string() + "; make it first");
+    const std::string name = temporary_prefix(target_) + std::to_string(::getpid());
+    temporary_ = folder / name;
+    for (int attempt = 1; !fs::create_directory(temporary_, error); ++attempt) { // a second writer in this process
+        if (error)
+            refuse(target_,
+                   "cannot be written: nothing can be made in " + folder.string() + " (" + error.message() + ")");
+        temporary_ = folder / (name + "-" + std::to_string(attempt));
+    }
 }
 
 Place::~Place() {
@@ -49,7 +63,7 @@ Place::~Place() {
 void Place::check_target() const {
     std::error_code error;
     if (!fs::exists(target_, error)) return;
-    if (!overwrite_) refuse(target_, "exists already; remove it or choose another name");
+    if (!overwrite_) refuse(target_, "exists already; --force replaces it, or choose another name");
     if (!fs::is_directory(target_, error) ||
         !(fs::exists(target_ / layout::commit_marker, error) || fs::is_empty(target_, error)))
         refuse(target_, "exists and is not a CIEL dataset, so it is not overwritten; choose another name");

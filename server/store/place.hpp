@@ -8,10 +8,14 @@ namespace ciel::store {
 // Removes the temporary directories of writers of `target` that died; those of living ones are locked and stay.
 void remove_left_behind(const std::filesystem::path& target);
 
+// Throws what Place would; leaves nothing. For those who have much to do before they write.
+void check_place(const std::filesystem::path& target, bool overwrite);
+
 class Place {
 public:
     // Makes the temporary directory, and removes those that killed writers of the same target have left. Throws Error
-    // when the target exists and `overwrite` is false, or when it exists and is no dataset.
+    // when the target exists and `overwrite` is false, when it exists and is no dataset, or when the folder it is to
+    // stand in does not exist or cannot be written.
     Place(const std::filesystem::path& target, bool overwrite);
     ~Place(); // without commit(): removes the temporary directory
     Place(const Place&) = delete;
@@ -24,6 +28,7 @@ public:
 
 private:
     void check_target() const;
+    void make_temporary();
 
     std::filesystem::path target_, temporary_;
     bool overwrite_;

@@ -46,6 +46,29 @@ TEST(ChildProcess, the_time_limit_ends_it) {
     EXPECT_EQ(end.signal, SIGTERM);
 }
 
+TEST(ChildProcess, one_that_makes_no_progress_is_ended) {
+    for (const char* script : {"exec sleep 600", "while :; do :; done"}) {
+        const auto end = shell(script, {0, 0, 0.2});
+        EXPECT_TRUE(end.stalled) << script;
+        EXPECT_FALSE(end.timed_out) << script;
+        EXPECT_EQ(end.signal, SIGTERM) << script;
+    }
+}
+
+TEST(ChildProcess, lines_are_progress) {
+    const auto end = shell("for i in 1 2 3 4 5 6 7 8 9 10; do echo $i; sleep 0.1; done", {0, 0, 0.8});
+    EXPECT_FALSE(end.stalled);
+    EXPECT_EQ(end.exit_code, 0);
+}
+
+TEST(ChildProcess, reading_without_a_line_is_progress_for_a_while) {
+    const std::string read = "head -c 100000 /dev/zero >/dev/null; sleep 0.05";
+    const auto end =
+        shell("for i in 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19 20; do " + read + "; done", {0, 0, 0.5});
+    EXPECT_FALSE(end.stalled);
+    EXPECT_TRUE(shell("while :; do " + read + "; done", {0, 0, 0.3}).stalled) << "but not for ever";
+}
+
 TEST(ChildProcess, cancelling_ends_it_even_when_it_has_closed_its_streams) {
     std::atomic<bool> cancel{false};
     const auto end = shell(

@@ -1,16 +1,20 @@
 """Malformed inputs: each ends in one line that names the file and says what is wrong, with a plain exit code, and leaves
 nothing beside the target."""
 
+import os
+import pathlib
 import re
+import signal
 import struct
+import subprocess
 import zipfile
 
 import numpy as np
 import pytest
 import vtk
-from import_support import run_import
+from import_support import CIEL, run_import
 from test_import_plot3d import write_pair
-from vtk_files import CUBE, CUBE_FACES, add_array, mixed, structured, unstructured, with_fields, write
+from vtk_files import CUBE, CUBE_FACES, add_array, image, mixed, structured, unstructured, with_fields, write
 
 GOOD = vtk.vtkXMLUnstructuredGridWriter
 
@@ -92,6 +96,31 @@ def huge_dimensions(folder):
     return binary(folder, "a.xyz", struct.pack(">3i", 2**31 - 1, 2**31 - 1, 2**31 - 1) + bytes(1000))
 
 
+def numbers(tag, value):
+    """An attribute of a VTK XML file, made a lie."""
+    return rf'{tag}="[^"]*"', f'{tag}="{value}"'
+
+
+def edit_bytes(file, pattern, replacement):
+    """As edit(), of a file that holds binary data too."""
+    data = file.read_bytes()
+    changed = re.sub(pattern.encode(), replacement.encode(), data, count=1)
+    assert changed != data, f"{pattern} is not in {file}"
+    file.write_bytes(changed)
+    return file
+
+
+def binary_legacy(folder, body):
+    return binary(folder, "a.vtk", b"# vtk DataFile Version 3.0\nt\nBINARY\nDATASET UNSTRUCTURED_GRID\n" + body)
+
+
+def ensight(folder, nodes):
+    text(folder, "a.geo", f"a\nb\nnode id assign\nelement id assign\npart\n1\nc\ncoordinates\n{nodes}\n0.0\n0.0\n")
+    return text(folder, "a.case", "FORMAT\ntype: ensight gold\nGEOMETRY\nmodel: a.geo\n")
+
+
+HUGE = 5_000_000_000
+
 # name, what makes the input, words of the error
 MALFORMED = [
     ("missing", lambda f: f / "not there.vtu", "no such file"),
@@ -119,6 +148,21 @@ MALFORMED = [
     ("legacy out of range", lambda f: legacy(f, "POINTS 4 float\n0 0 0 1 0 0 0 1 0 0 0 1\nCELLS 1 5\n4 0 1 2 9\nCELL_TYPES 1\n10\n"), "uses point 9"),
     ("legacy cut in the points", lambda f: legacy(f, "POINTS 400 float\n0 0 0 1 0 0\n"), ""),
     ("legacy with too few nodes", lambda f: legacy(f, "POINTS 4 float\n0 0 0 1 0 0 0 1 0 0 0 1\nCELLS 1 4\n3 0 1 2\nCELL_TYPES 1\n10\n"), "needs 4"),
+    ("legacy with more cells than bytes", lambda f: legacy(f, f"POINTS 4 float\n0 0 0 1 0 0 0 1 0 0 0 1\nCELLS 1 {HUGE}\n4 0 1 2 3\n"), f'declares "cells 1 {HUGE}"'),
+    ("legacy with more points than bytes", lambda f: legacy(f, f"POINTS {HUGE} float\n0 0 0\n"), f'declares "points {HUGE} float"'),
+    ("legacy with a negative count", lambda f: legacy(f, "POINTS -4 float\n0 0 0\n"), "a negative number"),
+    ("binary legacy with more cell types than bytes", lambda f: binary_legacy(f, b"POINTS 1 float\n" + bytes(12) + f"\nCELL_TYPES {HUGE}\n".encode()), f'declares "cell_types {HUGE}"'),
+    ("legacy field longer than the file", lambda f: legacy(f, f"FIELD FieldData 1\na 3 {HUGE} float\n1 2 3\n"), f'declares "a 3 {HUGE} float"'),
+    ("a series naming such a file", lambda f: (legacy(f, f"POINTS {HUGE} float\n0 0 0\n"), text(f, "a.vtk.series", '{"file-series-version": "1.0", "files": [{"name": "a.vtk"}]}'))[-1], "declares"),
+    ("structured points of impossible size", lambda f: text(f, "a.vtk", "# vtk DataFile Version 3.0\nt\nASCII\nDATASET STRUCTURED_POINTS\nDIMENSIONS 100000 100000 100000\nORIGIN 0 0 0\nSPACING 1 1 1\n"), ""),
+    ("appended vtu with far too many cells", lambda f: edit_bytes(vtu(f, mode=2), *numbers("NumberOfCells", HUGE)), ""),
+    ("appended vtu with far too many points", lambda f: edit_bytes(vtu(f, mode=2), *numbers("NumberOfPoints", HUGE)), ""),
+    ("vtu with far too many points", lambda f: edit(vtu(f), *numbers("NumberOfPoints", HUGE)), ""),
+    ("vtu with far too many cells", lambda f: edit(vtu(f), *numbers("NumberOfCells", HUGE)), ""),
+    ("vti of impossible size", lambda f: text(f, "a.vti", '<VTKFile type="ImageData"><ImageData WholeExtent="0 100000 0 100000 0 100000" Origin="0 0 0" Spacing="1 1 1"><Piece Extent="0 100000 0 100000 0 100000"/></ImageData></VTKFile>'), ""),
+    ("EnSight with far too many nodes", lambda f: ensight(f, 2_000_000_000), ""),
+    ("Fluent with far too many nodes", lambda f: text(f, "a.cas", "(2 3)\n(10 (0 1 7fffffff 0))\n(10 (1 1 7fffffff 1 3)(\n0 0 0\n))\n(12 (0 1 7fffffff 0))\n(12 (1 1 7fffffff 1 4))\n(13 (0 1 7fffffff 0))\n"), ""),
+    ("Tecplot with far too many nodes", lambda f: text(f, "a.tec", f'VARIABLES = "X", "Y", "Z"\nZONE N={HUGE}, E=1, F=FEPOINT, ET=BRICK\n0 0 0\n'), ""),
     ("pvd not XML", lambda f: text(f, "a.pvd", '<VTKFile type="Collection"><Coll'), "not well-formed"),
     ("pvd naming nothing", lambda f: pvd(f), "names no files"),
     ("pvd naming a missing file", lambda f: pvd(f, "gone.vtu"), "does not exist"),
@@ -210,13 +254,100 @@ def test_cells_that_cannot_be_used_are_named_and_counted(tmp_path):
     assert done.returncode == 0 and "1 cell was left out" in done.stdout
 
 
+MEMORY_WORDS = "GB was reached; raise it with --memory-limit"
+
+
 def test_limits_end_in_a_sentence(tmp_path):
     file = write(vtk.vtkXMLImageDataWriter(), tmp_path / "a.vti", big_image())
-    for option, words in [(("--memory-limit", "0.25"), "memory"), (("--time-limit", "0.01"), "--time-limit")]:
+    for option, words in [
+        (("--memory-limit", "0.05"), MEMORY_WORDS),  # not even the libraries of the reader find room
+        (("--memory-limit", "0.2"), MEMORY_WORDS),
+        (("--memory-limit", "0.3"), MEMORY_WORDS),
+        (("--memory-limit", "0.45"), MEMORY_WORDS),
+        (("--time-limit", "0.01"), "--time-limit"),
+        (("--stall-limit", "0.001"), "--stall-limit"),
+    ]:
         done = run_import(file, "-o", tmp_path / "a.ciel", *option)
-        assert done.returncode == 1 and words in done.stderr, done.stderr
+        assert done.returncode == 1 and words in done.stderr, (option, done.stderr)
         assert len(done.stderr.splitlines()) == 1
         assert sorted(p.name for p in tmp_path.iterdir()) == ["a.vti"]
+
+
+def test_limits_of_zero_are_none_and_the_defaults_are_told(tmp_path):
+    file = vtu(tmp_path)
+    none = ("--memory-limit", "0", "--time-limit", "0", "--stall-limit", "0")
+    assert run_import(file, "-o", tmp_path / "a.ciel", *none).returncode == 0
+    told = run_import("--help").stdout
+    for option in none[::2]:
+        assert option in told
+    assert "four fifths" in told and "1800" in told and "no limit" in told
+
+
+def test_who_is_killed_does_not_blame_the_file(tmp_path):
+    """As the kernel does when memory runs out."""
+    file = write(vtk.vtkXMLImageDataWriter(), tmp_path / "a.vti", big_image())
+    with subprocess.Popen([CIEL, "import", str(file), "-o", str(tmp_path / "a.ciel")], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as process:
+        process.stdout.readline()  # it has begun
+        children = pathlib.Path(f"/proc/{process.pid}/task/{process.pid}/children").read_text().split()
+        for child in children:
+            os.kill(int(child), signal.SIGKILL)
+        _, errors = process.communicate(timeout=60)
+    assert children and process.returncode == 1
+    (line,) = errors.splitlines()
+    assert "killed from outside" in line and "memory" in line and "damaged" not in line
+    assert sorted(p.name for p in tmp_path.iterdir()) == ["a.vti"]
+
+
+@pytest.mark.parametrize(
+    "output, words",
+    [
+        ("a.ciel", "out/a.ciel: exists already; --force replaces it"),
+        ("photos.ciel", "out/photos.ciel: exists and is not a CIEL dataset"),
+        ("file.ciel", "out/file.ciel: exists and is not a CIEL dataset"),
+        ("nowhere/b.ciel", "out/nowhere/b.ciel: cannot be written: there is no folder"),
+        ("file.ciel/b.ciel", "out/file.ciel/b.ciel: cannot be written: there is no folder"),
+        ("/proc/b.ciel", "/proc/b.ciel: cannot be written: nothing can be made in /proc"),
+    ],
+)
+def test_an_output_that_cannot_be_written_is_refused_before_reading(tmp_path, output, words):
+    out = tmp_path / "out"
+    out.mkdir()
+    assert run_import(vtu(tmp_path), "-o", out / "a.ciel").returncode == 0
+    (out / "photos.ciel").mkdir()
+    (out / "photos.ciel" / "dear.jpg").write_text("x")
+    (out / "file.ciel").write_text("x")
+    before = sorted(str(p) for p in tmp_path.rglob("*"))
+    damaged = text(tmp_path, "damaged.vtu", "<VTKFile")  # what would be said of it is not
+    force = () if output == "a.ciel" else ("--force",)
+    done = run_import(damaged, "-o", out / output, *force)
+    damaged.unlink()
+    assert done.returncode == 1 and "%" not in done.stdout, done.stdout
+    (line,) = done.stderr.splitlines()
+    assert words in line and "damaged" not in line and line.startswith("ciel: /"), line
+    assert sorted(str(p) for p in tmp_path.rglob("*")) == before
+
+
+def test_an_unknown_array_is_told_before_reading(tmp_path):
+    writer = vtk.vtkXMLImageDataWriter
+    series = [write(writer(), tmp_path / f"{i}.vti", with_fields(image(origin=(i, 0, 0)))) for i in range(3)]
+    index = pvd(tmp_path, *[file.name for file in series])
+    legacy_file = write(vtk.vtkStructuredPointsWriter(), tmp_path / "a.vtk", with_fields(image()))
+    for file in (series[0], index, legacy_file):
+        done = run_import(file, "-o", tmp_path / "a.ciel", "--array", "f", "--array", "nope")
+        assert done.returncode == 1 and 'no array "nope"; there are: c, cell:c, f, v' in done.stderr
+        assert "building" not in done.stdout and "making" not in done.stdout
+        if file is not legacy_file:  # its reader lists nothing before it reads
+            assert "%" not in done.stdout
+
+
+def test_an_array_of_a_later_step_alone_may_be_asked_for(tmp_path):
+    early, late = with_fields(image()), with_fields(image())
+    add_array(late.GetPointData(), "late", np.arange(late.GetNumberOfPoints()))
+    for suffix, writer in ((".vti", vtk.vtkXMLImageDataWriter), (".vtk", vtk.vtkStructuredPointsWriter)):
+        for name, data in (("0", early), ("1", late)):
+            write(writer(), tmp_path / (name + suffix), data)
+        index = pvd(tmp_path, "0" + suffix, "1" + suffix)
+        assert run_import(index, "-o", tmp_path / "a.ciel", "--array", "late", "--force").returncode == 0
 
 
 def big_image():

@@ -8,6 +8,7 @@ from import_support import ciel_info, imported, run_import
 from openfoam_files import (
     CENTRES,
     N,
+    header,
     mesh,
     write_case,
     write_cell_zones,
@@ -53,6 +54,16 @@ def test_an_array_that_a_time_lacks_is_not_written_there(tmp_path):
     (case / "2/p").unlink()
     dataset = imported(tmp_path, case)
     assert "p" in dataset.steps[0]["arrays"] and "p" not in dataset.steps[1]["arrays"]
+
+
+def test_an_array_is_looked_for_at_all_times_before_reading(tmp_path):
+    case = write_case(tmp_path / "case")
+    (case / "1/p").unlink()
+    (case / "2/phi").write_text(header("surfaceScalarField", "phi"))
+    assert imported(tmp_path, case, "--array", "p").array_names() == ["cell:p", "p"]
+    done = run_import(case, "-o", tmp_path / "out.ciel", "--force", "--array", "T")
+    assert done.returncode == 1 and 'no array "T"; there are: U, cell:U, cell:p, p' in done.stderr
+    assert "%" not in done.stdout, "nothing was read"
 
 
 def test_damaged_cases_end_in_a_sentence(tmp_path):

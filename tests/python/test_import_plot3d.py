@@ -94,11 +94,29 @@ def test_a_padded_solution_is_accepted(tmp_path):
 
 def test_a_grid_alone_and_a_series_of_solutions(tmp_path):
     grid, q = write_pair(tmp_path)
-    assert imported(tmp_path, grid).counts()["cells"] == 24
+    alone = tmp_path / "alone"
+    alone.mkdir()
+    assert imported(alone, grid.rename(alone / grid.name)).array_names() == []
+    grid, q = write_pair(tmp_path)
     later = tmp_path / "later.q"
     later.write_bytes(q.read_bytes())
     dataset = imported(tmp_path, grid, q, later, "--force")
     assert dataset.times == [0, 1] and dataset.counts()["cells"] == 24
+
+
+def test_a_grid_takes_the_solution_of_its_name_along(tmp_path):
+    grid, q = write_pair(tmp_path)
+    for name in ("grid.xyz", "grid.x", "grid.grid"):
+        grid = grid.rename(tmp_path / name)
+        dataset = imported(tmp_path, grid, "--force")
+        assert "Density" in dataset.array_names() and "read from grid.q" in dataset.notes
+    (tmp_path / "grid.Q").write_bytes(q.read_bytes())
+    dataset = imported(tmp_path, grid, "--force")
+    assert dataset.array_names() == [] and "grid.q and grid.Q; neither was read" in dataset.notes
+    (tmp_path / "grid.Q").unlink()
+    q.write_bytes(q.read_bytes()[:-4])
+    dataset = imported(tmp_path, grid, "--force")
+    assert dataset.array_names() == [] and "grid.q lies beside the grid but does not belong" in dataset.notes
 
 
 def test_refusals_say_why(tmp_path):

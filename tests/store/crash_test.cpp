@@ -1,5 +1,6 @@
 // Whatever happens to a writer, nothing half-made is left in the dataset's place.
 #include "store/box/box.hpp"
+#include "store/place.hpp"
 
 #include <csignal>
 #include <fstream>
@@ -143,6 +144,18 @@ TEST(Overwrite, OnlyADatasetAndOnlyWhenAsked) {
     test::overwrite_file(scratch / "file", "text");
     EXPECT_THROW(Writer(scratch / "file", {}, true), Error);
     EXPECT_EQ(test::read_file(scratch / "photos" / "cat.jpg"), "cat");
+    EXPECT_THROW(Writer(scratch / "nowhere/a.ciel", {}), Error) << "no folder";
+    EXPECT_THAT(entries(scratch.directory()), testing::UnorderedElementsAre("a.ciel", "file", "photos"));
+}
+
+TEST(Overwrite, APlaceIsCheckedWithoutATrace) {
+    const test::Scratch scratch;
+    test::write_box(scratch / "a.ciel", test::box(1, 1, 1));
+    check_place(scratch / "a.ciel", true);
+    check_place(scratch / "b.ciel", false);
+    EXPECT_THROW(check_place(scratch / "a.ciel", false), Error);
+    EXPECT_THROW(check_place(scratch / "nowhere/a.ciel", true), Error);
+    EXPECT_THAT(entries(scratch.directory()), testing::ElementsAre("a.ciel"));
 }
 
 } // namespace

@@ -185,6 +185,7 @@ TEST_F(CatalogTest, NamesAreLookedUpAndNeverPaths) {
 }
 
 TEST_F(CatalogTest, AFolderIsScannedAgainAndDuplicatesAreNumbered) {
+    fs::create_directories(scratch / "folder");
     test::write_box(scratch / "folder/box.ciel", test::box(1, 1, 1));
     Catalog catalog({directory, scratch / "folder"});
     EXPECT_THAT(names(catalog), ElementsAre("box", "box-2"));

@@ -1,0 +1,17 @@
+// When an input to be imported was last changed.
+#pragma once
+
+#include <filesystem>
+
+namespace ciel::store {
+
+// The newest of the files that its reader reads, as far as their names tell: of an OpenFOAM case (the directory, its
+// .foam file or its controlDict) the control dictionary, the meshes and all that is in the time directories, but no
+// logs; of a file itself and the NAME.q beside it, which a PLOT3D grid takes along. An index that names other files
+// (PVD, .series, PVTU, an EnSight case) stands for them: programs write it anew with each step. Only times are asked
+// for, no file is opened.
+[[nodiscard]] std::filesystem::file_time_type last_change(const std::filesystem::path& input);
+
+[[nodiscard]] bool is_openfoam_case(const std::filesystem::path& directory);
+
+} // namespace ciel::store

@@ -1,0 +1,30 @@
+// The bytes are a file. Whatever they hold, one declaration more than they can keep is refused in a text file: no word
+// of it is ever skipped.
+#include "import/parsers/legacy_vtk_counts.hpp"
+#include "ciel/types.hpp"
+
+#include <cstdint>
+#include <cstdlib>
+#include <sstream>
+
+namespace {
+
+bool accepts(const std::string& content) {
+    std::istringstream file(content);
+    try {
+        ciel::importer::check_legacy_vtk_counts(file, content.size(), "x");
+        return true;
+    } catch (const ciel::Error&) { // a refusal
+        return false;
+    }
+}
+
+} // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    const std::string content(reinterpret_cast<const char*>(data), size);
+    (void)accepts(content);
+    if (accepts("# vtk DataFile Version 3.0\n\nASCII\n" + content + "\nPOINTS 99999999999999999999 float\n"))
+        std::abort();
+    return 0;
+}
