@@ -1,7 +1,7 @@
 import { beforeEach, describe, expect, test } from "vitest";
 import { Connection, HEARTBEAT_MS, LAST_RETRY_MS, retryDelay, type ConnectionState } from "../src/protocol/connection";
 import { Disconnected, Rpc, RpcError } from "../src/protocol/rpc";
-import { FakeClock, FakeSocket } from "./fake_socket";
+import { FakeClock, FakeSocket, settled } from "./fake_socket";
 
 describe("JSON-RPC", () => {
   test("answers find their calls, in any order; errors reject", async () => {
@@ -49,6 +49,7 @@ describe("reconnection", () => {
   let sockets: FakeSocket[] = [];
   let states: ConnectionState[] = [];
   let opened = 0;
+  let rpc: Rpc | undefined;
   let clock = new FakeClock();
   let connection: Connection;
   const newest = (): FakeSocket => {
@@ -58,14 +59,17 @@ describe("reconnection", () => {
   };
 
   beforeEach(() => {
-    [sockets, states, opened, clock] = [[], [], 0, new FakeClock()];
+    [sockets, states, opened, rpc, clock] = [[], [], 0, undefined, new FakeClock()];
     const open = (): FakeSocket => {
       sockets.push(new FakeSocket());
       return newest();
     };
     const events = {
       state: (state: ConnectionState) => void states.push(state),
-      opened: () => void (opened += 1),
+      opened: (fresh: Rpc) => {
+        opened += 1;
+        rpc = fresh;
+      },
       notification: () => undefined,
       binary: () => undefined,
       roundTrip: () => undefined,
@@ -120,6 +124,23 @@ describe("reconnection", () => {
     expect(states.at(-1)?.kind).toBe("open");
     clock.advance(HEARTBEAT_MS);
     expect(states.at(-1)?.kind).toBe("waiting");
+  });
+
+  test("an answer with an error is a sign of life, and the heartbeat goes on", async () => {
+    newest().onopen?.();
+    const error = { code: -32000, message: "busy" };
+    newest().onmessage?.({ data: JSON.stringify({ jsonrpc: "2.0", id: newest().sent[0]?.id, error }) });
+    await settled();
+    clock.advance(HEARTBEAT_MS);
+    expect(newest().sent.length).toBe(2);
+    expect(states.at(-1)?.kind).toBe("open");
+  });
+
+  test("what is unanswered when the socket closes is given up", async () => {
+    newest().onopen?.();
+    const call = rpc?.call("dataset.list", {});
+    newest().onclose?.();
+    await expect(call).rejects.toBeInstanceOf(Disconnected);
   });
 
   test("a late word of a dropped socket changes nothing", () => {

@@ -69,8 +69,9 @@ function notificationHandlers(app: App): Handlers {
       void listDatasets(app); // it may have become one that cannot be opened, or can be again
       if (description?.name !== dataset) return;
       const more = times.length - description.times.length;
-      if (more > 0) app.toasts.show(`${more} more time ${more === 1 ? "step has" : "steps have"} arrived`);
-      app.histograms.clear();
+      const appended = more > 0 && description.times.every((time, step) => time === times[step]);
+      if (appended) app.toasts.show(`${more} more time ${more === 1 ? "step has" : "steps have"} arrived`);
+      else app.histograms.clear(); // another dataset of the name; an appended one keeps the steps that it had
       void describeDatasets(app, true);
     },
     "scene.changed": ({ session, revision, scene }) => {
