@@ -14,7 +14,7 @@ constexpr std::size_t phases = 40;
 constexpr std::size_t periods = 6;                           // until the first dye has left the longest way
 constexpr double source_inside = 1.25, source_outside = 1.9; // radii: full strength, none
 // Of the spacing squared, per step: keeps the filaments as wide as the mesh can show them.
-constexpr float diffusion = 0.1F;
+constexpr float diffusion = 0.24F;
 constexpr std::size_t nodes_per_task = 2048;
 
 double source(double x, double y) {
