@@ -92,6 +92,23 @@ TEST(Crash, AFullDiskLeavesNothing) {
     EXPECT_THAT(entries(scratch.directory()), testing::IsEmpty());
 }
 
+TEST(Crash, TheCommitMarkerIsWrittenAfterAllThatItNames) {
+    const test::Scratch scratch;
+    test::write_box(scratch / "a.ciel", test::box(2, 2, 2));
+    const auto dataset = Dataset::open(scratch / "a.ciel");
+    Writer writer = Writer::append(scratch / "a.ciel");
+    const fs::path attributes = scratch / "a.ciel/meshes/0/.zattrs", kept = scratch / "kept";
+    fs::rename(attributes, kept);
+    fs::create_directory(attributes);
+    const auto q = test::values_of(27, 3);
+    EXPECT_THROW(
+        writer.add_step(5, 0, 0, std::vector<ArrayValues>{{{"q", Association::point, 1, "", "a new array"}, q}}),
+        Error);
+    fs::remove(attributes);
+    fs::rename(kept, attributes);
+    EXPECT_EQ(dataset->refreshed(), nullptr) << "a step whose mesh's document could not be written";
+}
+
 TEST(Crash, AnAppendThatFailsOrIsKilledLeavesTheDatasetAsItWas) {
     const test::Scratch scratch;
     const FaceMesh mesh = test::box(9, 9, 9);
