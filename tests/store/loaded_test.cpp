@@ -198,6 +198,7 @@ TEST_F(CatalogTest, AFolderIsScannedAgainAndDuplicatesAreNumbered) {
 }
 
 TEST_F(CatalogTest, AHiddenFolderIsOneThatIsStillBeingWritten) {
+    fs::create_directory(scratch / "folder");
     test::write_box(scratch / "folder/box.ciel", test::box(1, 1, 1));
     fs::rename(scratch / "folder/box.ciel", scratch / "folder/.half.ciel");
     const Catalog catalog({scratch / "folder"});
@@ -228,6 +229,7 @@ TEST_F(CatalogTest, OneThatCouldNotBeMadeIsListedUntilItIs) {
     EXPECT_EQ(entries[1].problem, "late.vtu: is empty");
     EXPECT_THROW((void)catalog.open("box"), Error);
     EXPECT_THROW((void)catalog.open("late"), Error);
+    fs::create_directory(scratch / "cache");
     test::write_box(scratch / "cache/late.ciel", test::box(1, 1, 1));
     EXPECT_EQ(catalog.list()[1].problem, "");
     EXPECT_NO_THROW((void)catalog.open("late"));
