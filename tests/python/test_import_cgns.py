@@ -25,16 +25,16 @@ class Library:
     def __init__(self):
         name = next((n for n in ("libcgns.so.3.4", ctypes.util.find_library("cgns")) if n), None)
         try:
-            self.library = ctypes.CDLL(name)
+            self.cgns = ctypes.CDLL(name)
         except OSError:
             pytest.skip("libcgns3.4 is not installed")
 
     def __getattr__(self, name):
         def call(*arguments):
             words = [a.encode() if isinstance(a, str) else a for a in arguments]
-            if getattr(self.library, "cg_" + name)(*words) != 0:
-                self.library.cg_get_error.restype = ctypes.c_char_p
-                raise RuntimeError(f"cg_{name}: {self.library.cg_get_error().decode()}")
+            if getattr(self.cgns, "cg_" + name)(*words) != 0:
+                self.cgns.cg_get_error.restype = ctypes.c_char_p
+                raise RuntimeError(f"cg_{name}: {self.cgns.cg_get_error().decode()}")
 
         return call
 
