@@ -14,6 +14,8 @@ export interface PageOptions {
   scale?: number;
   scheme?: "dark" | "light";
   touch?: boolean;
+  /** The server's certificate need not be signed by anybody known. */
+  selfSigned?: boolean;
   /** Runs in the page before anything of its own. */
   before?: string;
 }
@@ -56,6 +58,7 @@ export class Client {
       deviceScaleFactor: options.scale ?? 1,
       colorScheme: options.scheme ?? "dark",
       hasTouch: options.touch ?? false,
+      ignoreHTTPSErrors: options.selfSigned ?? false,
     });
     if (options.before !== undefined) await context.addInitScript(options.before);
     const client = new Client(await context.newPage());

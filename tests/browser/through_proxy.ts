@@ -1,0 +1,17 @@
+// through_proxy.ts ADDRESS PICTURE: the page behind the TLS proxy, whose certificate nobody signed. Fails when it shows no surface.
+import { launch } from "./chromium.ts";
+import { Client } from "./page.ts";
+import { decodePng, hue, share } from "./png.ts";
+
+const [address = "", path = ""] = process.argv.slice(2);
+const browser = await launch();
+try {
+  const client = await Client.open(browser, address, { width: 1280, height: 720, selfSigned: true });
+  await client.settled();
+  await client.page.getByText("Connected", { exact: true }).waitFor();
+  const coloured = share(decodePng(await client.page.screenshot({ path })), (color) => hue(color) !== null);
+  if (coloured < 0.05) throw new Error(`only ${(100 * coloured).toFixed(1)} % of the page has a colour: no surface`);
+  if (client.problems.length > 0) throw new Error(client.problems.join("; "));
+} finally {
+  await browser.close();
+}
