@@ -7,6 +7,7 @@
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/post.hpp>
 #include <boost/asio/signal_set.hpp>
+#include <boost/asio/strand.hpp>
 #include <csignal>
 #include <cstdlib>
 #include <spdlog/spdlog.h>
@@ -40,9 +41,9 @@ public:
           context_(server, options, access_rules(options, address_.is_loopback(), acceptor_.local_endpoint().port())) {}
 
     int run(const std::function<void(const Listening&)>& on_listening) {
-        asio::co_spawn(io_, drain_on_signal(), asio::detached); // from here on a signal drains
+        asio::co_spawn(one_at_a_time_, drain_on_signal(), asio::detached); // from here on a signal drains
         on_listening(listening());
-        asio::co_spawn(io_, accept_connections(acceptor_, io_, context_, workers_), asio::detached);
+        asio::co_spawn(one_at_a_time_, accept_connections(acceptor_, io_, context_, workers_), asio::detached);
         std::vector<std::jthread> threads;
         for (unsigned i = 1; i < threads_; ++i) threads.emplace_back([this] { io_.run(); });
         io_.run();
@@ -104,6 +105,8 @@ private:
     }
 
     asio::io_context io_;
+    // Accepting and draining take turns, for draining closes the acceptor.
+    asio::strand<asio::io_context::executor_type> one_at_a_time_{asio::make_strand(io_)};
     asio::ip::address address_;
     asio::ip::tcp::acceptor acceptor_;
     unsigned threads_;
