@@ -125,6 +125,9 @@ describe("company", { skip }, () => {
       client.page.locator(".toolbar").evaluate((element) => getComputedStyle(element).backgroundColor);
     const dark = await surface();
     assert.ok(distance((await client.picture()).at(3, 3), [26, 31, 41]) < 12);
+    const value = await client.value();
+    await client.dragIso(0.3);
+    await client.settled();
     await client.page.emulateMedia({ colorScheme: "light" });
     await client.settled();
     assert.notEqual(await surface(), dark);
@@ -133,6 +136,9 @@ describe("company", { skip }, () => {
     await client.settled();
     assert.equal(await surface(), dark);
     assert.ok(distance((await client.picture()).at(3, 3), [26, 31, 41]) < 12);
+    await client.button("Undo").click(); // what the system did is no step of its own
+    await client.settled();
+    assert.equal(await client.value(), value);
     await client.close();
   });
 

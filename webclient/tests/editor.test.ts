@@ -78,6 +78,14 @@ describe("scene editor", () => {
     expect(sent[0]?.gesture).not.toBe(sent[1]?.gesture);
   });
 
+  test("an amendment is undone with the step before it", () => {
+    setValue(1);
+    editor.amend({ background: "light" });
+    runFrame();
+    expect(new Set(sent.map((s) => s.gesture)).size).toBe(1);
+    expect(sent.at(-1)?.patch).toMatchObject({ background: "light" });
+  });
+
   test("a slow server gets the newest, not everything", async () => {
     const gesture = editor.newGesture();
     for (let value = 1; value <= 50; value += 1) {

@@ -195,7 +195,7 @@ export class Actions {
   /** To the theme, unless it is a colour of its own. */
   matchBackground(): void {
     const background = this.app.editor.scene?.background ?? "dark";
-    if (!background.startsWith("#")) this.app.editor.change({ background: this.themeBackground() });
+    if (!background.startsWith("#")) this.app.editor.amend({ background: this.themeBackground() });
   }
 
   private bounds(): Bounds | null {

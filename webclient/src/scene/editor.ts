@@ -83,6 +83,11 @@ export class SceneEditor {
     this.requestFlush();
   }
 
+  /** A change that no hand made: it is undone together with the step before it. */
+  amend(patch: object): void {
+    this.change(patch, `${this.name}-${this.gestures}`);
+  }
+
   /** Changes into another document, as one step. */
   replace(scene: Scene, gesture?: string): void {
     if (this.document === null) return;
