@@ -1,45 +1,25 @@
 // The page is not alone: a server that asks for a token, other clients, steps that arrive, links from elsewhere.
 import assert from "node:assert/strict";
-import { spawnSync } from "node:child_process";
+import { execFileSync } from "node:child_process";
 import { mkdtempSync, rmSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
-import { after, before, describe, test } from "node:test";
+import { describe, test } from "node:test";
 import { appendStep } from "./append.ts";
-import { launch, type Browser } from "./chromium.ts";
-import { Client, type PageOptions } from "./page.ts";
-import { difference, distance } from "./png.ts";
-import { datasets, freePort, nameOf, Server } from "./server.ts";
 import { fragmentOf } from "./link.ts";
+import { difference, distance } from "./png.ts";
+import { nameOf, Server } from "./server.ts";
+import { data, skip, Stage } from "./stage.ts";
 
-const data = datasets();
-const skip = data.length === 0 ? "no dataset: set CIEL_BROWSER_DATA" : false;
 const dataset = nameOf(data[0] ?? "");
 
 describe("company", { skip }, () => {
-  let browser: Browser;
-  let server: Server;
-
-  before(async () => {
-    server = new Server(await freePort(), data);
-    await server.start();
-    browser = await launch();
-  });
-  after(async () => {
-    await browser.close();
-    await server.stop();
-  });
-  const fresh = async (options: PageOptions = {}, fragment = ""): Promise<Client> => {
-    const client = await Client.open(browser, server.address + fragment, options);
-    await client.settled();
-    return client;
-  };
+  const stage = new Stage();
 
   test("a server that asks for a token says so, and takes it", async () => {
     const token = "open-sesame-1";
-    const guarded = new Server(await freePort(), data, { token });
-    await guarded.start();
-    const client = await Client.open(browser, guarded.address);
+    const guarded = await Server.started(data, { token });
+    const client = await stage.open(guarded.address);
     await client.page.getByText("This server asks for its token").waitFor();
     await client.keep("token");
     const field = client.page.getByRole("textbox", { name: "Token" });
@@ -53,7 +33,7 @@ describe("company", { skip }, () => {
     await client.page.reload();
     await client.settled(); // a cookie remembers it
     await client.close();
-    const invited = await Client.open(browser, `${guarded.address}?token=${token}`);
+    const invited = await stage.open(`${guarded.address}?token=${token}`);
     await invited.settled();
     assert.ok(!invited.page.url().includes("token"), invited.page.url());
     await invited.close();
@@ -61,27 +41,21 @@ describe("company", { skip }, () => {
   });
 
   test("two clients of one session see the same, and either takes a step back; a third has its own", async () => {
-    const [one, stranger] = [await fresh(), await fresh()];
+    const [one, stranger] = [await stage.fresh(), await stage.fresh()];
     const session = await one.page.evaluate(() => sessionStorage.getItem("ciel.session"));
-    const two = await fresh({ before: `sessionStorage.setItem("ciel.session", "${session ?? ""}")` });
+    const two = await stage.fresh({ before: `sessionStorage.setItem("ciel.session", "${session ?? ""}")` });
     assert.equal(await two.value(), await one.value());
     const before = await two.picture();
     const value = await one.value();
     await one.dragIso(0.7);
     await one.settled();
-    await two.page.waitForFunction(
-      (wanted) => document.querySelector("[role=slider]")?.getAttribute("aria-valuenow") === wanted,
-      String(await one.value()),
-    );
+    await two.reached(await one.value());
     await two.settled();
     assert.ok(difference(before, await two.picture()) > 0.01);
     assert.ok(difference(await one.picture(), await two.picture()) < 0.005);
     await two.button("Undo").click();
     await two.settled();
-    await one.page.waitForFunction(
-      (wanted) => document.querySelector("[role=slider]")?.getAttribute("aria-valuenow") === wanted,
-      String(value),
-    );
+    await one.reached(value);
     await one.button("Redo").click();
     await one.settled();
     assert.notEqual(await one.value(), value);
@@ -96,10 +70,9 @@ describe("company", { skip }, () => {
   test("a step that a simulation appends arrives while the page is open", async () => {
     const folder = mkdtempSync(join(tmpdir(), "ciel-browser-"));
     const growing = join(folder, "growing.ciel");
-    spawnSync("cp", ["-al", data[0] ?? "", growing]); // files of a dataset are replaced, never rewritten
-    const live = new Server(await freePort(), [growing]);
-    await live.start();
-    const client = await Client.open(browser, live.address);
+    execFileSync("cp", ["-al", data[0] ?? "", growing]); // files of a dataset are replaced, never rewritten
+    const live = await Server.started([growing]);
+    const client = await stage.open(live.address);
     await client.settled();
     const slider = client.page.getByLabel("Time step", { exact: true });
     const last = (await slider.count()) > 0 ? Number(await slider.getAttribute("max")) : 0;
@@ -120,7 +93,7 @@ describe("company", { skip }, () => {
   });
 
   test("the system turns from dark to light, and the picture with it", async () => {
-    const client = await fresh({ scheme: "dark" });
+    const client = await stage.fresh({ scheme: "dark" });
     const surface = (): Promise<string> =>
       client.page.locator(".toolbar").evaluate((element) => getComputedStyle(element).backgroundColor);
     const dark = await surface();
@@ -143,7 +116,7 @@ describe("company", { skip }, () => {
   });
 
   test("a link that is followed on the open page is shown, one step back from what was there", async () => {
-    const client = await fresh();
+    const client = await stage.fresh();
     const before = await client.picture();
     const value = await client.value();
     await client.dragIso(0.75);
@@ -154,10 +127,7 @@ describe("company", { skip }, () => {
     await client.button("Undo").click();
     await client.settled();
     await client.page.evaluate((hash) => void (location.hash = hash), link);
-    await client.page.waitForFunction(
-      (v) => document.querySelector("[role=slider]")?.getAttribute("aria-valuenow") === v,
-      String(wanted),
-    );
+    await client.reached(wanted);
     await client.settled();
     assert.ok(difference(moved, await client.picture()) < 0.005);
     await client.button("Undo").click();
@@ -168,7 +138,7 @@ describe("company", { skip }, () => {
   });
 
   test("links that no server can show are said; the open page stays as it was", async () => {
-    const client = await fresh();
+    const client = await stage.fresh();
     const before = await client.picture();
     const rubbish: unknown[] = [
       { dataset: "nowhere" },
@@ -192,7 +162,7 @@ describe("company", { skip }, () => {
   });
 
   test("a link to a dataset that is not here opens a page from which one is chosen", async () => {
-    const client = await Client.open(browser, server.address + fragmentOf({ dataset: "nowhere", layers: {} }));
+    const client = await stage.open(stage.server.address + fragmentOf({ dataset: "nowhere", layers: {} }));
     await client.page.getByText("Nothing can be shown").waitFor();
     await client.keep("link-to-nowhere");
     await client.choose(dataset);
@@ -203,7 +173,7 @@ describe("company", { skip }, () => {
 
   test("a scene that can hardly be seen is a scene all the same", async () => {
     const camera = { position: [1e6, 1e6, 1e6], target: [0, 0, 0], up: [0, 0, 1] };
-    const client = await fresh({}, fragmentOf({ dataset, camera }));
+    const client = await stage.fresh({}, fragmentOf({ dataset, camera }));
     await client.button("Show everything").click();
     await client.settled();
     await client.button("Add an iso-surface").click();

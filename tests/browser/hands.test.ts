@@ -1,13 +1,10 @@
 // Every way of taking hold of the scene: fingers, keys alone, typing, and what the panels offer.
 import assert from "node:assert/strict";
-import { after, before, describe, test } from "node:test";
-import { launch, type Browser, type CDPSession } from "./chromium.ts";
-import { Client } from "./page.ts";
-import { difference, distance, share } from "./png.ts";
-import { datasets, freePort, Server } from "./server.ts";
-
-const data = datasets();
-const skip = data.length === 0 ? "no dataset: set CIEL_BROWSER_DATA" : false;
+import { before, describe, test } from "node:test";
+import type { CDPSession } from "./chromium.ts";
+import type { Client } from "./page.ts";
+import { difference, distance, find } from "./png.ts";
+import { skip, Stage } from "./stage.ts";
 
 type Point = [number, number];
 interface Camera {
@@ -20,21 +17,10 @@ const away = ({ position, target }: Camera): number =>
   Math.hypot(position[0] - target[0], position[1] - target[1], position[2] - target[2]);
 
 describe("hands", { skip }, () => {
-  let browser: Browser;
-  let server: Server;
+  const stage = new Stage({ touch: true });
   let client: Client;
-
   before(async () => {
-    server = new Server(await freePort(), data);
-    await server.start();
-    browser = await launch();
-    client = await Client.open(browser, server.address, { touch: true });
-    await client.settled();
-  });
-  after(async () => {
-    await client.close();
-    await browser.close();
-    await server.stop();
+    client = await stage.same();
   });
   const cameras = (): Camera[] =>
     client.patches.flatMap(({ patch }) => ("camera" in patch ? [patch.camera as Camera] : []));
@@ -84,11 +70,9 @@ describe("hands", { skip }, () => {
     await client.button("Undo").click();
     await client.settled();
     const picture = await client.picture();
-    let [x, y] = [0, 0];
-    share(picture, (color, px, py) => {
+    const [x, y] = find(picture, (color, px, py) => {
       const inside = px > picture.width * 0.4 && py > picture.height * 0.4;
-      if (x === 0 && inside && distance(color, picture.at(1, py)) > 60) [x, y] = [px, py];
-      return false;
+      return inside && distance(color, picture.at(1, py)) > 60;
     });
     const box = await client.canvas.boundingBox();
     await client.page.touchscreen.tap((box?.x ?? 0) + x + 2, (box?.y ?? 0) + y + 2);
@@ -308,8 +292,7 @@ describe("hands", { skip }, () => {
         const answer = asked.call(this, name);
         return typeof answer === "string" && /swiftshader/i.test(answer) ? "A graphics card" : answer;
       };`;
-    const other = await Client.open(browser, server.address, { before: card });
-    await other.settled();
+    const other = await stage.fresh({ before: card });
     const image = await other.picture();
     await other.page.getByLabel("Stream").selectOption("auto");
     await other.settled("geometry");

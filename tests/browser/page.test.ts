@@ -1,47 +1,16 @@
 // The page around the picture: links, time, themes, sizes, a lost server, clear words.
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
-import { after, before, describe, test } from "node:test";
-import { launch, type Browser } from "./chromium.ts";
-import { Client } from "./page.ts";
+import { describe, test } from "node:test";
 import { decodePng, difference, distance } from "./png.ts";
-import { datasets, freePort, nameOf, Server } from "./server.ts";
-
-const data = datasets();
-const skip = data.length === 0 ? "no dataset: set CIEL_BROWSER_DATA" : false;
+import { nameOf, Server } from "./server.ts";
+import { data, skip, Stage } from "./stage.ts";
 
 describe("page", { skip }, () => {
-  let browser: Browser;
-  let server: Server;
-
-  before(async () => {
-    server = new Server(await freePort(), data);
-    await server.start();
-    browser = await launch();
-  });
-  after(async () => {
-    await browser.close();
-    await server.stop();
-  });
-  const fresh = async (options: Parameters<typeof Client.open>[2] = {}): Promise<Client> => {
-    await server.start(); // where a test before left it dead
-    const client = await Client.open(browser, server.address, options);
-    await client.settled();
-    return client;
-  };
-
-  let kept: Client | undefined;
-  /** One page for all who leave it as it was. */
-  const same = async (): Promise<Client> => {
-    await server.start();
-    kept ??= await Client.open(browser, server.address);
-    await kept.page.getByText("Connected", { exact: true }).waitFor({ timeout: 30_000 });
-    await kept.settled();
-    return kept;
-  };
+  const stage = new Stage();
 
   test("a link opens the same view in another browser", async () => {
-    const client = await fresh();
+    const client = await stage.fresh();
     await client.dragIso(0.7);
     await client.dragCanvas([0.4, 0.5], [0.6, 0.3]);
     await client.settled();
@@ -49,7 +18,7 @@ describe("page", { skip }, () => {
     await client.addressed();
     const link = client.page.url();
     assert.match(link, /#s=[A-Za-z0-9_-]{40,}$/);
-    const other = await Client.open(browser, link);
+    const other = await stage.open(link);
     await other.settled();
     assert.ok(difference(picture, await other.picture()) < 0.005);
     assert.equal(await other.value(), await client.value());
@@ -58,14 +27,14 @@ describe("page", { skip }, () => {
   });
 
   test("a damaged link is said, and the page works all the same", async () => {
-    const client = await Client.open(browser, `${server.address}#s=abc`);
+    const client = await stage.open(`${stage.server.address}#s=abc`);
     await client.page.getByText("does not hold a whole scene").waitFor();
     await client.settled();
     await client.close();
   });
 
   test("reloading keeps the session and its undo", async () => {
-    const client = await fresh();
+    const client = await stage.fresh();
     const before = await client.value();
     await client.dragIso(0.3);
     await client.settled();
@@ -82,20 +51,20 @@ describe("page", { skip }, () => {
   });
 
   test("the server dies and comes back: the scene is kept, and what the hand did meanwhile", async () => {
-    const client = await same();
+    const client = await stage.same();
     await client.dragIso(0.65);
     await client.settled();
     const picture = await client.picture();
     const value = await client.value();
-    await server.stop("SIGKILL");
+    await stage.server.stop("SIGKILL");
     await client.page.getByText("The server does not answer").waitFor();
     await client.keep("server-gone");
     await client.isoValue.focus();
     await client.page.keyboard.press("PageUp");
     const moved = await client.value();
     assert.notEqual(moved, value);
-    await server.start();
-    await client.page.getByText("Connected", { exact: true }).waitFor({ timeout: 30_000 });
+    await stage.server.start();
+    await client.connected();
     await client.settled();
     assert.equal(await client.value(), moved);
     await client.isoValue.focus();
@@ -107,25 +76,25 @@ describe("page", { skip }, () => {
   });
 
   test("it comes back by itself", async () => {
-    const client = await same();
-    await server.stop();
+    const client = await stage.same();
+    await stage.server.stop();
     await client.page.getByText("The server does not answer").waitFor();
-    await server.start();
-    await client.page.getByText("Connected", { exact: true }).waitFor({ timeout: 30_000 });
+    await stage.server.start();
+    await client.connected();
     await client.settled();
   });
 
   test("offline is said at once", async () => {
-    const client = await same();
+    const client = await stage.same();
     await client.page.context().setOffline(true);
     await client.page.getByText("This computer is offline").waitFor();
     await client.page.context().setOffline(false);
-    await client.page.getByText("Connected", { exact: true }).waitFor({ timeout: 30_000 });
+    await client.connected();
     await client.settled();
   });
 
   test("time plays, pauses and steps", async (context) => {
-    const client = await same();
+    const client = await stage.same();
     const slider = client.page.getByLabel("Time step", { exact: true });
     for (const path of data) {
       if ((await slider.count()) > 0) break;
@@ -153,7 +122,7 @@ describe("page", { skip }, () => {
   });
 
   test("light and dark", async () => {
-    const light = await fresh({ scheme: "light" });
+    const light = await stage.fresh({ scheme: "light" });
     await light.keep("light");
     const bright = (await light.picture()).at(3, 3);
     assert.ok(distance(bright, [255, 255, 255]) < 12, `light: ${bright.join()}`);
@@ -166,7 +135,7 @@ describe("page", { skip }, () => {
   });
 
   test("another size, and more pixels for a sharper screen", async () => {
-    const client = await fresh({ scale: 2, width: 1000, height: 640 });
+    const client = await stage.fresh({ scale: 2, width: 1000, height: 640 });
     const size = (): Promise<number[]> =>
       client.page
         .locator("canvas")
@@ -187,7 +156,7 @@ describe("page", { skip }, () => {
   });
 
   test("the saved picture is a lossless still of the view's size", async () => {
-    const client = await same();
+    const client = await stage.same();
     const [file] = await Promise.all([client.page.waitForEvent("download"), client.button("Save a picture").click()]);
     const saved = decodePng(await readFile(await file.path()));
     const seen = await client.picture();
@@ -196,7 +165,7 @@ describe("page", { skip }, () => {
   });
 
   test("a surface leaves as a file", async () => {
-    const client = await same();
+    const client = await stage.same();
     await client.button("Export a surface").click();
     await client.page.getByLabel("Surface", { exact: true }).selectOption("iso");
     const [file] = await Promise.all([client.page.waitForEvent("download"), client.button("PLY").click()]);
@@ -206,7 +175,7 @@ describe("page", { skip }, () => {
   });
 
   test("help opens by key and closes by Escape", async () => {
-    const client = await same();
+    const client = await stage.same();
     await client.page.keyboard.press("?");
     await client.page.getByRole("dialog").waitFor();
     await client.keep("help");
@@ -215,28 +184,25 @@ describe("page", { skip }, () => {
   });
 
   test("every control has a name", async () => {
-    const client = await same();
-    const nameless = await client.page.evaluate(() =>
-      [...document.querySelectorAll("button, select, input, [role=slider]")]
-        .filter((e) => !(e.getAttribute("aria-label") ?? e.closest("label")?.textContent ?? e.textContent))
-        .map((e) => e.outerHTML),
-    );
-    assert.deepEqual(nameless, []);
+    const client = await stage.same();
+    for (const role of ["button", "checkbox", "combobox", "slider", "textbox"] as const) {
+      assert.notEqual(await client.page.getByRole(role).count(), 0, role);
+      const nameless = client.page.getByRole(role, { name: /^\s*$/ });
+      assert.deepEqual(await nameless.evaluateAll((all) => all.map((e) => e.outerHTML)), []);
+    }
   });
 
   test("below a path prefix", async () => {
-    const below = new Server(await freePort(), data, { prefix: "/some/where" });
-    await below.start();
-    const client = await Client.open(browser, below.address);
+    const below = await Server.started(data, { prefix: "/some/where" });
+    const client = await stage.open(below.address);
     await client.settled();
     await client.close();
     await below.stop();
   });
 
   test("a server without datasets says so", async () => {
-    const empty = new Server(await freePort(), []);
-    await empty.start();
-    const client = await Client.open(browser, empty.address);
+    const empty = await Server.started([]);
+    const client = await stage.open(empty.address);
     await client.page.getByText("The server offers no dataset").waitFor();
     await client.close();
     await empty.stop();

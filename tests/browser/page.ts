@@ -113,6 +113,18 @@ export class Client {
     }
   }
 
+  async connected(): Promise<void> {
+    await this.page.getByText("Connected", { exact: true }).waitFor({ timeout: 30_000 });
+  }
+
+  /** Until the iso-value is this: other hands move it too. */
+  async reached(value: number): Promise<void> {
+    await this.page.waitForFunction(
+      (wanted) => document.querySelector("[role=slider]")?.getAttribute("aria-valuenow") === wanted,
+      String(value),
+    );
+  }
+
   /** Until the page has changed the scene: what the server is asked first takes its time. */
   async patched(count = 1): Promise<void> {
     const deadline = Date.now() + 60_000;

@@ -59,6 +59,14 @@ export function share(picture: Picture, holds: (color: Color, x: number, y: numb
   return count / (picture.width * picture.height);
 }
 
+/** The first pixel, row by row, for which the test holds. */
+export function find(picture: Picture, holds: (color: Color, x: number, y: number) => boolean): [number, number] {
+  for (let y = 0; y < picture.height; y += 1) {
+    for (let x = 0; x < picture.width; x += 1) if (holds(picture.at(x, y), x, y)) return [x, y];
+  }
+  throw new Error("no such pixel in the picture");
+}
+
 export const distance = (a: Color, b: Color): number =>
   Math.max(Math.abs(a[0] - b[0]), Math.abs(a[1] - b[1]), Math.abs(a[2] - b[2]));
 

@@ -25,13 +25,18 @@ export const nameOf = (path: string): string =>
     .replace(/^.*\//, "")
     .replace(/\.ciel$/, "");
 
-export async function freePort(): Promise<number> {
+async function freePort(): Promise<number> {
   const probe = createServer();
   await new Promise<void>((done) => probe.listen(0, "127.0.0.1", done));
   const address = probe.address();
   await new Promise((done) => probe.close(done));
   if (address === null || typeof address === "string") throw new Error("no free port");
   return address.port;
+}
+
+interface ServerOptions {
+  prefix?: string;
+  token?: string;
 }
 
 export class Server {
@@ -43,11 +48,17 @@ export class Server {
   private readonly prefix: string;
   private readonly token: string;
 
-  constructor(port: number, data: string[], { prefix = "", token = "" } = {}) {
+  private constructor(port: number, data: string[], { prefix = "", token = "" }: ServerOptions) {
     this.port = port;
     this.data = data;
     this.prefix = prefix;
     this.token = token;
+  }
+
+  static async started(data: string[], options: ServerOptions = {}): Promise<Server> {
+    const server = new Server(await freePort(), data, options);
+    await server.start();
+    return server;
   }
 
   get address(): string {

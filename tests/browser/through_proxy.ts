@@ -8,7 +8,7 @@ const browser = await launch();
 try {
   const client = await Client.open(browser, address, { width: 1280, height: 720, selfSigned: true });
   await client.settled();
-  await client.page.getByText("Connected", { exact: true }).waitFor();
+  await client.connected();
   const coloured = share(decodePng(await client.page.screenshot({ path })), (color) => hue(color) !== null);
   if (coloured < 0.05) throw new Error(`only ${(100 * coloured).toFixed(1)} % of the page has a colour: no surface`);
   if (client.problems.length > 0) throw new Error(client.problems.join("; "));

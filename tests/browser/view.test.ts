@@ -1,13 +1,10 @@
 // What is seen, and that the hand changes it.
 import assert from "node:assert/strict";
-import { after, before, describe, test } from "node:test";
-import { launch, type Browser } from "./chromium.ts";
-import { Client } from "./page.ts";
-import { difference, distance, hue, share, type Color, type Picture } from "./png.ts";
-import { datasets, freePort, nameOf, Server } from "./server.ts";
-
-const data = datasets();
-const skip = data.length === 0 ? "no dataset: set CIEL_BROWSER_DATA" : false;
+import { before, describe, test } from "node:test";
+import type { Client } from "./page.ts";
+import { difference, distance, find, hue, share, type Color, type Picture } from "./png.ts";
+import { nameOf } from "./server.ts";
+import { data, skip, Stage } from "./stage.ts";
 
 /** Background differs from row to row only; its colour stands at the left edge of every row. */
 const foreground = (picture: Picture): number =>
@@ -15,21 +12,10 @@ const foreground = (picture: Picture): number =>
 const isColoured = (color: Color): boolean => hue(color) !== null;
 
 describe("view", { skip }, () => {
-  let browser: Browser;
-  let server: Server;
+  const stage = new Stage({ width: 1280, height: 720 });
   let client: Client;
-
   before(async () => {
-    server = new Server(await freePort(), data);
-    await server.start();
-    browser = await launch();
-    client = await Client.open(browser, server.address, { width: 1280, height: 720 });
-    await client.settled();
-  });
-  after(async () => {
-    await client.close();
-    await browser.close();
-    await server.stop();
+    client = await stage.same();
   });
 
   test("the first picture shows something on a background", async () => {
@@ -173,11 +159,10 @@ describe("view", { skip }, () => {
 
   test("a click reads the values, a double click centres", async () => {
     const picture = await client.picture();
-    let [x, y] = [0, 0];
-    share(picture, (color, px, py) => {
-      if (x === 0 && isColoured(color) && px > picture.width * 0.4 && py > picture.height * 0.4) [x, y] = [px, py];
-      return false;
-    });
+    const [x, y] = find(
+      picture,
+      (color, px, py) => isColoured(color) && px > picture.width * 0.4 && py > picture.height * 0.4,
+    );
     await client.canvas.click({ position: { x: x + 2, y: y + 2 } });
     const card = client.page.getByLabel("Values at the clicked point");
     await card.waitFor();
