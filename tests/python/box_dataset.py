@@ -6,6 +6,8 @@ import pathlib
 
 import numpy as np
 
+NO_NEIGHBOUR = 4294967295
+
 _xxhash = ctypes.CDLL("libxxhash.so.0")
 _xxhash.XXH3_64bits.restype = ctypes.c_uint64
 _xxhash.XXH3_64bits.argtypes = [ctypes.c_char_p, ctypes.c_size_t]
@@ -37,7 +39,6 @@ def box_faces(n: int):
     """Loops with the normal out of the owner, sorted by owner: face_vertex [F, 4], owner, neighbour."""
     cells = np.arange(n**3, dtype=np.int64).reshape(n, n, n)  # z, y, x
     points = np.arange((n + 1) ** 3, dtype=np.int64).reshape(n + 1, n + 1, n + 1)
-    none = 4294967295
     loops, owners, neighbours = [], [], []
     # both quads of every cell across each axis; arrays run z, y, x
     for axis in range(3):
@@ -52,13 +53,13 @@ def box_faces(n: int):
             quad = np.stack(corners, axis=-1)
             if not high:
                 quad = quad[..., ::-1]
-            other = np.full((n, n, n), none, dtype=np.int64)
+            other = np.full((n, n, n), NO_NEIGHBOUR, dtype=np.int64)
             inside = [slice(None)] * 3
             inside[axis] = slice(0, n - 1) if high else slice(1, n)
             source = [slice(None)] * 3
             source[axis] = slice(1, n) if high else slice(0, n - 1)
             other[tuple(inside)] = cells[tuple(source)]
-            keep = (other == none) | (cells < other)
+            keep = (other == NO_NEIGHBOUR) | (cells < other)
             loops.append(quad[keep])
             owners.append(cells[keep])
             neighbours.append(other[keep])
@@ -106,7 +107,7 @@ def write_box(directory: pathlib.Path, n: int = 12, steps: int = 4) -> pathlib.P
             step["arrays"][name] = {"chunk": i, "checksum": sums[i]}
 
     edges = 3 * n * (n + 1) ** 2
-    boundary = int(np.count_nonzero(neighbour == 4294967295))
+    boundary = int(np.count_nonzero(neighbour == NO_NEIGHBOUR))
     counts = {"vertices": vertices, "edges": edges, "faces": faces, "half_edges": 24 * cells, "boundary_faces": boundary,
               "components": 1, "cells": cells}
     (mesh / ".zattrs").write_text(json.dumps({"ciel": {

@@ -1,26 +1,22 @@
 """What the import tests share: running `ciel import`, and reading a dataset with plain JSON and Zarr."""
 
 import json
-import os
 import pathlib
-import subprocess
 import urllib.parse
 
 import numpy as np
 import zarr
+from program import ciel
 
-CIEL = os.environ.get("CIEL_BINARY", "build/ciel")
 NO_NEIGHBOUR = 4294967295
 
 
-def run_import(*arguments, timeout=300):
-    return subprocess.run(
-        [CIEL, "import", *map(str, arguments)], capture_output=True, text=True, timeout=timeout, check=False
-    )
+def run_import(*arguments):
+    return ciel("import", *arguments, timeout=300)
 
 
 def ciel_info(dataset, *options):
-    return subprocess.run([CIEL, "info", str(dataset), *options], capture_output=True, text=True, check=True).stdout
+    return ciel("info", dataset, *options, check=True).stdout
 
 
 class Dataset:

@@ -9,19 +9,37 @@ import re
 import signal
 import struct
 import subprocess
+import time
+from collections.abc import Callable
 
 import requests
 import websockets
 
-BINARY = os.environ.get("CIEL_BINARY", str(pathlib.Path(__file__).parents[2] / "build" / "ciel"))
+from program import CIEL
+
 PATIENCE = 60  # seconds after which something is taken to hang
+UPGRADE = (b"GET /ws HTTP/1.1\r\nHost: localhost\r\nUpgrade: websocket\r\nConnection: Upgrade\r\n"
+           b"Sec-WebSocket-Version: 13\r\nSec-WebSocket-Key: AAAAAAAAAAAAAAAAAAAAAA==\r\n"
+           b"Sec-WebSocket-Protocol: ciel.v1\r\n\r\n")
+
+
+def until(holds: Callable[[], bool]) -> None:
+    """Waits for what the server does on its own."""
+    deadline = time.monotonic() + PATIENCE
+    while not holds():
+        assert time.monotonic() < deadline, "it does not come"
+
+
+def iso(value: float) -> dict:
+    """A patch for the box."""
+    return {"layers": {"iso": {"type": "iso", "array": "r", "values": [value]}}}
 
 
 class Server:
     def __init__(self, *arguments: str, environment: dict[str, str] | None = None, log: pathlib.Path | None = None):
         self.log = open(log, "w+") if log else open(os.devnull, "w+")
         self.process = subprocess.Popen(
-            [BINARY, "serve", *([] if "--port" in arguments else ["--port", "0"]), *map(str, arguments)],
+            [CIEL, "serve", *([] if "--port" in arguments else ["--port", "0"]), *map(str, arguments)],
             stdout=subprocess.PIPE, stderr=self.log, text=True, env={**os.environ, **(environment or {})})
         self.line = self.process.stdout.readline().strip()
         match = re.search(r"http://([^/]+?:(\d+))(/[^?\s]*)", self.line)

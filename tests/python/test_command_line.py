@@ -1,16 +1,10 @@
 """The command line's own words: what is missing, unknown or too much, in one line that says what to do."""
 
-import os
-import subprocess
-
 import pytest
 
-CIEL = os.environ["CIEL_BINARY"]
+from program import ciel
+
 COMMANDS = ["import", "info", "append", "demo", "extract", "render", "serve"]
-
-
-def ciel(*arguments):
-    return subprocess.run([CIEL, *arguments], capture_output=True, text=True)
 
 
 WRONG = [

@@ -3,12 +3,11 @@
 import numpy as np
 import pytest
 from import_support import imported
-from vtk_files import hexahedra, linear
+from vtk_files import CUBE_FACES, hexahedra, linear
 
 h5py = pytest.importorskip("h5py", reason="python3-h5py is not installed")
 
 N = 3
-FACES = [[0, 3, 2, 1], [4, 5, 6, 7], [0, 1, 5, 4], [1, 2, 6, 5], [2, 3, 7, 6], [3, 0, 4, 7]]  # outwards
 WALL, INLET = 30, 7  # ids of boundaries are any
 
 
@@ -16,7 +15,7 @@ def polygons(cells, centres_of):
     """Each polygon once: nodes, and its two cells; outside cells are -(boundary id + 1), given first."""
     seen = {}
     for cell, nodes in enumerate(cells):
-        for face in FACES:
+        for face in CUBE_FACES:
             loop = [int(nodes[i]) for i in face]
             seen.setdefault(tuple(sorted(loop)), (loop, []))[1].append(cell)
     rows = []

@@ -134,8 +134,7 @@ LINEAR_VOLUME = {"hexahedron": 1, "tetrahedron": 1 / 6, "wedge": 1 / 2, "pyramid
 @pytest.mark.parametrize("cell, kind, corners, words", QUADRATIC, ids=lambda value: getattr(value, "__name__", ""))
 def test_every_quadratic_kind_keeps_its_corners_and_the_values_there(tmp_path, cell, kind, corners, words):
     cell = cell()
-    at = np.array(cell.GetParametricCoords() and [cell.GetParametricCoords()[i] for i in range(3 * cell.GetNumberOfPoints())])
-    points = at.reshape(-1, 3)
+    points = np.reshape(cell.GetParametricCoords(), (-1, 3))
     grid = with_fields(unstructured([(cell.GetCellType(), list(range(len(points))))], points))
     dataset = imported(tmp_path, write(vtk.vtkXMLUnstructuredGridWriter(), tmp_path / "a.vtu", grid))
     assert dataset.cells() == {kind: 1} and f"1 {words} keep their corners" in dataset.notes
@@ -196,7 +195,7 @@ def test_the_seam_of_an_o_grid_is_welded_only_when_the_fields_agree(tmp_path):
     dataset = imported(tmp_path, tmp_path / "a.vts", "--no-weld", "--force")
     assert dataset.counts()["vertices"] == 13 * 4 * 3
 
-    add_array(grid.GetPointData(), "angle", [grid.GetNumberOfPoints() and (i // 4) % 13 for i in range(13 * 4 * 3)])
+    add_array(grid.GetPointData(), "angle", [(i // 4) % 13 for i in range(13 * 4 * 3)])
     dataset = imported(tmp_path, write(vtk.vtkXMLStructuredGridWriter(), tmp_path / "b.vts", grid), "--force")
     assert dataset.counts()["vertices"] == 13 * 4 * 3 and "angle differs across the seam" in dataset.notes
 

@@ -12,7 +12,8 @@ import zipfile
 import numpy as np
 import pytest
 import vtk
-from import_support import CIEL, run_import
+from import_support import run_import
+from program import CIEL
 from test_import_plot3d import write_pair
 from vtk_files import CUBE, CUBE_FACES, add_array, image, mixed, structured, unstructured, with_fields, write
 

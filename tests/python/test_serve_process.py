@@ -8,14 +8,14 @@ import shutil
 import signal
 import socket
 import struct
-import subprocess
 
 import pytest
 import requests
 import websockets
 
 import box_dataset
-from serve_process import BINARY, PATIENCE, Client, Server, client
+from program import ciel
+from serve_process import PATIENCE, Client, Server, client, iso, until
 
 
 @pytest.fixture(scope="module")
@@ -23,9 +23,8 @@ def box(tmp_path_factory):
     return box_dataset.write_box(tmp_path_factory.mktemp("data") / "box.ciel", n=24)
 
 
-def failure(*arguments: str, **environment: str) -> tuple[int, str]:
-    result = subprocess.run([BINARY, "serve", *arguments], capture_output=True, text=True, timeout=PATIENCE,
-                            env={**os.environ, **environment})
+def failure(*arguments: str) -> tuple[int, str]:
+    result = ciel("serve", *arguments, timeout=PATIENCE)
     assert result.stdout == ""
     return result.returncode, result.stderr
 
@@ -84,10 +83,6 @@ def test_a_signal_ends_it_cleanly(box, number, tmp_path):
         assert "stopping" in (tmp_path / "log").read_text()
 
 
-def iso(value: float) -> dict:
-    return {"layers": {"iso": {"type": "iso", "array": "r", "values": [value]}}}
-
-
 def test_sigterm_drains_while_frames_stream(box):
     async def attempt(running: Server) -> None:
         async with client(running) as caller:
@@ -136,8 +131,7 @@ def test_a_picture_under_way_is_delivered_and_nobody_else_is_let_in(box):
         async with client(running) as caller:
             number, side = await picture_under_way(running, caller)
             running.process.send_signal(signal.SIGTERM)
-            while not is_refused(running.port):
-                pass
+            until(lambda: is_refused(running.port))
             answer = await caller.answer(number)
             picture = base64.b64decode(answer["result"]["data"])
             assert picture.startswith(b"\x89PNG") and struct.unpack_from(">II", picture, 16) == (side, side)
@@ -171,12 +165,9 @@ def test_a_second_signal_ends_it_at_once(box):
         held = socket.create_connection(("127.0.0.1", running.port))
         # half a body: the connection is busy, so draining waits for it
         held.sendall(b"POST /rpc HTTP/1.1\r\nHost: localhost\r\nContent-Type: application/json\r\nContent-Length: 9\r\n\r\n{")
-        while running.metrics()["ciel_gateway_connections_open"] < 2:
-            pass
+        until(lambda: running.metrics()["ciel_gateway_connections_open"] >= 2)
         running.process.send_signal(signal.SIGTERM)
-        with pytest.raises(requests.ConnectionError):
-            while True:
-                running.get("/healthz")
+        until(lambda: is_refused(running.port))
         running.process.send_signal(signal.SIGTERM)
         assert running.process.wait(PATIENCE) in (0, 128 + signal.SIGTERM)
         held.close()
@@ -238,8 +229,7 @@ def test_two_hundred_visitors_leave_nothing_behind(box):
     with Server(box) as running:
         def files() -> int:
             """The least of several looks, for each look is a connection that takes a moment to end."""
-            while running.metrics()["ciel_gateway_websockets_open"] > 0:
-                pass
+            until(lambda: running.metrics()["ciel_gateway_websockets_open"] == 0)
             return min(running.open_files() for _ in range(100) if running.get("/healthz"))
 
         asyncio.run(visits(running, 50))  # caches and arenas have their size after some

@@ -9,7 +9,7 @@ import socket
 import pytest
 
 import box_dataset
-from serve_process import PATIENCE, Frame, Server, client
+from serve_process import PATIENCE, UPGRADE, Frame, Server, client, iso, until
 
 
 @pytest.fixture(scope="module")
@@ -17,10 +17,6 @@ def server(tmp_path_factory):
     box = box_dataset.write_box(tmp_path_factory.mktemp("data") / "box.ciel", n=24)
     with Server(box) as running:
         yield running
-
-
-def iso(value: float) -> dict:
-    return {"layers": {"iso": {"type": "iso", "array": "r", "values": [value]}}}
 
 
 async def open_view(caller, stream="image", width=320, height=240) -> tuple[str, int]:
@@ -116,13 +112,11 @@ def test_geometry_comes_in_batches(server):
 
 
 def stuck_client(server: Server) -> socket.socket:
-    """Asks for many large pictures and reads none of the answers."""
+    """A WebSocket with room for little, which nobody reads."""
     stuck = socket.socket()
     stuck.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, 4096)
     stuck.connect(("127.0.0.1", server.port))
-    stuck.sendall(b"GET /ws HTTP/1.1\r\nHost: localhost\r\nUpgrade: websocket\r\nConnection: Upgrade\r\n"
-                  b"Sec-WebSocket-Version: 13\r\nSec-WebSocket-Key: AAAAAAAAAAAAAAAAAAAAAA==\r\n"
-                  b"Sec-WebSocket-Protocol: ciel.v1\r\n\r\n")
+    stuck.sendall(UPGRADE)
     assert stuck.recv(12) == b"HTTP/1.1 101"
     return stuck
 
@@ -151,8 +145,7 @@ def test_a_client_that_does_not_read_blocks_nobody(server):
             assert (await caller.frame(revision)).revision == revision
 
     run(attempt)
-    while not ended and server.metrics()["ciel_gateway_websockets_open"] >= before:
-        pass
+    until(lambda: ended or server.metrics()["ciel_gateway_websockets_open"] < before)
     stuck.close()
 
 
@@ -173,10 +166,7 @@ def test_clients_that_vanish_are_forgotten(server):
     before = state()
     for _ in range(10):
         run(vanish)
-    for _ in range(3000):
-        if state() <= before:
-            return
-    pytest.fail(f"{before} before, {state()} after")
+    until(lambda: state() <= before)
 
 
 def test_two_clients_of_a_session_hear_of_each_other(server):

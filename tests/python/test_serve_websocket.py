@@ -10,7 +10,7 @@ import pytest
 import websockets
 
 import box_dataset
-from serve_process import PATIENCE, Client, Server, client
+from serve_process import PATIENCE, UPGRADE, Client, Server, client, iso, until
 
 TOKEN = "0123456789abcdef"
 
@@ -113,9 +113,7 @@ class Raw:
 
     def __init__(self, server: Server):
         self.socket = socket.create_connection(("127.0.0.1", server.port), timeout=PATIENCE)
-        self.socket.sendall(b"GET /ws HTTP/1.1\r\nHost: localhost\r\nUpgrade: websocket\r\nConnection: Upgrade\r\n"
-                            b"Sec-WebSocket-Version: 13\r\nSec-WebSocket-Key: AAAAAAAAAAAAAAAAAAAAAA==\r\n"
-                            b"Sec-WebSocket-Protocol: ciel.v1\r\n\r\n")
+        self.socket.sendall(UPGRADE)
         self.received = b""
         while b"\r\n\r\n" not in self.received:
             self.received += self.socket.recv(4096)
@@ -221,8 +219,7 @@ def test_answers_come_in_the_order_of_requests(server):
             session = (await caller.call("session.open", dataset="box"))["session"]
             numbers = []
             for i in range(300):
-                patch = {"layers": {"iso": {"type": "iso", "array": "r", "values": [0.5 + i / 1000]}}}
-                numbers.append(await caller.send("scene.patch", session=session, patch=patch))
+                numbers.append(await caller.send("scene.patch", session=session, patch=iso(0.5 + i / 1000)))
                 if i % 50 == 0:
                     numbers.append(await caller.send("picture.render", session=session, width=64, height=64))
             answers = [await caller.receive() for _ in numbers]
@@ -261,8 +258,4 @@ def test_only_so_many_connections(tmp_path):
         assert refused.status_code == 503 and refused.headers["Retry-After"] == "1"
         for one in held:
             one.close()
-        for _ in range(1000):
-            if running.get("/healthz").status_code == 200:
-                break
-        else:
-            pytest.fail("the limit stays reached after the connections have ended")
+        until(lambda: running.get("/healthz").status_code == 200)

@@ -12,11 +12,8 @@ import numpy
 import pytest
 import zarr
 
-CIEL = os.environ["CIEL_BINARY"]
-
-
-def ciel(*arguments):
-    return subprocess.run([CIEL, *map(str, arguments)], capture_output=True, text=True)
+from import_support import NO_NEIGHBOUR
+from program import CIEL, ciel
 
 
 def info(dataset):
@@ -57,7 +54,7 @@ def test_info_counts_what_zarr_reads(demo):
     mesh = zarr.open_group(str(demo), mode="r")["meshes/0"]
     told = info(demo)
     offsets, corners = mesh["face_offset"][:], mesh["face_vertex"][:]
-    boundary = mesh["neighbour"][:] == 0xFFFFFFFF
+    boundary = mesh["neighbour"][:] == NO_NEIGHBOUR
     assert told["mesh"]["boundary_faces"] == boundary.sum()
     assert told["mesh"]["half_edges"] == (numpy.diff(offsets.astype("i8")) * numpy.where(boundary, 1, 2)).sum()
     after = numpy.arange(1, len(corners) + 1)

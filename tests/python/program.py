@@ -1,0 +1,11 @@
+"""The `ciel` program, as every test runs it."""
+
+import os
+import pathlib
+import subprocess
+
+CIEL = os.environ.get("CIEL_BINARY", str(pathlib.Path(__file__).parents[2] / "build" / "ciel"))
+
+
+def ciel(*arguments, **options):
+    return subprocess.run([CIEL, *map(str, arguments)], capture_output=True, text=True, **options)
