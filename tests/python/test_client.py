@@ -1,0 +1,74 @@
+"""protocol/python as a script uses it, against a real server."""
+
+import asyncio
+
+import pytest
+
+import box_dataset
+from ciel_client import Client, RpcError, Stream, read_batch, read_frame
+from ciel_client.frames import GEOMETRY, HEADER, IMAGE
+from ciel_client.types import ERROR_CODES
+from serve_process import PATIENCE, Server, iso
+
+TOKEN = "0123456789abcdef"
+
+
+@pytest.fixture(scope="module")
+def server(tmp_path_factory):
+    box = box_dataset.write_box(tmp_path_factory.mktemp("data") / "box.ciel")
+    with Server(box, "--token", TOKEN) as running:
+        yield running
+
+
+def test_calls_and_batches(server):
+    client = Client(server.base + "/", TOKEN)
+    assert client.call("dataset.list") == [{"name": "box", "problem": ""}]
+    listed, error, described = client.batch(
+        [("dataset.list", {}), ("dataset.describe", {"dataset": "bax"}), ("dataset.describe", {"dataset": "box"})])
+    assert listed[0]["name"] == described["name"] == "box"
+    assert isinstance(error, RpcError) and error.code == ERROR_CODES["NotFound"]
+    assert client.batch([]) == []
+    with pytest.raises(RpcError, match="/dataset is missing") as refused:
+        client.call("dataset.describe")
+    assert refused.value.path == "/dataset" and refused.value.message == "Invalid params"
+
+
+def test_a_server_that_refuses_is_named(server):
+    with pytest.raises(ConnectionError, match="/rpc: 401"):
+        Client(server.base, "another-token").call("dataset.list")
+
+
+@pytest.mark.parametrize(("stream", "kind"), [("image", IMAGE), ("geometry", GEOMETRY)])
+def test_frames_come_until_the_server_ends(tmp_path, stream, kind):
+    async def attempt(running: Server) -> None:
+        async with Stream(f"ws://127.0.0.1:{running.port}/ws", TOKEN) as viewer:
+            session = (await viewer.call("session.open", dataset="box"))["session"]
+            view = (await viewer.call("view.open", session=session, width=64, height=48, stream=stream))["view"]
+            revision = (await viewer.call("scene.patch", session=session, patch=iso(0.6)))["revision"]
+            async for frame in viewer.frames():
+                assert frame.kind == kind and frame.view == view
+                if frame.revision == revision:
+                    break
+            assert frame.triangles > 0 and frame.is_first
+            if kind == GEOMETRY:
+                batch = read_batch(frame.payload)
+                assert len(batch.positions) == 3 * batch.description["vertices"] > 0
+                assert max(batch.indices) < batch.description["vertices"]
+            with pytest.raises(RpcError):
+                await viewer.call("scene.get", session="gone")
+            running.process.terminate()
+            with pytest.raises(ConnectionError):
+                while True:
+                    await viewer.next_frame()
+            assert (await viewer.notifications.get())["method"] == "server.draining"
+
+    with Server(box_dataset.write_box(tmp_path / "box.ciel"), "--token", TOKEN) as running:
+        asyncio.run(asyncio.wait_for(attempt(running), PATIENCE))
+
+
+def test_damaged_frames_are_refused():
+    whole = HEADER.pack(b"CIEL", 1, IMAGE, 7, 1, 1, 1, 4, 4, 0, 0, 0, 0, 0, 0, 3) + b"abc"
+    assert read_frame(whole).payload == b"abc"
+    for damaged, words in [(whole[:79], "at least 80"), (b"X" + whole[1:], "not a CIEL frame"), (whole[:-1], "announces 3")]:
+        with pytest.raises(ValueError, match=words):
+            read_frame(damaged)
