@@ -1,7 +1,7 @@
 import { beforeEach, describe, expect, test } from "vitest";
 import { Connection, HEARTBEAT_MS, LAST_RETRY_MS, retryDelay, type ConnectionState } from "../src/protocol/connection";
 import { Disconnected, Rpc, RpcError } from "../src/protocol/rpc";
-import { FakeClock, FakeSocket, settled } from "./fake_socket";
+import { FakeClock, FakeNetwork, settled } from "./fake_socket";
 
 describe("JSON-RPC", () => {
   test("answers find their calls, in any order; errors reject", async () => {
@@ -46,24 +46,15 @@ describe("JSON-RPC", () => {
 });
 
 describe("reconnection", () => {
-  let sockets: FakeSocket[] = [];
+  let network = new FakeNetwork();
   let states: ConnectionState[] = [];
   let opened = 0;
   let rpc: Rpc | undefined;
   let clock = new FakeClock();
   let connection: Connection;
-  const newest = (): FakeSocket => {
-    const socket = sockets.at(-1);
-    if (socket === undefined) throw new Error("no socket was opened");
-    return socket;
-  };
 
   beforeEach(() => {
-    [sockets, states, opened, rpc, clock] = [[], [], 0, undefined, new FakeClock()];
-    const open = (): FakeSocket => {
-      sockets.push(new FakeSocket());
-      return newest();
-    };
+    [network, states, opened, rpc, clock] = [new FakeNetwork(), [], 0, undefined, new FakeClock()];
     const events = {
       state: (state: ConnectionState) => void states.push(state),
       opened: (fresh: Rpc) => {
@@ -74,7 +65,7 @@ describe("reconnection", () => {
       binary: () => undefined,
       roundTrip: () => undefined,
     };
-    connection = new Connection(open, events, clock);
+    connection = new Connection(network.open, events, clock);
     connection.start();
   });
 
@@ -85,79 +76,79 @@ describe("reconnection", () => {
   });
 
   test("a socket that closes is followed by another, later each time", () => {
-    newest().onopen?.();
+    network.newest.onopen?.();
     expect(states.at(-1)).toEqual({ kind: "open" });
     for (const delay of [500, 1000, 2000]) {
-      const before = sockets.length;
-      newest().onclose?.();
+      const before = network.sockets.length;
+      network.newest.onclose?.();
       expect(states.at(-1)).toMatchObject({ kind: "waiting", retryAt: clock.now() + delay });
       clock.advance(delay - 1);
-      expect(sockets.length).toBe(before);
+      expect(network.sockets.length).toBe(before);
       clock.advance(1);
-      expect(sockets.length).toBe(before + 1);
+      expect(network.sockets.length).toBe(before + 1);
     }
-    newest().onopen?.();
-    newest().onclose?.();
+    network.newest.onopen?.();
+    network.newest.onclose?.();
     expect(states.at(-1)).toMatchObject({ attempt: 0 }); // success starts the delays anew
     expect(opened).toBe(2);
   });
 
   test("a hand that says now does not wait", () => {
-    newest().onclose?.();
+    network.newest.onclose?.();
     connection.retryNow();
-    expect(sockets.length).toBe(2);
+    expect(network.sockets.length).toBe(2);
     connection.retryNow(); // one is under way
-    expect(sockets.length).toBe(2);
+    expect(network.sockets.length).toBe(2);
   });
 
   test("a socket that never opens is given up", () => {
     clock.advance(10_000);
-    expect(newest().closed).toBe(true);
+    expect(network.newest.closed).toBe(true);
     expect(states.at(-1)?.kind).toBe("waiting");
   });
 
   test("a silent server is found out by the heartbeat, an answering one is kept", async () => {
-    newest().onopen?.();
-    await newest().answer({});
+    network.newest.onopen?.();
+    await network.newest.answer({});
     clock.advance(HEARTBEAT_MS);
-    expect(newest().sent.length).toBe(2);
+    expect(network.newest.sent.length).toBe(2);
     expect(states.at(-1)?.kind).toBe("open");
     clock.advance(HEARTBEAT_MS);
     expect(states.at(-1)?.kind).toBe("waiting");
   });
 
   test("an answer with an error is a sign of life, and the heartbeat goes on", async () => {
-    newest().onopen?.();
+    network.newest.onopen?.();
     const error = { code: -32000, message: "busy" };
-    newest().onmessage?.({ data: JSON.stringify({ jsonrpc: "2.0", id: newest().sent[0]?.id, error }) });
+    network.newest.onmessage?.({ data: JSON.stringify({ jsonrpc: "2.0", id: network.newest.sent[0]?.id, error }) });
     await settled();
     clock.advance(HEARTBEAT_MS);
-    expect(newest().sent.length).toBe(2);
+    expect(network.newest.sent.length).toBe(2);
     expect(states.at(-1)?.kind).toBe("open");
   });
 
   test("what is unanswered when the socket closes is given up", async () => {
-    newest().onopen?.();
+    network.newest.onopen?.();
     const call = rpc?.call("dataset.list", {});
-    newest().onclose?.();
+    network.newest.onclose?.();
     await expect(call).rejects.toBeInstanceOf(Disconnected);
   });
 
   test("a late word of a dropped socket changes nothing", () => {
-    const old = newest();
+    const old = network.newest;
     const late = old.onclose;
     connection.lost();
     connection.retryNow();
     expect(old.onclose).toBeNull();
     expect(late).not.toBeNull();
-    expect(sockets.length).toBe(2);
+    expect(network.sockets.length).toBe(2);
   });
 
   test("stopped stays stopped", () => {
-    newest().onopen?.();
+    network.newest.onopen?.();
     connection.stop();
     clock.advance(1e6);
-    expect(sockets.length).toBe(1);
+    expect(network.sockets.length).toBe(1);
     expect(states.at(-1)).toEqual({ kind: "closed" });
   });
 });

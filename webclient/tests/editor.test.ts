@@ -1,8 +1,9 @@
 import { beforeEach, describe, expect, test } from "vitest";
-import type { Revision, Scene, SessionState } from "../src/generated/protocol";
+import type { Revision, Scene } from "../src/generated/protocol";
 import { Disconnected, RpcError } from "../src/protocol/rpc";
 import { SceneEditor } from "../src/scene/editor";
 import { settled } from "./fake_socket";
+import { state } from "./session_state";
 
 interface Sent {
   patch: object;
@@ -15,13 +16,6 @@ const scene: Scene = {
   dataset: "d",
   layers: { iso: { type: "iso", array: "p", values: [0] }, outline: { type: "outline" } },
 };
-const state = (of: Scene, revision = 1): SessionState => ({
-  session: "s",
-  revision,
-  scene: of,
-  can_undo: false,
-  can_redo: false,
-});
 const taken = (revision: number): Revision => ({ revision, can_undo: true, can_redo: false });
 
 let sent: Sent[] = [];

@@ -29,6 +29,22 @@ export class FakeSocket implements SocketLike {
   }
 }
 
+/** Opens sockets, and remembers them. */
+export class FakeNetwork {
+  readonly sockets: FakeSocket[] = [];
+
+  readonly open = (): FakeSocket => {
+    this.sockets.push(new FakeSocket());
+    return this.newest;
+  };
+
+  get newest(): FakeSocket {
+    const socket = this.sockets.at(-1);
+    if (socket === undefined) throw new Error("no socket was opened");
+    return socket;
+  }
+}
+
 /** Promises that are ready have run. */
 export const settled = (): Promise<void> => new Promise((done) => setTimeout(done, 0));
 

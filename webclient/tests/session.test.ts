@@ -1,20 +1,14 @@
 import { beforeEach, describe, expect, test } from "vitest";
-import type { Scene, SessionState } from "../src/generated/protocol";
+import type { Scene } from "../src/generated/protocol";
 import { RpcError } from "../src/protocol/rpc";
 import { SceneEditor } from "../src/scene/editor";
 import { Session, wordsFor } from "../src/session/session";
-import { FakeClock, FakeSocket, settled } from "./fake_socket";
+import { FakeClock, FakeNetwork, settled } from "./fake_socket";
+import { state } from "./session_state";
 
 const scene: Scene = { dataset: "d", layers: { iso: { type: "iso", array: "p", values: [0] } } };
-const state = (of: Scene, revision = 1): SessionState => ({
-  session: "s",
-  revision,
-  scene: of,
-  can_undo: false,
-  can_redo: false,
-});
 
-let sockets: FakeSocket[] = [];
+let network = new FakeNetwork();
 let frames: (() => void)[] = [];
 let views: number[] = [];
 let failures: string[] = [];
@@ -23,20 +17,16 @@ let clock = new FakeClock();
 let editor: SceneEditor;
 let session: Session;
 
-const newest = (): FakeSocket => {
-  const socket = sockets.at(-1);
-  if (socket === undefined) throw new Error("no socket was opened");
-  return socket;
-};
 const join = async (held: Scene, view: number): Promise<void> => {
-  newest().onopen?.();
+  network.newest.onopen?.();
   await settled();
-  await newest().answer(state(held), "session.open");
-  await newest().answer({ view }, "view.open");
+  await network.newest.answer(state(held), "session.open");
+  await network.newest.answer({ view }, "view.open");
 };
 
 beforeEach(() => {
-  [sockets, frames, views, failures, size, clock] = [[], [], [], [], { width: 800, height: 600 }, new FakeClock()];
+  [network, clock, size] = [new FakeNetwork(), new FakeClock(), { width: 800, height: 600 }];
+  [frames, views, failures] = [[], [], []];
   editor = new SceneEditor(
     { changed: () => undefined, accepted: () => undefined, refused: (error) => void failures.push(error.message) },
     { now: () => clock.now(), requestFrame: (callback) => void frames.push(callback) },
@@ -54,19 +44,15 @@ beforeEach(() => {
     notified: () => undefined,
     failed: (error: Error) => void failures.push(error.message),
   };
-  const open = (): FakeSocket => {
-    sockets.push(new FakeSocket());
-    return newest();
-  };
-  session = new Session("s", host, editor, open, clock);
+  session = new Session("s", host, editor, network.open, clock);
   session.start();
 });
 
 describe("session", () => {
   test("opens with the first scene, then a view of the canvas's size", async () => {
     await join(scene, 4);
-    expect(newest().calls("session.open")).toMatchObject([{ params: { session: "s", scene } }]);
-    expect(newest().calls("view.open")).toMatchObject([
+    expect(network.newest.calls("session.open")).toMatchObject([{ params: { session: "s", scene } }]);
+    expect(network.newest.calls("view.open")).toMatchObject([
       { params: { session: "s", width: 800, height: 600, stream: "image" } },
     ]);
     expect(views.at(-1)).toBe(4);
@@ -74,53 +60,55 @@ describe("session", () => {
   });
 
   test("a canvas that changed while the view was opened is told", async () => {
-    newest().onopen?.();
+    network.newest.onopen?.();
     await settled();
-    await newest().answer(state(scene), "session.open");
+    await network.newest.answer(state(scene), "session.open");
     size = { width: 640, height: 480 };
     session.resize(); // there is no view yet
-    await newest().answer({ view: 4 }, "view.open");
-    expect(newest().calls("view.resize")).toMatchObject([{ params: { view: 4, width: 640, height: 480 } }]);
+    await network.newest.answer({ view: 4 }, "view.open");
+    expect(network.newest.calls("view.resize")).toMatchObject([{ params: { view: 4, width: 640, height: 480 } }]);
     session.resize();
-    expect(newest().calls("view.resize").length).toBe(1); // nothing new to tell
+    expect(network.newest.calls("view.resize").length).toBe(1); // nothing new to tell
   });
 
   test("after a break the scene goes back as the hand left it", async () => {
     await join(scene, 4);
-    newest().onclose?.();
+    network.newest.onclose?.();
     expect(views.at(-1)).toBe(0);
     editor.change({ layers: { iso: { values: [5] } } });
     clock.advance(500);
-    expect(sockets.length).toBe(2);
-    newest().onopen?.();
+    expect(network.sockets.length).toBe(2);
+    network.newest.onopen?.();
     await settled();
-    const reopened = newest().calls("session.open").at(-1)?.params as { scene: Scene };
+    const reopened = network.newest.calls("session.open").at(-1)?.params as { scene: Scene };
     expect(reopened.scene.layers?.iso).toMatchObject({ values: [5] }); // for a server that forgot the session
-    await newest().answer(state(scene), "session.open"); // one that did not
-    await newest().answer({ view: 9 }, "view.open");
+    await network.newest.answer(state(scene), "session.open"); // one that did not
+    await network.newest.answer({ view: 9 }, "view.open");
     frames.splice(0).forEach((frame) => frame());
-    expect(newest().calls("scene.patch")).toMatchObject([{ params: { patch: { layers: { iso: { values: [5] } } } } }]);
+    expect(network.newest.calls("scene.patch")).toMatchObject([
+      { params: { patch: { layers: { iso: { values: [5] } } } } },
+    ]);
     expect(views.at(-1)).toBe(9);
   });
 
   test("frames of a view that is gone are not acknowledged", async () => {
     await join(scene, 4);
     session.acknowledge(3, 1);
-    expect(newest().calls("view.ack")).toEqual([]);
+    expect(network.newest.calls("view.ack")).toEqual([]);
     session.acknowledge(4, 1);
-    expect(newest().calls("view.ack")).toMatchObject([{ params: { view: 4, frame: 1 } }]);
+    expect(network.newest.calls("view.ack")).toMatchObject([{ params: { view: 4, frame: 1 } }]);
   });
 
   test("a refused scene is said, a broken line is not", async () => {
-    newest().onopen?.();
+    network.newest.onopen?.();
     await settled();
     const error = { code: -32002, message: "Invalid scene", data: {} };
-    newest().onmessage?.({
-      data: JSON.stringify({ jsonrpc: "2.0", id: newest().calls("session.open")[0]?.id, error }),
+    network.newest.onmessage?.({
+      data: JSON.stringify({ jsonrpc: "2.0", id: network.newest.calls("session.open")[0]?.id, error }),
     });
     await settled();
     expect(failures).toEqual(["Invalid scene"]);
-    newest().onclose?.();
+    network.newest.onclose?.();
     await expect(session.call("dataset.list", {})).rejects.toThrow("connection ended");
     await settled();
     expect(failures.length).toBe(1);

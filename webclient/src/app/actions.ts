@@ -4,7 +4,7 @@ import type { AxisView, Bounds, FullCamera } from "../camera/camera";
 import type { Coloring, Layer, Vec3 } from "../generated/protocol";
 import type { JsonObject } from "../protocol/merge_patch";
 import { clamp } from "../scene/numbers";
-import { freeId, nearestStep, topOrder } from "../scene/scalars";
+import { arrayOf, freeId, nearestStep, shownTime, topOrder } from "../scene/scalars";
 import type { App } from "./app";
 import { download } from "./download";
 import { openingScene } from "./first_scene";
@@ -92,6 +92,15 @@ export class Actions {
     return id;
   }
 
+  /** The middle of the array's range now, where an iso-surface begins. */
+  middleOf(array: string): number {
+    const { description, scene } = this.app.store.get();
+    const time = shownTime(description, scene);
+    const known = description === null ? null : this.app.histograms.get(description.name, array, time);
+    const [low, high] = known?.range ?? arrayOf(description, array)?.range ?? [0, 1];
+    return (low + high) / 2;
+  }
+
   /** One colouring for several layers, as one step. undefined members are taken away. */
   setColoring(layers: string[], change: { [K in keyof Coloring]: Coloring[K] | undefined }, gesture?: string): void {
     const color: JsonObject = {};
@@ -109,7 +118,7 @@ export class Actions {
     const { description, scene } = this.app.store.get();
     const times = description?.times ?? [];
     this.app.player.stop();
-    this.setStep(nearestStep(times, scene?.time ?? times[0] ?? 0) + steps);
+    this.setStep(nearestStep(times, scene?.time) + steps);
   }
 
   togglePlay(): void {
@@ -130,45 +139,30 @@ export class Actions {
   async openDataset(name: string): Promise<void> {
     const { app } = this;
     app.player.stop();
-    app.store.set({ busy: `Opening ${name}` });
-    try {
+    await this.whileBusy(`Opening ${name}`, async () => {
       const description = await app.session.call("dataset.describe", { dataset: name });
       const scene = openingScene(description, app.size, this.themeBackground());
       app.store.set({ description, probe: null });
       if (app.editor.scene === null) await app.session.begin(scene);
       else app.editor.replace(scene);
-    } catch (error) {
-      app.fail(error);
-    } finally {
-      app.store.set({ busy: null });
-    }
+    });
   }
 
   async screenshot(): Promise<void> {
     const { app } = this;
-    app.store.set({ busy: "Drawing the picture" });
-    try {
+    await this.whileBusy("Drawing the picture", async () => {
       const picture = await app.session.call("picture.render", { session: app.tab.id, ...app.size.pixels() });
       download(`${app.editor.scene?.dataset ?? "ciel"}.png`, picture.mime, picture.data);
-    } catch (error) {
-      app.fail(error);
-    } finally {
-      app.store.set({ busy: null });
-    }
+    });
   }
 
   async exportSurface(layer: string, format: ExportFormat, triangles: boolean): Promise<void> {
     const { app } = this;
-    app.store.set({ busy: "Writing the surface" });
-    try {
+    await this.whileBusy("Writing the surface", async () => {
       const file = await app.session.call("surface.export", { session: app.tab.id, layer, format, triangles });
       download(file.name, file.mime, file.data);
       app.toasts.show(`${file.name}: ${file.polygons} polygons, ${file.vertices} vertices`);
-    } catch (error) {
-      app.fail(error);
-    } finally {
-      app.store.set({ busy: null });
-    }
+    });
   }
 
   async copyLink(): Promise<void> {
@@ -196,6 +190,17 @@ export class Actions {
   matchBackground(): void {
     const background = this.app.editor.scene?.background ?? "dark";
     if (!background.startsWith("#")) this.app.editor.amend({ background: this.themeBackground() });
+  }
+
+  private async whileBusy(words: string, work: () => Promise<void>): Promise<void> {
+    this.app.store.set({ busy: words });
+    try {
+      await work();
+    } catch (error) {
+      this.app.fail(error);
+    } finally {
+      this.app.store.set({ busy: null });
+    }
   }
 
   private bounds(): Bounds | null {

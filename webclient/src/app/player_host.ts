@@ -7,7 +7,7 @@ export function playerHost(app: App): PlayerHost {
   const times = (): readonly number[] => app.store.get().description?.times ?? [];
   return {
     times,
-    shownStep: () => nearestStep(times(), app.editor.scene?.time ?? times()[0] ?? 0),
+    shownStep: () => nearestStep(times(), app.editor.scene?.time),
     show: (step, gesture) => {
       const time = times()[step];
       if (time !== undefined) app.editor.change({ time }, gesture);

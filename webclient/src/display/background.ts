@@ -1,5 +1,5 @@
 // The scene's background as the two colours of the server's gradient.
-type Rgb = [number, number, number];
+export type Rgb = [number, number, number];
 
 const NAMED: Record<string, { top: Rgb; bottom: Rgb }> = {
   dark: { top: [0.1, 0.12, 0.16], bottom: [0.03, 0.04, 0.05] },

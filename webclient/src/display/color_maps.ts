@@ -1,4 +1,5 @@
 // The colour maps that the server draws with, from the same table.
+import type { Rgb } from "./background";
 import table from "../../../protocol/colormaps.json";
 
 export type Colors = Uint8Array<ArrayBuffer>; // 256 RGBA
@@ -19,9 +20,7 @@ const first = table.maps[0]?.name ?? "viridis";
 
 export const colorMapNames: readonly string[] = table.maps.map(({ name }) => name);
 export const DEFAULT_MAP = "viridis";
-export const missingColor: [number, number, number] = [0, 2, 4].map(
-  (at) => parseInt(table.nan.slice(at, at + 2), 16) / 255,
-) as [number, number, number];
+export const missingColor = [0, 2, 4].map((at) => parseInt(table.nan.slice(at, at + 2), 16) / 255) as Rgb;
 
 /** The named map, or the first where the server knows one that this page does not. */
 export function colorMap(name: string): Colors {

@@ -2,11 +2,10 @@
 import { boundsRadius, type Bounds, type FullCamera } from "../camera/camera";
 import { depthRange, projectionMatrix, viewMatrix } from "../camera/matrices";
 import type { GeometryBatch } from "../decoders/geometry";
+import type { Rgb } from "./background";
 import { colorMap, missingColor } from "./color_maps";
 import { buildProgram, type Program } from "./gl_program";
 import { BACKGROUND_FRAGMENT, BACKGROUND_VERTEX, SURFACE_FRAGMENT, SURFACE_VERTEX } from "./shaders";
-
-type Rgb = [number, number, number];
 
 export interface Look {
   camera: FullCamera;

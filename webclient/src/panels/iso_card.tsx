@@ -3,7 +3,7 @@ import type { JSX } from "preact";
 import { useState } from "preact/hooks";
 import type { IsoLayer, Range } from "../generated/protocol";
 import { formatNumber, logarithmicStart, niceStep, widestGap } from "../scene/numbers";
-import { scalarsOf, shownTime, unitsOf } from "../scene/scalars";
+import { arrayOf, scalarsOf, shownTime, unitsOf } from "../scene/scalars";
 import { ColoringFields, OpacityField } from "./coloring";
 import { IconButton, NumberField, SelectField } from "./controls";
 import { useApp, useAppState } from "./context";
@@ -116,14 +116,10 @@ export function IsoCard({ id, layer }: { id: string; layer: IsoLayer }): JSX.Ele
   const units = unitsOf(description, layer.array);
   const time = shownTime(description, scene);
   const histogram = description === null ? null : histograms.get(description.name, layer.array, time);
-  const own = scalarsOf(description).find(({ name }) => name === layer.array)?.array.range;
+  const own = arrayOf(description, layer.array)?.range;
   const range: Range = histogram?.range ?? own ?? [Math.min(0, ...layer.values), Math.max(1, ...layer.values)];
   const setValues = (values: number[], gesture?: string): void => actions.setLayer(id, { values }, gesture);
-  const changeArray = (array: string): void => {
-    const next = description === null ? null : histograms.get(description.name, array, time);
-    const [low, high] = next?.range ?? scalarsOf(description).find(({ name }) => name === array)?.array.range ?? [0, 1];
-    actions.setLayer(id, { array, values: [(low + high) / 2] });
-  };
+  const changeArray = (array: string): void => actions.setLayer(id, { array, values: [actions.middleOf(array)] });
   return (
     <article class={visible ? "card" : "card off"} aria-label={`Iso-surface of ${layer.array}`}>
       <div class="card-head">

@@ -1,21 +1,19 @@
 import type { JSX } from "preact";
-import { layersOf, scalarsOf, shownTime } from "../scene/scalars";
+import { layersOf, scalarsOf } from "../scene/scalars";
 import { IconButton, Section } from "./controls";
 import { useApp, useAppState } from "./context";
 import { IsoCard } from "./iso_card";
 
 export function IsoSection(): JSX.Element {
-  const { actions, histograms } = useApp();
+  const { actions } = useApp();
   const scene = useAppState((state) => state.scene);
   const description = useAppState((state) => state.description);
   const layers = layersOf(scene, "iso");
   const scalars = scalarsOf(description);
   const add = (): void => {
     const scalar = scalars.find(({ name }) => !layers.some(([, layer]) => layer.array === name)) ?? scalars[0];
-    if (scalar === undefined || description === null) return;
-    const known = histograms.get(description.name, scalar.name, shownTime(description, scene));
-    const [low, high] = known?.range ?? scalar.array.range ?? [0, 1];
-    actions.addLayer("iso", { type: "iso", array: scalar.name, values: [(low + high) / 2] });
+    if (scalar === undefined) return;
+    actions.addLayer("iso", { type: "iso", array: scalar.name, values: [actions.middleOf(scalar.name)] });
   };
   const button = (
     <IconButton icon="plus" label="Add an iso-surface" text="Add" disabled={scalars.length === 0} onClick={add} />

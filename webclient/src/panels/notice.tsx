@@ -25,7 +25,7 @@ function useReason(hasPicture: boolean): Reason {
   const refusal = useAppState((state) => state.refusal);
   const kept = hasPicture ? "The picture is from before. Your scene is kept and comes back with the connection." : "";
   if (!navigator.onLine) return { title: "This computer is offline", words: kept };
-  if (refusal?.kind === "refused") return { title: "The server lets this page not in", words: refusal.words };
+  if (refusal?.kind === "refused") return { title: "The server does not let this page in", words: refusal.words };
   if (refusal?.kind === "no-socket") {
     return {
       title: "The server answers, but no WebSocket reaches it",

@@ -19,7 +19,7 @@ export function TimeBar(): JSX.Element {
   }
   const first = times[0] ?? 0;
   const last = times.at(-1) ?? 0;
-  const step = nearestStep(times, time ?? first);
+  const step = nearestStep(times, time);
   const shown = formatNumber(times[step] ?? 0, last - first);
   return (
     <div class="time-bar" role="group" aria-label="Time">

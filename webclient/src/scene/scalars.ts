@@ -14,18 +14,22 @@ export function scalarsOf(description: DatasetDescription | null): Scalar[] {
   );
 }
 
+/** The array that the scalar is made from. */
+export const arrayOf = (description: DatasetDescription | null, scalar: string): ArrayInfo | undefined =>
+  scalarsOf(description).find(({ name }) => name === scalar)?.array;
+
 export const unitsOf = (description: DatasetDescription | null, scalar: string): string =>
   scalarsOf(description).find(({ name }) => name === scalar)?.units ?? "";
 
 /** null where it is known of single steps only: a vector's range is its magnitude's. */
 export function rangeOfAllSteps(description: DatasetDescription | null, scalar: string): Range | null {
-  const array = scalarsOf(description).find(({ name }) => name === scalar)?.array;
+  const array = arrayOf(description, scalar);
   if (array === undefined || (array.components > 1 && !scalar.endsWith(":magnitude"))) return null;
   return array.range;
 }
 
-/** The step that a time stands for: the nearest. */
-export function nearestStep(times: readonly number[], time: number): number {
+/** The step that a time stands for: the nearest; without a time, the first. */
+export function nearestStep(times: readonly number[], time = times[0] ?? 0): number {
   let best = 0;
   times.forEach((candidate, index) => {
     if (Math.abs(candidate - time) < Math.abs((times[best] ?? 0) - time)) best = index;
@@ -34,7 +38,7 @@ export function nearestStep(times: readonly number[], time: number): number {
 }
 
 export const shownTime = (description: DatasetDescription | null, scene: Scene | null): number =>
-  description?.times[nearestStep(description.times, scene?.time ?? description.times[0] ?? 0)] ?? 0;
+  description?.times[nearestStep(description.times, scene?.time)] ?? 0;
 
 export type LayerOf<T extends Layer["type"]> = Extract<Layer, { type: T }>;
 
