@@ -17,6 +17,8 @@ std::array<double, 2> finite_range(const std::vector<float>& values) {
 void count(protocol::DatasetHistogramResult& result, const std::vector<float>& values) {
     const auto [low, high] = result.range;
     const auto bins = static_cast<double>(result.counts.size());
+    const double scale = std::isfinite(high - low) ? 1 : 0.5; // the widest ranges have no width that a double can hold
+    const double width = high * scale - low * scale;
     for (const float value : values) {
         if (!std::isfinite(value))
             ++result.invalid;
@@ -25,7 +27,7 @@ void count(protocol::DatasetHistogramResult& result, const std::vector<float>& v
         else if (value > high)
             ++result.above;
         else {
-            const double place = high > low ? (value - low) / (high - low) * bins : 0;
+            const double place = width > 0 ? (value * scale - low * scale) / width * bins : 0;
             ++result.counts[static_cast<std::size_t>(std::min(place, bins - 1))];
         }
     }

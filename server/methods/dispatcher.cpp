@@ -39,19 +39,21 @@ json answer(const json& id, const char* member, json content) {
     return {{"jsonrpc", "2.0"}, {"id", id}, {member, std::move(content)}};
 }
 
+// Other numbers would come back rounded, and the client would not know its request again.
+bool is_id(const json& id) { return id.is_string() || id.is_number_integer() || id.is_null(); }
+
 // The id of a request as far as it can be told, else null.
 json id_of(const json& request) {
     if (!request.is_object()) return nullptr;
     const auto id = request.find("id");
-    return id != request.end() && (id->is_string() || id->is_number()) ? *id : json();
+    return id != request.end() && is_id(*id) ? *id : json();
 }
 
 bool is_request(const json& request) {
     if (!request.is_object() || request.value("jsonrpc", json()) != "2.0") return false;
     if (const auto method = request.find("method"); method == request.end() || !method->is_string()) return false;
     if (const auto params = request.find("params"); params != request.end() && !params->is_structured()) return false;
-    const auto id = request.find("id");
-    return id == request.end() || id->is_string() || id->is_number() || id->is_null();
+    return true;
 }
 
 json call(Context& context, const json& request) {
@@ -72,6 +74,8 @@ std::optional<json> handle(Context& context, const json& request) {
     };
     if (!is_request(request))
         return failed(invalid_request("a request is an object with jsonrpc \"2.0\" and a method"));
+    if (const auto id = request.find("id"); id != request.end() && !is_id(*id))
+        return failed(invalid_request("an id is a text, null, or a whole number of 64 bits; write others as text"));
     const bool is_notification = !request.contains("id");
     try {
         json result = call(context, request);
@@ -102,8 +106,14 @@ std::optional<json> handle_text(Context& context, std::string_view text) {
         return refused(limit_error("a message may have " + std::to_string(limits.message_bytes) + " bytes"));
     if (is_deeper_than(text, limits.json_depth))
         return refused(limit_error("JSON may be " + std::to_string(limits.json_depth) + " levels deep"));
-    const json request = json::parse(text.begin(), text.end(), nullptr, false);
-    if (request.is_discarded()) return refused(parse_error("the message is not valid JSON"));
+    json request;
+    try {
+        request = json::parse(text.begin(), text.end());
+    } catch (const json::out_of_range&) {
+        return refused(parse_error("a number in the message is too large; the largest is about 1.8e308"));
+    } catch (const json::exception&) {
+        return refused(parse_error("the message is not valid JSON"));
+    }
     if (!request.is_array()) return handle(context, request);
     if (request.empty()) return refused(invalid_request("a batch must not be empty"));
     if (request.size() > limits.batch_requests)

@@ -78,6 +78,14 @@ constexpr Row table[] = {
      R"({"jsonrpc": "2.0", "error": {"code": -32600, "message": "Invalid Request"}, "id": 1})"},
     {"an id that is an object", R"({"jsonrpc": "2.0", "method": "dataset.list", "id": {}})",
      R"({"jsonrpc": "2.0", "error": {"code": -32600, "message": "Invalid Request"}, "id": null})"},
+    {"the largest ids", R"([{"jsonrpc": "2.0", "method": "foo", "id": 18446744073709551615},
+                           {"jsonrpc": "2.0", "method": "foo", "id": -9223372036854775808}])",
+     R"([{"jsonrpc": "2.0", "error": {"code": -32601, "message": "Method not found"}, "id": 18446744073709551615},
+         {"jsonrpc": "2.0", "error": {"code": -32601, "message": "Method not found"}, "id": -9223372036854775808}])"},
+    {"an id that would be rounded", R"({"jsonrpc": "2.0", "method": "foo", "id": 123456789012345678901234567890})",
+     R"({"jsonrpc": "2.0", "error": {"code": -32600, "message": "Invalid Request"}, "id": null})"},
+    {"an id with a fraction", R"({"jsonrpc": "2.0", "method": "foo", "id": 1.00000000000000000001})",
+     R"({"jsonrpc": "2.0", "error": {"code": -32600, "message": "Invalid Request"}, "id": null})"},
     {"a batch in a batch", R"([[]])",
      R"([{"jsonrpc": "2.0", "error": {"code": -32600, "message": "Invalid Request"}, "id": null}])"},
 };
@@ -90,6 +98,11 @@ TEST_F(JsonRpc, table_of_messages) {
         else
             EXPECT_EQ(without_data(json::parse(answer)), json::parse(row.answer)) << row.name;
     }
+}
+
+TEST_F(JsonRpc, a_number_too_large_is_called_that) {
+    const json answer = json::parse(client.send(R"({"jsonrpc": "2.0", "method": "foo", "params": [1e400], "id": 1})"));
+    EXPECT_EQ(answer["error"]["data"]["reason"], "a number in the message is too large; the largest is about 1.8e308");
 }
 
 struct Params {

@@ -92,6 +92,8 @@ TEST_F(Methods, histogram_counts_every_vertex_once) {
     EXPECT_EQ(total(part), vertices);
     EXPECT_GT(part["below"], 0);
     EXPECT_GT(part["above"], 0);
+    params["range"] = {-1.5e308, 1.5e308};
+    EXPECT_EQ(client.call("dataset.histogram", params)["counts"][5], vertices) << "all lie just above the middle";
     params["range"] = {20, 10};
     EXPECT_EQ(client.error_code("dataset.histogram", params), -32602);
     params["array"] = "nope";
