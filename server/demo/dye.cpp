@@ -13,8 +13,10 @@ constexpr double spacing = 0.08;
 constexpr std::size_t phases = 40;
 constexpr std::size_t periods = 6;                           // until the first dye has left the longest way
 constexpr double source_inside = 1.25, source_outside = 1.9; // radii: full strength, none
-// Of the spacing squared, per step: keeps the filaments as wide as the mesh can show them.
+// Of the spacing squared, several times a step (more at once is not stable): keeps the filaments as wide as the mesh
+// can show them.
 constexpr float diffusion = 0.24F;
+constexpr int diffusions = 4;
 constexpr std::size_t nodes_per_task = 2048;
 
 double source(double x, double y) {
@@ -69,13 +71,20 @@ void Dye::step(const std::vector<std::array<float, 2>>& departure, const std::ve
             carried[i] = std::max(static_cast<float>(source(x, y)), sample(from, departure[i][0], departure[i][1]));
         }
     });
+    for (int pass = 0; pass < diffusions; ++pass) {
+        spread(carried, to);
+        carried.swap(to);
+    }
+    carried.swap(to);
+}
+
+void Dye::spread(const std::vector<float>& from, std::vector<float>& to) const {
     parallel_for(from.size(), nodes_per_task, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
             const std::size_t column = i % nx_;
-            const bool rim = column == 0 || column + 1 == nx_ || i < nx_ || i + nx_ >= carried.size();
-            const float around =
-                rim ? 4 * carried[i] : carried[i - 1] + carried[i + 1] + carried[i - nx_] + carried[i + nx_];
-            to[i] = carried[i] + diffusion * (around - 4 * carried[i]);
+            const bool rim = column == 0 || column + 1 == nx_ || i < nx_ || i + nx_ >= from.size();
+            const float around = rim ? 4 * from[i] : from[i - 1] + from[i + 1] + from[i - nx_] + from[i + nx_];
+            to[i] = from[i] + diffusion * (around - 4 * from[i]);
         }
     });
 }
@@ -100,11 +109,15 @@ float Dye::sample(const std::vector<float>& plane, double x, double y) const {
 }
 
 float Dye::at(double x, double y, double u, double v, double time) const {
-    // From the phase before, along the flow: mixing two phases instead would show everything twice.
+    // From the phases before and after, each along the flow, so that it changes smoothly in time and along the span;
+    // mixing them where they stand would show everything twice.
     const double phase = (time - std::floor(time)) * phases;
-    const double whole = std::floor(phase), back = (phase - whole) / phases;
-    const float carried = sample(planes_[static_cast<std::size_t>(whole) % phases], x - back * u, y - back * v);
-    return std::max(carried, static_cast<float>(source(x, y)));
+    const double whole = std::floor(phase), part = phase - whole;
+    const auto before = static_cast<std::size_t>(whole) % phases, after = (before + 1) % phases;
+    const double back = part / phases, on = (1 - part) / phases;
+    const double carried = (1 - part) * double{sample(planes_[before], x - back * u, y - back * v)} +
+                           part * double{sample(planes_[after], x + on * u, y + on * v)};
+    return std::max(static_cast<float>(carried), static_cast<float>(source(x, y)));
 }
 
 } // namespace ciel::demo

@@ -24,6 +24,7 @@ private:
     [[nodiscard]] float sample(const std::vector<float>& plane, double x, double y) const;
     void step(const std::vector<std::array<float, 2>>& departure, const std::vector<float>& from,
               std::vector<float>& to) const;
+    void spread(const std::vector<float>& from, std::vector<float>& to) const; // diffuses
 
     Extent extent_;
     std::size_t nx_, ny_;
