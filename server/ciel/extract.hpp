@@ -27,8 +27,9 @@ struct EdgePoint {
 // count, engine and history of calls (`chunks` alone tells the blocks).
 struct Surface {
     std::vector<Vec3f> positions; // offsets from the mesh's origin
-    std::vector<Vec3f> normals; // unit, along the field's gradient (towards higher values), or along the polygons where
-                                // that is zero; empty if not asked for
+    // Unit, along the field's gradient (towards higher values), or along the polygons around the point where that is
+    // zero or points against them; empty if not asked for.
+    std::vector<Vec3f> normals;
     std::vector<EdgePoint> points;
     std::vector<Index> polygon_offset{0}; // polygons + 1
     std::vector<Index> polygon_vertex;

@@ -2,6 +2,8 @@
 #include "ciel/polygon.hpp"
 #include "ciel/surface_writer.hpp"
 
+#include <algorithm>
+#include <atomic>
 #include <cmath>
 
 namespace ciel {
@@ -17,17 +19,39 @@ Vec3f normalised(const Vec3d& v) {
 
 bool is_zero(const Vec3f& v) { return v == Vec3f{}; }
 
-void fill_from_polygons(Surface& surface) {
+double dot(const Vec3f& a, const Vec3d& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+
+// Points whose gradient vanishes, or points against a polygon around them: in flat cells at a wall the least squares of
+// a cell and the surface in it may disagree.
+std::vector<std::uint8_t> doubtful_points(const Surface& surface) {
+    std::vector<std::uint8_t> doubtful(surface.points.size(), 0);
+    parallel_for(surface.polygon_cell.size(), 4096, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            const std::span<const Index> loop = polygon(surface, i);
+            const Vec3d area = area_vector(surface.positions, loop);
+            for (const Index p : loop)
+                if (is_zero(surface.normals[p]) || dot(surface.normals[p], area) < 0)
+                    std::atomic_ref(doubtful[p]).store(1, std::memory_order_relaxed);
+        }
+    });
+    return doubtful;
+}
+
+// The polygons' own direction where the gradient's is none, or the opposite of theirs taken together.
+void mend_from_polygons(Surface& surface) {
+    const std::vector<std::uint8_t> doubtful = doubtful_points(surface);
+    if (std::ranges::none_of(doubtful, [](std::uint8_t flag) { return flag != 0; })) return;
     std::vector<Vec3d> sum(surface.points.size());
     for (std::size_t i = 0; i < surface.polygon_cell.size(); ++i) {
         const std::span<const Index> loop = polygon(surface, i);
+        if (std::ranges::none_of(loop, [&](Index p) { return doubtful[p] != 0; })) continue;
         const Vec3d area = area_vector(surface.positions, loop);
         for (const Index p : loop)
-            if (is_zero(surface.normals[p]))
-                for (std::size_t axis = 0; axis < 3; ++axis) sum[p][axis] += area[axis];
+            for (std::size_t axis = 0; axis < 3; ++axis) sum[p][axis] += area[axis];
     }
     for (std::size_t p = 0; p < sum.size(); ++p)
-        if (is_zero(surface.normals[p])) surface.normals[p] = normalised(sum[p]);
+        if (doubtful[p] != 0 && (is_zero(surface.normals[p]) || dot(surface.normals[p], sum[p]) < 0))
+            surface.normals[p] = normalised(sum[p]);
 }
 
 } // namespace
@@ -45,8 +69,7 @@ void write_normals(const FaceMeshView& mesh, const Field::Blocks& field, Surface
             out.normals[i] = normalised(between);
         }
     });
-    for (const Vec3f& normal : out.normals)
-        if (is_zero(normal)) return fill_from_polygons(out);
+    mend_from_polygons(out);
 }
 
 } // namespace ciel
