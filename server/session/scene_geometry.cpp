@@ -3,6 +3,7 @@
 #include "session/cut.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 namespace ciel::session {
@@ -38,6 +39,16 @@ std::size_t bytes_of(const Shape& shape) {
     return (s.positions.size() + s.normals.size()) * sizeof(Vec3f) + s.points.size() * sizeof(EdgePoint) +
            (s.polygon_offset.size() + s.polygon_vertex.size() + s.polygon_cell.size() + shape.indices.size()) *
                sizeof(Index);
+}
+
+// High means value >= nu, so a plane on the low side of the domain would cut nothing. One that is off a side by no more
+// than rounding means the side.
+double on_the_side(double nu, std::array<float, 2> range) {
+    const auto [low, high] = range;
+    const double rounding = 1e-6 * (static_cast<double>(high) - static_cast<double>(low));
+    if (nu <= low && nu >= low - rounding) return std::nextafter(low, high);
+    if (nu > high && nu <= high + rounding) return high;
+    return nu;
 }
 
 std::string plane_name(const scene::SliceLayer& slice, const store::Step& step) {
@@ -114,7 +125,7 @@ struct Update {
         if (cut.field_name != name) cut.use_field(name, loaded->plane(out.step, out.origin, slice.normal), engine);
         double nu = 0;
         for (std::size_t axis = 0; axis < 3; ++axis) nu += slice.normal[axis] * (slice.origin[axis] - out.origin[axis]);
-        if (!cut.extract(nu, false, stop)) return false;
+        if (!cut.extract(on_the_side(nu, cut.field.field->range()), false, stop)) return false;
         add(cut.painted, cut.shape, slice.color, layer, false);
         return true;
     }
