@@ -43,6 +43,11 @@ bool any_part(std::string_view text, char separator, const Visit& visit) {
     return false;
 }
 
+// 127.0.0.0/8: no page of another site can be reached by such a name.
+bool is_loopback_address(std::string_view name) {
+    return name.starts_with("127.") && name.find_first_not_of("0123456789.") == std::string_view::npos;
+}
+
 bool same_in_constant_time(std::string_view a, std::string_view b) {
     unsigned difference = a.size() == b.size() ? 0 : 1;
     for (std::size_t i = 0; i < a.size(); ++i)
@@ -56,8 +61,8 @@ bool host_allowed(const AccessRules& rules, std::string_view host) {
     if (host.empty() || (!rules.loopback && rules.allowed_hosts.empty())) return true;
     const auto name = without_port(host);
     if (listed(rules.allowed_hosts, name) || listed(rules.allowed_hosts, host)) return true;
-    static const std::vector<std::string> local{"localhost", "127.0.0.1", "[::1]"};
-    return listed(local, name);
+    static const std::vector<std::string> local{"localhost", "[::1]"};
+    return listed(local, name) || is_loopback_address(name);
 }
 
 bool origin_allowed(const AccessRules& rules, std::string_view origin, std::string_view host) {

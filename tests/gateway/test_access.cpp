@@ -19,6 +19,8 @@ TEST(Host, LoopbackTakesLocalNamesOnly) {
         {"localhost:8080", true},
         {"LOCALHOST:8080", true},
         {"127.0.0.1:1", true},
+        {"127.0.0.5:18096", true},
+        {"127.evil.example", false},
         {"[::1]:8080", true},
         {"viewer.example.org", true},
         {"viewer.example.org:444", true},
