@@ -108,6 +108,18 @@ store::ArrayInfo describe(const Dataset& dataset, const std::string& name, int c
     return {name, name.starts_with(cell_prefix) ? Association::cell : Association::point, components, "", ""};
 }
 
+// A misspelt name makes a new array, and an array that was forgotten has no value at the step.
+std::string what_differs(const Dataset& dataset, const std::vector<ArrayValues>& written) {
+    std::string fresh, missing;
+    const auto add = [](std::string& list, const std::string& name) { list += (list.empty() ? "" : ", ") + name; };
+    for (const ArrayValues& array : written)
+        if (dataset.find(array.info.name) == nullptr) add(fresh, array.info.name);
+    for (const store::ArrayInfo& known : dataset.info().arrays)
+        if (std::none_of(written.begin(), written.end(), [&](const auto& a) { return a.info.name == known.name; }))
+            add(missing, known.name);
+    return (fresh.empty() ? "" : "; new arrays: " + fresh) + (missing.empty() ? "" : "; not written: " + missing);
+}
+
 int append_files(const Options& options) {
     const auto dataset = Dataset::open(options.dataset);
     const std::size_t mesh = dataset->steps().empty() ? 0 : dataset->steps().back().mesh;
@@ -135,7 +147,7 @@ int append_files(const Options& options) {
     store::Writer writer = store::Writer::append(options.dataset);
     writer.add_step(*options.time, mesh, coordinates, arrays);
     writer.finish();
-    std::cout << "1 step appended\n";
+    std::cout << "1 step appended" << what_differs(*dataset, arrays) << '\n';
     return 0;
 }
 

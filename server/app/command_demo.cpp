@@ -32,6 +32,8 @@ void add_demo(CLI::App& app, Run& run) {
     command->add_flag("--force", options->force, "Replace a dataset of this name");
     command->callback([options, &run] {
         run = [options] {
+            if (!options->output.ends_with(".ciel"))
+                throw UsageError("-o " + options->output + ": the name of a dataset ends in .ciel");
             demo::write_demo(options->output, options->force, show_progress);
             std::cout << options->output << '\n';
             return 0;

@@ -28,7 +28,10 @@ std::vector<wire::NamedValues> values_of(const Surface& surface, const std::vect
                                          store::LoadedDataset& loaded, std::size_t step) {
     std::vector<wire::NamedValues> all;
     for (const std::string& scalar : scalars) {
-        wire::NamedValues values{scalar, std::vector<float>(surface.points.size())};
+        // A vector's bare name is its magnitude here, and the file must not call that the vector.
+        const store::ScalarName name = store::parse_scalar(*loaded.dataset(), scalar);
+        wire::NamedValues values{name.magnitude ? name.array + ":magnitude" : scalar,
+                                 std::vector<float>(surface.points.size())};
         interpolate(surface.points, *loaded.scalar_values(scalar, step), 1, values.values);
         all.push_back(std::move(values));
     }
@@ -64,8 +67,16 @@ std::string why_empty(const scene::Scene& scene, const session::Geometry& geomet
     return text.str();
 }
 
+wire::SurfaceFormat format_of(const std::string& output) {
+    try {
+        return wire::surface_format(lower_case_extension(output));
+    } catch (const Error& error) {
+        throw UsageError("-o " + output + ": " + error.what());
+    }
+}
+
 int run_command(const ExtractCommand& extract) {
-    const auto format = wire::surface_format(std::filesystem::path(extract.output).extension());
+    const auto format = format_of(extract.output);
     if (!extract.scene.has_layers()) throw UsageError("nothing to extract; give --iso, --slice or --plane");
     const auto loaded = load_dataset(extract.scene.dataset);
     const scene::Scene scene = parse_scene(extract.scene.document(*loaded->dataset()));

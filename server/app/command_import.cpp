@@ -3,6 +3,7 @@
 #include "app/import_view.hpp"
 
 #include <CLI/CLI.hpp>
+#include <cmath>
 #include <cstdio>
 #include <iostream>
 #include <memory>
@@ -35,21 +36,32 @@ void add_options(CLI::App& command, ImportCommand& import) {
             "--memory-limit", import.limits.memory_gigabytes,
             "Memory the import may use; by default four fifths of the machine's or the container's; 0: no limit.")
         ->type_name("GB")
-        ->check(CLI::NonNegativeNumber)
         ->capture_default_str();
     command.add_option("--time-limit", import.limits.seconds, "Time the import may take; 0: no limit.")
         ->type_name("SECONDS")
-        ->check(CLI::NonNegativeNumber)
         ->capture_default_str();
     command
         .add_option("--stall-limit", import.limits.stalled_seconds,
                     "Time that may pass without any progress; 0: no limit.")
         ->type_name("SECONDS")
-        ->check(CLI::NonNegativeNumber)
         ->capture_default_str();
 }
 
+void check_limit(const char* option, double value) {
+    if (!std::isfinite(value) || value < 0)
+        throw UsageError(std::string(option) + " must be a number of 0 (no limit) or more");
+}
+
+void check(const ImportCommand& import) {
+    check_limit("--memory-limit", import.limits.memory_gigabytes);
+    check_limit("--time-limit", import.limits.seconds);
+    check_limit("--stall-limit", import.limits.stalled_seconds);
+    const auto& output = import.values.at("output");
+    if (!output.empty() && output.back().empty()) throw UsageError("-o needs a name, NAME.ciel");
+}
+
 int run_command(const ImportCommand& import) {
+    check(import);
     ImportView view(stdout);
     const auto& output = import.values.at("output");
     const bool list = !import.values.at("list").empty();

@@ -13,6 +13,7 @@
 #include <fstream>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 namespace ciel::app {
 namespace {
@@ -21,7 +22,10 @@ constexpr int samples = 4;
 
 struct RenderCommand {
     SceneOptions scene;
-    std::string scene_file, color, map = "viridis", range, background = "dark", size = "1280x720", gl = "auto", output;
+    std::string scene_file, size = "1280x720", gl = "auto", output;
+    std::optional<std::string> color, map, range, background;
+
+    [[nodiscard]] bool colors() const { return color || map || range; }
 };
 
 struct Size {
@@ -50,7 +54,8 @@ nlohmann::json read_scene_file(const std::string& path) {
     try {
         return nlohmann::json::parse(file);
     } catch (const nlohmann::json::exception& error) {
-        throw Error(path + " is not JSON: " + error.what());
+        const std::string reason = error.what(); // "[json.exception...] parse error at line 2...": the part for people
+        throw Error(path + " is not JSON: " + reason.substr(std::min(reason.size(), reason.find("] ") + 2)));
     }
 }
 
@@ -60,42 +65,63 @@ std::vector<double> parse_range(const std::string& text) {
     return range;
 }
 
-nlohmann::json document_of_options(const RenderCommand& render, const store::Dataset& dataset) {
-    nlohmann::json document = render.scene.document(dataset);
-    for (auto& layer : document["layers"]) {
-        nlohmann::json color{{"map", render.map}};
-        if (!render.color.empty())
-            color["array"] = render.color;
-        else if (layer["type"] == "iso")
-            color["array"] = layer["array"];
-        if (!render.range.empty()) color["range"] = parse_range(render.range);
+// What was asked for, on everything that can have the colours of an array.
+void color_layers(const RenderCommand& render, nlohmann::json& layers) {
+    bool any = false;
+    for (auto& layer : layers) {
+        if (layer["type"] != "iso" && layer["type"] != "slice") continue;
+        any = true;
+        nlohmann::json color = layer.value("color", nlohmann::json::object());
+        if (render.color) color["array"] = *render.color;
+        if (render.map) color["map"] = *render.map;
+        if (render.range) color["range"] = parse_range(*render.range);
+        if (!color.contains("array") && layer["type"] == "iso") color["array"] = layer["array"];
         layer["color"] = std::move(color);
     }
+    if (!any && render.colors()) throw UsageError("nothing has colours of an array; give --iso, --slice or --plane");
+}
+
+nlohmann::json document_of_options(const RenderCommand& render, const store::Dataset& dataset) {
+    nlohmann::json document = render.scene.document(dataset);
     document["layers"]["outline"] = {{"type", "outline"}, {"color", {{"solid", "#808890"}}}};
-    document["background"] = render.background;
+    return document;
+}
+
+nlohmann::json default_document(const RenderCommand& render, store::LoadedDataset& loaded) {
+    nlohmann::json document = session::default_scene(loaded, loaded.dataset()->info().name);
+    if (render.scene.time) document["time"] = time_of_step(*loaded.dataset(), *render.scene.time);
+    return document;
+}
+
+nlohmann::json document_of_file(const RenderCommand& render, const std::string& dataset) {
+    if (render.scene.has_layers() || render.colors() || render.background)
+        throw UsageError(
+            "--scene says what to show and how; leave out --iso, --slice, --plane, --color, --map, --range "
+            "and --background");
+    nlohmann::json document = read_scene_file(render.scene_file);
+    if (!document.is_object()) return document; // refused with the place by who checks it
+    if (!document.contains("dataset")) document["dataset"] = dataset;
+    if (document["dataset"] != dataset)
+        throw Error(render.scene_file + " is a scene of the dataset " + document["dataset"].dump() + ", not of \"" +
+                    dataset + "\"; name that one, or change the scene");
+    if (render.scene.time) document["time"] = *render.scene.time;
     return document;
 }
 
 nlohmann::json document_of(const RenderCommand& render, store::LoadedDataset& loaded) {
-    if (!render.scene_file.empty()) {
-        if (render.scene.has_layers())
-            throw UsageError("--scene says what to show; leave out --iso, --slice and --plane");
-        nlohmann::json document = read_scene_file(render.scene_file);
-        if (render.scene.time && document.is_object()) document["time"] = *render.scene.time;
-        return document;
-    }
-    const auto dataset = loaded.dataset();
-    if (render.scene.has_layers()) return document_of_options(render, *dataset);
-    nlohmann::json document = session::default_scene(loaded, dataset->info().name);
-    if (render.scene.time) document["time"] = *render.scene.time;
+    if (!render.scene_file.empty()) return document_of_file(render, loaded.dataset()->info().name);
+    nlohmann::json document =
+        render.scene.has_layers() ? document_of_options(render, *loaded.dataset()) : default_document(render, loaded);
+    color_layers(render, document["layers"]);
+    document["background"] = render.background.value_or("dark");
     return document;
 }
 
 int run_command(const RenderCommand& render) {
     const Size size = parse_size(render.size);
     const render::Backend backend = render::backend_named(render.gl);
-    if (std::filesystem::path(render.output).extension() != ".png")
-        throw Error(render.output + " cannot be written: pictures are .png files");
+    if (lower_case_extension(render.output) != ".png")
+        throw UsageError("-o " + render.output + ": pictures are .png files");
     const auto loaded = load_dataset(render.scene.dataset);
     const scene::Scene scene = parse_scene(document_of(render, *loaded));
     const auto geometry = make_geometry(scene, loaded);
@@ -123,10 +149,12 @@ void add_render(CLI::App& app, Run& run) {
                      "A scene document; without it and without layers, the default view.")
         ->type_name("FILE.json");
     command->add_option("--color", render->color, "Point scalar that colours the layers.")->type_name("ARRAY");
-    command->add_option("--map", render->map, "Colour map.")->type_name("NAME")->capture_default_str();
+    command->add_option("--map", render->map, "Colour map.")->type_name("NAME")->default_str("viridis");
     command->add_option("--range", render->range, "Values of the map's two ends; the array's range by default.")
         ->type_name("MIN,MAX");
-    command->add_option("--background", render->background, "dark, light or #rrggbb.")->capture_default_str();
+    command->add_option("--background", render->background, "dark, light or #rrggbb.")
+        ->type_name("COLOR")
+        ->default_str("dark");
     command->add_option("--size", render->size, "Of the picture in pixels.")->type_name("WxH")->capture_default_str();
     command->add_option("--gl", render->gl, "What draws.")
         ->check(CLI::IsMember({"auto", "egl-device", "egl-surfaceless", "osmesa"}))

@@ -47,6 +47,19 @@ std::vector<store::Servable> import_what_is_foreign(const ServeOptions& options)
     return servable;
 }
 
+// A folder is watched for datasets; what else lies in it is not imported unasked.
+void warn_of_files_to_import(const fs::path& folder) {
+    if (folder.extension() == ".ciel" || !fs::is_directory(folder)) return;
+    fs::path first;
+    for (const auto& entry : fs::directory_iterator(folder)) {
+        if (entry.path().extension() == ".ciel") return;
+        if (entry.is_regular_file() && (first.empty() || entry.path() < first)) first = entry.path();
+    }
+    if (!first.empty())
+        spdlog::warn("{} has no dataset (NAME.ciel); to have a file imported and served, name it: ciel serve {}",
+                     folder.string(), first.string());
+}
+
 // Where the web client is when this program was built, and when it was installed.
 fs::path find_webclient() {
     std::error_code failure;
@@ -98,6 +111,7 @@ int serve(ServeOptions& options) {
     server_options.backend = render::backend_named(options.gl);
     server_options.engine = options.engine == "propagation" ? Engine::propagation : Engine::signatures;
     server_options.render_workers = options.render_workers;
+    for (const auto& path : server_options.data) warn_of_files_to_import(path);
     session::Server server(std::move(server_options));
     for (const auto& each : servable)
         if (!each.problem.empty()) server.catalog().add_failed(each.path, each.problem);

@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <charconv>
 #include <cmath>
+#include <iostream>
 #include <nlohmann/json.hpp>
 #include <utility>
 
@@ -71,7 +72,7 @@ nlohmann::json SceneOptions::document(const store::Dataset& loaded) const {
     nlohmann::json document{{"dataset", loaded.info().name}, {"layers", std::move(layers)}};
     if (time && !std::isfinite(*time)) throw UsageError("--time must be a finite number");
     if (time)
-        document["time"] = *time;
+        document["time"] = time_of_step(loaded, *time);
     else if (!loaded.steps().empty())
         document["time"] = loaded.steps().front().time;
     return document;
@@ -99,6 +100,21 @@ std::shared_ptr<const session::Geometry> make_geometry(const scene::Scene& scene
     } catch (const scene::Invalid& error) {
         throw Error(error.path + ": " + error.what());
     }
+}
+
+// The nearest one is taken, but not in silence where it is another one.
+double time_of_step(const store::Dataset& dataset, double time) {
+    if (dataset.steps().empty()) return time;
+    const double found = dataset.steps()[dataset.step_at(time)].time;
+    if (std::abs(found - time) > 1e-6 * std::max(std::abs(found), std::abs(time)))
+        std::cerr << "ciel: there is no step at time " << time << "; the nearest, " << found << ", is shown\n";
+    return found;
+}
+
+std::string lower_case_extension(const std::string& file) {
+    std::string extension = std::filesystem::path(file).extension().string();
+    for (char& c : extension) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    return extension;
 }
 
 std::vector<double> parse_numbers(const std::string& option, const std::string& text) {

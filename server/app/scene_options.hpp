@@ -33,6 +33,12 @@ struct SceneOptions {
 [[nodiscard]] std::shared_ptr<const session::Geometry>
 make_geometry(const scene::Scene& scene, const std::shared_ptr<store::LoadedDataset>& loaded);
 
+// The time of the step nearest to `time`; says so on stderr where it is another one.
+[[nodiscard]] double time_of_step(const store::Dataset& dataset, double time);
+
+// ".ply" of "Surface.PLY".
+[[nodiscard]] std::string lower_case_extension(const std::string& file);
+
 // "a,b,c" as finite numbers. Throws UsageError naming the option.
 [[nodiscard]] std::vector<double> parse_numbers(const std::string& option, const std::string& text);
 

@@ -1,5 +1,7 @@
 #include "import/blocks.hpp"
 
+#include "ciel/types.hpp"
+
 #include <algorithm>
 #include <map>
 #include <string_view>
@@ -178,6 +180,11 @@ Blocks collect_blocks(vtkDataObject* data) {
         if (leaf.dimension == 2) surfaces.push_back(&leaf);
     }
     return {named(volumes), named(surfaces), named(zones)};
+}
+
+void require_volumes(const Blocks& blocks) {
+    if (!blocks.volumes.empty()) return;
+    throw Error(blocks.surfaces.empty() ? "holds no cells" : "holds only surfaces; a volume mesh is needed");
 }
 
 } // namespace ciel::importer

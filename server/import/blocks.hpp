@@ -24,5 +24,7 @@ struct Blocks {
 // Empty data sets and those of points and lines are left out. Names are unique: a data set's own name, with its
 // parents' where that is not enough.
 [[nodiscard]] Blocks collect_blocks(vtkDataObject* data);
+// Throws Error where there is nothing to cut.
+void require_volumes(const Blocks& blocks);
 
 } // namespace ciel::importer

@@ -15,6 +15,6 @@ struct ConvertResult {
 [[nodiscard]] ConvertResult convert(Source& source, const Options& options);
 
 // Prints what the input holds: format, steps, blocks, arrays. Reads the first step only.
-void print_listing(Source& source, const Options& options);
+void print_listing(Source& source);
 
 } // namespace ciel::importer

@@ -30,10 +30,10 @@ void print_blocks(const char* title, const std::vector<Block>& blocks) {
 
 } // namespace
 
-void print_listing(Source& source, const Options& options) {
+void print_listing(Source& source) {
     const auto data = source.read(0, [](double share) { progress(share, "reading the first step"); });
     const Blocks blocks = collect_blocks(data);
-    if (blocks.volumes.empty()) throw Error(options.inputs.front() + ": holds no volume mesh");
+    require_volumes(blocks);
     std::printf("format  %s\n", source.format().c_str());
     print_steps(source.times());
     print_blocks("block  ", blocks.volumes);

@@ -78,7 +78,7 @@ int run(const Options& options) {
     if (!options.list) ciel::store::check_place(options.output, options.force); // before long work
     const auto source = open_source(options.inputs, options.source);
     if (options.list) {
-        print_listing(*source, options);
+        print_listing(*source);
         return done;
     }
     const ConvertResult result = convert(*source, options);
@@ -95,9 +95,9 @@ int run(const Options& options) {
 // An error of the mesh does not know the file it came from; one of the store is about the output.
 std::string naming_input(const Options& options, const std::string& sentence) {
     const auto names = [&](const std::string& path) { return sentence.find(path) != std::string::npos; };
-    const std::string output = std::filesystem::absolute(options.output).lexically_normal().string();
     const bool named =
-        std::any_of(options.inputs.begin(), options.inputs.end(), names) || (!options.output.empty() && names(output));
+        std::any_of(options.inputs.begin(), options.inputs.end(), names) ||
+        (!options.output.empty() && names(std::filesystem::absolute(options.output).lexically_normal().string()));
     return named ? sentence : options.inputs.front() + ": " + sentence;
 }
 

@@ -3,6 +3,7 @@
 #include "import/formats.hpp"
 #include "import/parsers/plot3d_layout.hpp"
 #include "import/vtk_errors.hpp"
+#include "store/freshness.hpp"
 
 #include <algorithm>
 #include <cstring>
@@ -126,10 +127,7 @@ Plot3dLayout choose_layout(const Inputs& inputs, const std::string& words) {
 // What lies beside a grid that was named alone, and its note. "a.q" and "a.Q" would be a guess.
 std::string take_solution_beside(Inputs& inputs, const std::string& words) {
     Inputs beside;
-    for (const char* extension : {".q", ".Q"})
-        if (const auto file = std::filesystem::path(inputs[0]).replace_extension(extension);
-            file != inputs[0] && std::filesystem::is_regular_file(file))
-            beside.push_back(file.string());
+    for (const auto& file : store::plot3d_solutions(inputs[0])) beside.push_back(file.string());
     if (beside.empty()) return "";
     const std::string name = std::filesystem::path(beside[0]).filename().string();
     if (beside.size() > 1)
@@ -140,6 +138,15 @@ std::string take_solution_beside(Inputs& inputs, const std::string& words) {
                       "read.";
     inputs.push_back(beside[0]);
     return "The solution was read from " + name + ", which lies beside the grid.";
+}
+
+// The same for a solution that was named alone.
+std::string take_grid_beside(Inputs& inputs) {
+    if (inputs.size() > 1 || !layouts_of(inputs[0], Plot3dKind::grid).empty()) return "";
+    const std::filesystem::path grid = store::plot3d_grid(inputs[0]);
+    if (grid.empty() || layouts_of(grid.string(), Plot3dKind::grid).empty()) return "";
+    inputs.insert(inputs.begin(), grid.string());
+    return "The grid was read from " + grid.filename().string() + ", which lies beside the solution.";
 }
 
 } // namespace
@@ -157,9 +164,10 @@ std::unique_ptr<Source> open_plot3d(const Inputs& inputs, const SourceOptions& o
     // The grid first, in whatever order they were named.
     std::stable_partition(ordered.begin(), ordered.end(),
                           [](const std::string& file) { return !layouts_of(file, Plot3dKind::grid).empty(); });
+    std::vector<std::string> notes;
+    if (std::string note = take_grid_beside(ordered); !note.empty()) notes.push_back(std::move(note));
     if (layouts_of(ordered[0], Plot3dKind::grid).empty())
         throw Error(ordered[0] + ": is a PLOT3D solution; name its grid (xyz) too");
-    std::vector<std::string> notes;
     if (ordered.size() == 1)
         if (std::string note = take_solution_beside(ordered, options.plot3d); !note.empty())
             notes.push_back(std::move(note));

@@ -125,8 +125,7 @@ Cut find_cut_of(const JoinedMesh& joined, const Blocks& blocks) {
 } // namespace
 
 StepMesh build_step_mesh(const Blocks& blocks, Weld weld, bool in_pieces) {
-    if (blocks.volumes.empty())
-        throw Error(blocks.surfaces.empty() ? "holds no cells" : "holds only surfaces; a volume mesh is needed");
+    require_volumes(blocks);
     JoinedMesh joined = join_blocks(blocks.volumes);
     if (joined.cell_types.empty()) throw Error("holds no volume cells");
 

@@ -65,6 +65,9 @@ std::string read_text(const std::filesystem::path& file, std::size_t limit) {
 void write_file(const std::filesystem::path& file, std::span<const std::byte> bytes) { write_all(file, bytes, false); }
 
 void replace_file(const std::filesystem::path& file, std::span<const std::byte> bytes) {
+    std::error_code error;
+    if (const auto folder = file.parent_path(); !std::filesystem::is_directory(folder, error))
+        refuse(file, "cannot be written: there is no folder " + folder.string() + "; make it first");
     const std::filesystem::path beside = file.string() + ".new-" + std::to_string(::getpid());
     try {
         write_all(beside, bytes, true);

@@ -10,6 +10,12 @@ namespace {
 
 namespace fs = std::filesystem;
 using Time = fs::file_time_type;
+constexpr std::string_view grid_ending = "xyz"; // "bluntfinxyz.bin" and "bluntfinq.bin", as NASA names them
+
+bool is_file(const fs::path& path) {
+    std::error_code error;
+    return fs::is_regular_file(path, error);
+}
 
 // A running simulation may take a file away while it is looked at.
 Time time_of(const fs::path& path) {
@@ -70,12 +76,33 @@ bool is_openfoam_case(const fs::path& directory) {
     });
 }
 
+std::vector<fs::path> plot3d_solutions(const fs::path& grid) {
+    std::vector<fs::path> names{fs::path(grid).replace_extension(".q"), fs::path(grid).replace_extension(".Q")};
+    if (const std::string stem = grid.stem().string(); stem.ends_with(grid_ending))
+        names.push_back(fs::path(grid).replace_filename(stem.substr(0, stem.size() - grid_ending.size()) + "q" +
+                                                        grid.extension().string()));
+    std::erase_if(names, [&](const fs::path& name) { return name == grid || !is_file(name); });
+    return names;
+}
+
+fs::path plot3d_grid(const fs::path& solution) {
+    std::vector<fs::path> names;
+    for (const char* extension : {".xyz", ".x", ".g", ".p3d"})
+        names.push_back(fs::path(solution).replace_extension(extension));
+    if (const std::string stem = solution.stem().string(); stem.ends_with('q'))
+        names.push_back(fs::path(solution).replace_filename(stem.substr(0, stem.size() - 1) + std::string(grid_ending) +
+                                                            solution.extension().string()));
+    const auto found =
+        std::ranges::find_if(names, [&](const fs::path& name) { return name != solution && is_file(name); });
+    return found == names.end() ? fs::path() : *found;
+}
+
 Time last_change(const fs::path& input) {
     const fs::path directory = case_of(input);
     if (is_openfoam_case(directory)) return newest_of_case(directory);
     Time newest = time_of(input);
-    for (const char* extension : {".q", ".Q"})
-        newest = std::max(newest, time_of(fs::path(input).replace_extension(extension)));
+    for (const fs::path& file : plot3d_solutions(input)) newest = std::max(newest, time_of(file));
+    if (const fs::path grid = plot3d_grid(input); !grid.empty()) newest = std::max(newest, time_of(grid));
     return newest;
 }
 

@@ -34,8 +34,10 @@ ScalarName parse_scalar(const Dataset& dataset, const std::string& name) {
         if (const ArrayInfo* array = dataset.find(name.substr(0, colon)); array != nullptr && array->components > 1)
             if (auto scalar = parse_suffix(*array, name.substr(colon + 1))) return *scalar;
     std::string names;
-    for (const ArrayInfo& array : dataset.info().arrays)
+    for (const ArrayInfo& array : dataset.info().arrays) {
+        if (array.association == Association::cell) continue;
         for (const std::string& each : scalar_names(array)) names += (names.empty() ? "" : ", ") + each;
+    }
     throw Error("dataset '" + dataset.info().name + "' has no scalar '" + name + "'; it has " +
                 (names.empty() ? std::string("none") : names));
 }

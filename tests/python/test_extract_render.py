@@ -24,7 +24,7 @@ def box(tmp_path_factory):
 
 
 def read(path):
-    reader = {".vtp": vtk.vtkXMLPolyDataReader, ".ply": vtk.vtkPLYReader, ".stl": vtk.vtkSTLReader}[path.suffix]()
+    reader = {".vtp": vtk.vtkXMLPolyDataReader, ".ply": vtk.vtkPLYReader, ".stl": vtk.vtkSTLReader}[path.suffix.lower()]()
     reader.SetFileName(str(path))
     reader.Update()
     return reader.GetOutput()
@@ -107,6 +107,18 @@ def test_picture_shows_the_coloured_sphere(box, tmp_path):
     assert 0.1 < (picture.max(axis=2) > 70).mean() < 0.5
 
 
+def test_the_default_view_takes_colours_and_a_background(box, tmp_path):
+    shown = {}
+    for name, options in {"plain": [], "map": ["--map", "grayscale"], "array": ["--color", "r"], "range": ["--color", "r", "--range", "0,0.1"]}.items():
+        works("render", box, *options, "--size", "160x100", "-o", tmp_path / f"{name}.png")
+        shown[name] = pixels(tmp_path / f"{name}.png")
+    for name in ("map", "array"):
+        assert np.abs(shown[name] - shown["plain"]).mean() > 0.5, name
+    assert np.abs(shown["range"] - shown["array"]).mean() > 0.5
+    works("render", box, "--background", "#ff0000", "--size", "160x100", "-o", tmp_path / "red.png")
+    assert tuple(pixels(tmp_path / "red.png")[2, 2]) == (255, 0, 0)
+
+
 def test_default_view_scene_file_and_every_back_end_agree(box, tmp_path):
     works("render", box, "-o", tmp_path / "default.png", "--size", "160x100")
     assert (pixels(tmp_path / "default.png").max(axis=2) > 70).mean() > 0.02
@@ -127,7 +139,7 @@ def test_default_view_scene_file_and_every_back_end_agree(box, tmp_path):
 
 REFUSED = [
     ("no layers", ["extract", "-o", "s.ply"], "nothing to extract", 2),
-    ("unknown format", ["extract", "--iso", "r=1", "-o", "s.obj"], ".ply, .stl and .vtp", 1),
+    ("unknown format", ["extract", "--iso", "r=1", "-o", "s.obj"], ".ply, .stl and .vtp", 2),
     ("unknown array", ["extract", "--iso", "q=1", "-o", "s.ply"], "q", 1),
     ("no value", ["extract", "--iso", "r", "-o", "s.ply"], "ARRAY=VALUE", 2),
     ("not a number", ["extract", "--iso", "r=1,two", "-o", "s.ply"], "not a number", 2),
@@ -137,7 +149,8 @@ REFUSED = [
     ("short plane", ["extract", "--plane", "0,0,0,1", "-o", "s.ply"], "six numbers", 2),
     ("no normal", ["extract", "--plane", "0,0,0,0,0,0", "-o", "s.ply"], "normal", 2),
     ("unknown colour", ["extract", "--iso", "r=0.5", "--color", "q", "-o", "s.ply"], "q", 1),
-    ("no folder", ["extract", "--iso", "r=0.5", "-o", "nowhere/s.ply"], "nowhere/s.ply", 1),
+    ("no folder", ["extract", "--iso", "r=0.5", "-o", "nowhere/s.ply"], "nowhere/s.ply: cannot be written: there is no folder", 1),
+    ("a folder", ["extract", "--iso", "r=0.5", "-o", "."], "-o .: '' is no surface format", 2),
     ("no output", ["extract", "--iso", "r=0.5"], "--output", 2),
     ("unknown map", ["render", "--iso", "r=0.5", "--map", "jet", "-o", "p.png"], "viridis", 1),
     ("unknown back end", ["render", "--gl", "glx", "-o", "p.png"], "osmesa", 2),
@@ -146,10 +159,15 @@ REFUSED = [
     ("size with words", ["render", "--size", "12x10px", "-o", "p.png"], "WIDTHxHEIGHT", 2),
     ("too wide", ["render", "--size", "999999x10", "-o", "p.png"], "--size 999999x10 is too large: a picture may be 8192 ", 2),
     ("too many pixels", ["render", "--size", "8000x8000", "-o", "p.png"], "a picture may have 33554432 pixels", 2),
-    ("not a picture", ["render", "-o", "p.jpg"], ".png", 1),
+    ("not a picture", ["render", "-o", "p.jpg"], ".png", 2),
     ("no scene file", ["render", "--scene", "none.json", "-o", "p.png"], "none.json", 1),
-    ("bad scene file", ["render", "--scene", "bad.json", "-o", "p.png"], "bad.json", 1),
+    ("bad scene file", ["render", "--scene", "bad.json", "-o", "p.png"], "bad.json is not JSON: parse error at line 1", 1),
+    ("scene of another dataset", ["render", "--scene", "other.json", "-o", "p.png"], 'of the dataset "post", not of "box"', 1),
     ("bad scene", ["render", "--scene", "wrong.json", "-o", "p.png"], "/layers", 1),
+    ("scene file and colours", ["render", "--scene", "wrong.json", "--color", "x", "-o", "p.png"], "leave out", 2),
+    ("scene file and background", ["render", "--scene", "wrong.json", "--background", "light", "-o", "p.png"], "leave out", 2),
+    ("bad range of the default view", ["render", "--range", "1", "-o", "p.png"], "range", 2),
+    ("unknown map of the default view", ["render", "--map", "jet", "-o", "p.png"], "viridis", 1),
     ("bad range", ["render", "--iso", "r=0.5", "--range", "1", "-o", "p.png"], "range", 2),
 ]
 
@@ -157,6 +175,7 @@ REFUSED = [
 @pytest.mark.parametrize("arguments,message,code", [row[1:] for row in REFUSED], ids=[row[0] for row in REFUSED])
 def test_refused_in_one_line_and_nothing_is_written(box, tmp_path, arguments, message, code):
     (tmp_path / "bad.json").write_text("{")
+    (tmp_path / "other.json").write_text('{"dataset": "post", "layers": {}}')
     (tmp_path / "wrong.json").write_text('{"dataset": "box", "layers": {"a": {"type": "fog"}}}')
     before = set(os.listdir(tmp_path))
     result = ciel(arguments[0], box, *arguments[1:], cwd=tmp_path)
@@ -164,6 +183,24 @@ def test_refused_in_one_line_and_nothing_is_written(box, tmp_path, arguments, me
     assert message in result.stderr
     assert result.stderr.startswith("ciel: ") and result.stderr.count("\n") == 1, result.stderr
     assert set(os.listdir(tmp_path)) == before
+
+
+def test_slices_on_the_sides_of_the_domain_are_there(box, tmp_path):
+    sides = json.loads(works("info", box, "--json"))["bounds"]
+    for axis in range(3):
+        found = []
+        for side in sides[2 * axis : 2 * axis + 2]:
+            works("extract", box, "--slice", f"{'xyz'[axis]}={side!r}", "-o", tmp_path / "side.VTP")
+            points = vtk_to_numpy(read(tmp_path / "side.VTP").GetPoints().GetData())
+            assert np.allclose(points[:, axis], side, atol=1e-5)
+            found.append(len(points))
+        assert found[0] == found[1] > 0
+
+
+def test_the_nearest_step_is_taken_but_told(box, tmp_path):
+    for command, output in (("extract", "s.ply"), ("render", "p.png")):
+        result = ciel(command, box, "--iso", "r=0.5", "--time", "1e9", "-o", output, cwd=tmp_path)
+        assert result.returncode == 0 and "there is no step at time 1e+09; the nearest, " in result.stderr
 
 
 def test_a_dataset_that_is_not_there(tmp_path):

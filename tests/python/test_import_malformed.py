@@ -206,6 +206,11 @@ def test_one_clear_error(tmp_path, make, words):
     assert line.startswith("ciel: ") and str(source) in line, line
     assert words in line, line
     assert not any(target.iterdir())
+    listed = run_import(*inputs, "--list", "--memory-limit", "8", "--time-limit", "60")  # may not see the damage
+    if listed.returncode != 0:
+        (line,) = listed.stderr.splitlines()
+        assert listed.returncode == 1 and line.startswith("ciel: ") and str(source) in line, line
+        assert words in line and ("crashed" in line) == ("crashed" in done.stderr), line
 
 
 def test_the_good_neighbours_of_the_table_are_imported(tmp_path):
@@ -216,6 +221,9 @@ def test_the_good_neighbours_of_the_table_are_imported(tmp_path):
 
 def test_usage_errors_are_code_2(tmp_path):
     file = vtu(tmp_path)
+    for arguments in [(file, "-o", ""), (file, "-o", "a.ciel", "--memory-limit", "nan"), (file, "-o", "a.ciel", "--time-limit", "-1")]:
+        done = run_import(*arguments)
+        assert done.returncode == 2 and len(done.stderr.splitlines()) == 1 and len(done.stderr) < 120, done.stderr
     for arguments in [(), (file,), (file, "-o", "name"), (file, "-o", "a.ciel", "--weld", "--no-weld"), (file, "--nonsense")]:
         assert run_import(*arguments).returncode == 2, arguments
 

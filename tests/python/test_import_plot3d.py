@@ -119,10 +119,23 @@ def test_a_grid_takes_the_solution_of_its_name_along(tmp_path):
     assert dataset.array_names() == [] and "grid.q lies beside the grid but does not belong" in dataset.notes
 
 
+def test_a_solution_finds_its_grid_and_nasa_names_belong_together(tmp_path):
+    grid, q = write_pair(tmp_path)
+    dataset = imported(tmp_path, q)
+    assert "Density" in dataset.array_names() and "read from grid.xyz" in dataset.notes
+    grid, q = grid.rename(tmp_path / "finxyz.bin"), q.rename(tmp_path / "finq.bin")
+    for file, beside in ((grid, q), (q, grid)):
+        dataset = imported(tmp_path, file, "--force")
+        assert "Density" in dataset.array_names() and f"read from {beside.name}" in dataset.notes
+
+
 def test_refusals_say_why(tmp_path):
     grid, q = write_pair(tmp_path)
+    alone = tmp_path / "alone" / q.name
+    alone.parent.mkdir()
+    alone.write_bytes(q.read_bytes())
     for arguments, words in [
-        ((q,), "name its grid"),
+        ((alone,), "name its grid"),
         ((grid, q, "--plot3d", "little"), "of the layout --plot3d little"),
         ((grid, q, "--plot3d", "wide"), "does not know \"wide\""),
     ]:

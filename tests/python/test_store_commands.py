@@ -36,6 +36,16 @@ def copy(demo, tmp_path):
     return pathlib.Path(shutil.copytree(demo, tmp_path / "copy.ciel", copy_function=os.link))
 
 
+def test_a_vector_is_coloured_by_its_magnitude_and_called_so(demo, tmp_path):
+    result = ciel("extract", demo, "--slice", "z=1", "--color", "U", "-o", tmp_path / "s.vtp")
+    assert result.returncode == 0 and b'Name="U:magnitude"' in (tmp_path / "s.vtp").read_bytes()
+
+
+def test_a_demo_has_the_name_of_a_dataset(tmp_path):
+    result = ciel("demo", "-o", tmp_path / "demo.foo")
+    assert result.returncode == 2 and "ends in .ciel" in result.stderr and not any(tmp_path.iterdir())
+
+
 def test_info_has_the_promised_keys(demo):
     told = info(demo)
     assert set(told["input"]) == {"vertices", "edges", "cells"}
