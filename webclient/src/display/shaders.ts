@@ -59,7 +59,7 @@ void main() {
     float head = dot(n, viewer);
     float wrapped = 0.5 + 0.5 * dot(n, key);
     float shine = pow(max(dot(n, normalize(key + viewer)), 0.0), 40.0);
-    base = base * (0.16 + 0.46 * head + 0.46 * wrapped * wrapped) + vec3(0.10 * shine);
+    base = base * (0.30 + 0.38 * head + 0.40 * wrapped * wrapped) + vec3(0.10 * shine);
   }
   result = vec4(base, color.a);
 }`;
