@@ -149,12 +149,13 @@ def emit_methods(contract: Contract) -> str:
 
 def emit_table(contract: Contract) -> str:
     rows = "".join(
-        f'    {{"{m.name}", call<protocol::{m.type_prefix}Params, {m.identifier}>}},\n' for m in contract.methods
+        f'    {{"{m.name}", {str(m.slow).lower()}, call<protocol::{m.type_prefix}Params, {m.identifier}>}},\n'
+        for m in contract.methods
     )
     return HEAD + (
         '#include "protocol/json.hpp"\n#include "protocol/methods.hpp"\n\n#include <string_view>\n\n'
         "namespace ciel::methods {\n\n"
-        "struct Method {\n    std::string_view name;\n"
+        "struct Method {\n    std::string_view name;\n    bool slow; // x-slow: draws, extracts or exports\n"
         "    nlohmann::json (*call)(Context& context, const nlohmann::json& params);\n};\n\n"
         "template <class Params, auto function>\n"
         "nlohmann::json call(Context& context, const nlohmann::json& params) {\n"

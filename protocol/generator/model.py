@@ -24,6 +24,7 @@ class Method:
     params: list[Field]
     result: Schema | None  # None for notifications
     result_name: str = ""
+    slow: bool = False  # draws, extracts or exports
 
     @property
     def type_prefix(self) -> str:
@@ -75,7 +76,7 @@ def load(path: pathlib.Path) -> Contract:
             Field(p["name"], p["schema"], p.get("required", False), p.get("description", "")) for p in entry["params"]
         ]
         result = entry.get("result", {}).get("schema")
-        return Method(entry["name"], entry.get("summary", ""), params, result)
+        return Method(entry["name"], entry.get("summary", ""), params, result, slow=entry.get("x-slow", False))
 
     return Contract(
         text=json.dumps(document, separators=(",", ":"), ensure_ascii=True),

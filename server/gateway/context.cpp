@@ -9,7 +9,8 @@ Context::Context(session::Server& server_, const GatewayOptions& options, Access
       files(options.webclient.empty() ? StaticFiles() : StaticFiles(options.webclient)) {}
 
 session::Readiness ReadinessProbe::check(session::Server& server) {
-    const std::lock_guard lock(mutex_);
+    const std::unique_lock lock(mutex_, std::try_to_lock);
+    if (!lock) return server.last_readiness();
     if (!checked_ || std::chrono::steady_clock::now() - *checked_ > std::chrono::seconds(1)) {
         last_ = server.readiness();
         checked_ = std::chrono::steady_clock::now();

@@ -20,7 +20,8 @@ struct Counters { // for /metrics
     std::atomic<std::uint64_t> texts_received{0}, texts_sent{0}, frames_sent{0}, frames_dropped{0}, bytes_sent{0};
 };
 
-// Draws the test picture at most once a second, however often it is asked.
+// Draws the test picture at most once a second, however often it is asked, and one at a time: it may wait for a frame,
+// and who asks meanwhile gets the last answer.
 class ReadinessProbe {
 public:
     [[nodiscard]] session::Readiness check(session::Server& server);

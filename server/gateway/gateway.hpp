@@ -19,8 +19,8 @@ struct GatewayOptions {
     std::vector<std::string> origins;       // "https://example.org", allowed beside the server's own
     std::vector<std::string> allowed_hosts; // names in Host, beside localhost when bound to loopback
     unsigned threads = 2;                   // for sockets
-    unsigned workers = 8;                   // for methods: each runs one request at a time
-    std::string version;                    // for the Server header
+    unsigned workers = 8; // for quick methods; slow ones have threads of their own (Limits::slow_calls)
+    std::string version;  // for the Server header
 };
 
 // What the log and the address on the console need.

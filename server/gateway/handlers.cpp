@@ -1,7 +1,5 @@
 #include "gateway/handlers.hpp"
 
-#include "methods/dispatcher.hpp"
-
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
@@ -12,11 +10,6 @@ constexpr const char* no_client_page = "<!doctype html><meta charset=\"utf-8\"><
                                        "server runs, but the web client was not "
                                        "found. Build it (npm run build in webclient/), or name its folder with "
                                        "--webclient. Scripts can use POST rpc.</p>\n";
-
-bool is_json(std::string_view content_type) {
-    const auto type = content_type.substr(0, content_type.find(';'));
-    return type == "application/json" || type == "application/json-rpc" || type == "application/jsonrequest";
-}
 
 std::string counter(const char* name, const char* help, const char* type, std::uint64_t value) {
     std::string text = std::string("# HELP ") + name + " " + help + "\n# TYPE " + name + " " + type + "\n";
@@ -53,16 +46,6 @@ Response websocket_expected(Context&, const Request&, const Target&) {
     Response response = sentence(426, "This is a WebSocket: connect with the subprotocol ciel.v1.");
     response.headers.emplace_back("Upgrade", "websocket");
     return response;
-}
-
-Response rpc(Context& context, const Request& request, const Target&) {
-    if (!is_json(request.content_type))
-        return sentence(415, "Send JSON-RPC 2.0 with the header \"Content-Type: application/json\".");
-    session::Connection connection;
-    connection.id = context.next_connection_id++;
-    connection.remote = request.remote;
-    std::string answer = methods::dispatch(context.server, connection, request.body);
-    return answer.empty() ? json(204, {}) : json(200, std::move(answer));
 }
 
 Response healthz(Context&, const Request&, const Target&) { return sentence(200, "ok"); }

@@ -8,7 +8,6 @@
 namespace ciel::gateway {
 
 [[nodiscard]] Response websocket_expected(Context& context, const Request& request, const Target& target);
-[[nodiscard]] Response rpc(Context& context, const Request& request, const Target& target);
 [[nodiscard]] Response healthz(Context& context, const Request& request, const Target& target);
 [[nodiscard]] Response readyz(Context& context, const Request& request, const Target& target);
 [[nodiscard]] Response metrics(Context& context, const Request& request, const Target& target);

@@ -2,6 +2,7 @@
 
 #include "gateway/deadline.hpp"
 #include "gateway/routes.hpp"
+#include "gateway/rpc_call.hpp"
 #include "gateway/websocket_session.hpp"
 
 #include <boost/asio/write.hpp>
@@ -110,7 +111,8 @@ private:
         if (parser.get().count(http::field::host) != 1 && parser.get().version() >= 11)
             resolved = {sentence(400, "HTTP/1.1 needs exactly one Host header."), nullptr, {}};
         if (start_.over_limit) resolved = {too_many_connections(), nullptr, {}};
-        if (resolved.route != nullptr && resolved.route->is_websocket && beast::websocket::is_upgrade(parser.get())) {
+        if (resolved.route != nullptr && resolved.route->kind == Route::Kind::websocket &&
+            beast::websocket::is_upgrade(parser.get())) {
             if (auto problem = refused_upgrade(parser.get()))
                 resolved = {std::move(problem), nullptr, {}};
             else {
@@ -174,7 +176,10 @@ private:
 
     asio::awaitable<Response> response_to(const Request& request, const Resolved& resolved) {
         Response response;
-        if (resolved.route == nullptr || !resolved.route->long_running)
+        const auto kind = resolved.route == nullptr ? Route::Kind::quick : resolved.route->kind;
+        if (kind == Route::Kind::rpc)
+            response = co_await rpc_call(stream_, request, context_, workers_);
+        else if (kind != Route::Kind::on_worker)
             response = respond(context_, request, resolved);
         else
             co_await on_worker(workers_, [&] {

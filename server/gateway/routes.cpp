@@ -8,13 +8,13 @@ namespace ciel::gateway {
 namespace {
 
 constexpr std::array<Route, 6> table{{
-    // path, method, needs_token, long_running, is_websocket
-    {"/ws", "GET", true, false, true, websocket_expected},
-    {"/rpc", "POST", true, true, false, rpc},
-    {"/healthz", "GET", false, false, false, healthz},
-    {"/readyz", "GET", false, true, false, readyz},
-    {"/metrics", "GET", true, true, false, metrics},
-    {"*", "GET", false, false, false, static_file}, // every other path
+    // path, method, needs_token, kind, handler
+    {"/ws", "GET", true, Route::Kind::websocket, websocket_expected},
+    {"/rpc", "POST", true, Route::Kind::rpc, nullptr},
+    {"/healthz", "GET", false, Route::Kind::quick, healthz},
+    {"/readyz", "GET", false, Route::Kind::on_worker, readyz},
+    {"/metrics", "GET", true, Route::Kind::on_worker, metrics},
+    {"*", "GET", false, Route::Kind::quick, static_file}, // every other path
 }};
 
 bool method_matches(const Route& route, std::string_view method) {
@@ -49,9 +49,14 @@ Response preflight(const Request& request, const Route& route) {
     return response;
 }
 
+bool is_json(std::string_view content_type) {
+    const auto type = content_type.substr(0, content_type.find(';'));
+    return type == "application/json" || type == "application/json-rpc" || type == "application/jsonrequest";
+}
+
 std::optional<Response> refusal(const Context& context, const Request& request, const Target& target,
                                 const Route& route) {
-    const bool changes_or_streams = route.is_websocket || route.method != "GET";
+    const bool changes_or_streams = route.kind == Route::Kind::websocket || route.method != "GET";
     if (changes_or_streams && !origin_allowed(context.access, request.origin, request.host))
         return sentence(403, "The origin " + request.origin + " may not use this server; allow it with --origin.");
     if (request.method == "OPTIONS" && route.method == "POST") return preflight(request, route);
@@ -63,6 +68,8 @@ std::optional<Response> refusal(const Context& context, const Request& request, 
     const std::string token = presented_token(context.access, request, target);
     const bool offered_in_url = target.query.count("token") != 0;
     if ((route.needs_token || offered_in_url) && !token_allowed(context.access, token)) return refuse_token();
+    if (route.kind == Route::Kind::rpc && !is_json(request.content_type))
+        return sentence(415, "Send JSON-RPC 2.0 with the header \"Content-Type: application/json\".");
     return std::nullopt;
 }
 

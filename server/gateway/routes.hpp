@@ -16,9 +16,8 @@ struct Route {
     std::string_view path;
     std::string_view method; // GET stands for HEAD too
     bool needs_token;        // the web client's files and the probes are no secret: they hold no data
-    bool long_running;       // handled on a worker thread
-    bool is_websocket;
-    Handler handler;
+    enum class Kind { quick, on_worker, rpc, websocket } kind;
+    Handler handler; // none for rpc: rpc_call.hpp
 };
 
 [[nodiscard]] std::span<const Route> routes();
@@ -29,7 +28,7 @@ struct Resolved {
     Target target;
 };
 
-// Looks at everything but the body: target, Host, method, Origin, token.
+// Looks at everything but the body: target, Host, method, Origin, token, content type.
 [[nodiscard]] Resolved resolve(const Context& context, const Request& request);
 
 // Calls the route's handler, turns exceptions into a 500, and adds the headers that every answer carries.

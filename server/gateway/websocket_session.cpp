@@ -49,6 +49,7 @@ private:
         if (!close_) close_ = websocket::close_reason(code, reason);
         outbox_changed_.cancel();
     }
+    methods::Answer answer();
     void outbox_pushed();
     void end();
     void cut() { beast::get_lowest_layer(socket_).close(); }
@@ -58,12 +59,13 @@ private:
     websocket::stream<beast::tcp_stream> socket_;
     std::shared_ptr<Outbox> outbox_;
     std::shared_ptr<session::Connection> connection_;
+    std::stop_source closed_;
     std::deque<std::string> inbox_;
     std::size_t inbox_bytes_ = 0;
     asio::steady_timer inbox_changed_, outbox_changed_, part_ended_;
     std::optional<websocket::close_reason> close_; // wanted; sent when nothing is under way
-    bool handling_ = false, ended_ = false;
-    int parts_ = 0;
+    bool ended_ = false;
+    int parts_ = 0, unanswered_ = 0; // texts that were taken from the inbox
 };
 
 asio::awaitable<bool> WebSocketSession::accept(HttpRequest upgrade) {
@@ -95,6 +97,7 @@ void WebSocketSession::open(std::string remote) {
     connection_ = std::make_shared<session::Connection>();
     connection_->id = context_.next_connection_id++;
     connection_->remote = std::move(remote);
+    connection_->stop = closed_.get_token();
     connection_->send_text = [outbox = outbox_](std::string text) { outbox->push_text(std::move(text)); };
     connection_->send_binary = [outbox = outbox_](FrameBytes bytes) { outbox->push_frame(std::move(bytes)); };
     context_.server.connection_opened(connection_);
@@ -160,22 +163,35 @@ asio::awaitable<void> WebSocketSession::handle_in_order() {
         }
         const std::string text = std::move(inbox_.front());
         inbox_.pop_front();
-        handling_ = true;
-        std::string answer =
-            co_await on_worker(workers_, [&] { return methods::dispatch(context_.server, *connection_, text); });
-        handling_ = false;
-        if (!answer.empty()) outbox_->push_text(std::move(answer));
+        ++unanswered_;
+        const methods::Answer reply = answer();
+        co_await on_worker(workers_, [&] {
+            methods::dispatch(context_.server, connection_, text, reply);
+            return std::string();
+        });
         inbox_bytes_ -= text.size();
         inbox_changed_.cancel();
-        outbox_changed_.cancel();
     }
+}
+
+// Slow methods answer later, from other threads, perhaps when the socket has gone; texts after theirs do not wait.
+methods::Answer WebSocketSession::answer() {
+    return [weak = weak_from_this(), outbox = outbox_, executor = socket_.get_executor()](std::string text) {
+        if (!text.empty()) outbox->push_text(std::move(text));
+        asio::post(executor, [weak] {
+            const auto self = weak.lock();
+            if (!self) return;
+            --self->unanswered_;
+            self->outbox_changed_.cancel();
+        });
+    };
 }
 
 asio::awaitable<void> WebSocketSession::write() {
     error_code error;
     while (!ended_ && !error) {
         const auto message = outbox_->pop();
-        const bool idle = !handling_ && inbox_.empty();
+        const bool idle = unanswered_ == 0 && inbox_.empty();
         if (!message && close_ && (idle || close_->code != close_code::going_away)) {
             co_await socket_.async_close(*close_, asio::redirect_error(asio::use_awaitable, error));
             break;
@@ -203,6 +219,7 @@ void WebSocketSession::outbox_pushed() {
 
 void WebSocketSession::end() {
     ended_ = true;
+    closed_.request_stop();
     cut();
     inbox_changed_.cancel();
     outbox_changed_.cancel();

@@ -8,6 +8,11 @@ std::shared_ptr<store::LoadedDataset> Context::dataset(const std::string& name) 
     return session::open_dataset(server.catalog(), name);
 }
 
+void Context::check_wanted() const {
+    if (connection.stop.stop_requested())
+        throw Error("the connection ended before the answer; keep it open until the answer has come");
+}
+
 std::shared_ptr<session::View> Context::view(std::int64_t id) const {
     const bool possible = id > 0 && id <= UINT32_MAX;
     return server.sessions().view(possible ? static_cast<std::uint32_t>(id) : 0, connection.id);

@@ -17,6 +17,7 @@ struct Context {
     [[nodiscard]] std::shared_ptr<session::Session> session(const std::string& id) const {
         return server.sessions().find(id);
     }
+    void check_wanted() const; // throws Error when the connection has ended, and nobody waits for the answer
     [[nodiscard]] std::shared_ptr<session::View> view(std::int64_t id) const;
     [[nodiscard]] std::shared_ptr<store::LoadedDataset> dataset(const std::string& name) const;
     // The connection as views and subscriptions keep it; null over HTTP.

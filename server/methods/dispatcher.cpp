@@ -2,16 +2,17 @@
 
 #include "methods/context.hpp"
 #include "methods/error_answer.hpp"
-#include "methods/method_params.hpp"
-#include "protocol/method_table.hpp"
+#include "methods/request.hpp"
+#include "session/metrics.hpp"
+#include "session/slow_calls.hpp"
 
-#include <algorithm>
-#include <optional>
+#include <future>
 
 namespace ciel::methods {
 namespace {
 
 using nlohmann::json;
+using Turn = session::SlowCalls::Turn;
 
 // Deeper than `limit`? Looked at before parsing, so that no parser or destructor recurses that deep.
 bool is_deeper_than(std::string_view text, std::size_t limit) {
@@ -35,99 +36,123 @@ bool is_deeper_than(std::string_view text, std::size_t limit) {
     return false;
 }
 
-json answer(const json& id, const char* member, json content) {
-    return {{"jsonrpc", "2.0"}, {"id", id}, {member, std::move(content)}};
-}
+// A name from a file system may not be UTF-8.
+std::string text_of(const json& answer) { return answer.dump(-1, ' ', false, json::error_handler_t::replace); }
 
-// Other numbers would come back rounded, and the client would not know its request again.
-bool is_id(const json& id) { return id.is_string() || id.is_number_integer() || id.is_null(); }
+// The requests of one text, in order: quick ones on the thread that comes by, each slow one when its turn has come.
+class Requests : public std::enable_shared_from_this<Requests> {
+public:
+    Requests(session::Server& server, std::shared_ptr<session::Connection> connection, json requests, Answer answer)
+        : connection_(std::move(connection)), context_{server, *connection_}, is_batch_(requests.is_array()),
+          requests_(is_batch_ ? std::move(requests) : json::array({std::move(requests)})), answer_(std::move(answer)) {}
 
-// The id of a request as far as it can be told, else null.
-json id_of(const json& request) {
-    if (!request.is_object()) return nullptr;
-    const auto id = request.find("id");
-    return id != request.end() && is_id(*id) ? *id : json();
-}
-
-bool is_request(const json& request) {
-    if (!request.is_object() || request.value("jsonrpc", json()) != "2.0") return false;
-    if (const auto method = request.find("method"); method == request.end() || !method->is_string()) return false;
-    if (const auto params = request.find("params"); params != request.end() && !params->is_structured()) return false;
-    return true;
-}
-
-json call(Context& context, const json& request) {
-    const auto& name = request["method"].get_ref<const std::string&>();
-    const auto method = std::find_if(method_table.begin(), method_table.end(),
-                                     [&](const Method& candidate) { return candidate.name == name; });
-    context.server.counters().count_request(method == method_table.end() ? "unknown" : name);
-    if (method == method_table.end()) throw MethodNotFound("there is no method " + name + "; rpc.discover lists them");
-    return method->call(context, checked_params(name, request.value("params", json::object())));
-}
-
-// Nothing when there is nothing to be answered.
-std::optional<json> handle(Context& context, const json& request) {
-    auto& metrics = context.server.counters();
-    const auto failed = [&](json error) {
-        metrics.count_error(error["code"].get<int>());
-        return answer(id_of(request), "error", std::move(error));
-    };
-    if (!is_request(request))
-        return failed(invalid_request("a request is an object with jsonrpc \"2.0\" and a method"));
-    if (const auto id = request.find("id"); id != request.end() && !is_id(*id))
-        return failed(invalid_request("an id is a text, null, or a whole number of 64 bits; write others as text"));
-    const bool is_notification = !request.contains("id");
-    try {
-        json result = call(context, request);
-        if (is_notification) return {};
-        return answer(request["id"], "result", std::move(result));
-    } catch (...) {
-        json error = failed(error_of_current_exception());
-        if (is_notification) return {};
-        return error;
+    void go_on() {
+        for (; next_ < requests_.size(); ++next_) {
+            if (!is_wanted())
+                add(given_up());
+            else if (!is_slow(requests_[next_]))
+                add(handle(context_, requests_[next_]));
+            else if (waits_for_its_turn())
+                return;
+        }
+        finish();
     }
-}
 
-std::optional<json> handle_batch(Context& context, const json& batch) {
-    json answers = json::array();
-    for (const json& request : batch)
-        if (auto one = handle(context, request)) answers.push_back(std::move(*one));
-    if (answers.empty()) return {};
-    return answers;
-}
+private:
+    [[nodiscard]] bool is_wanted() const { return !given_up_ && !connection_->stop.stop_requested(); }
 
-std::optional<json> handle_text(Context& context, std::string_view text) {
-    const session::Limits& limits = context.server.limits();
-    const auto refused = [&](json error) {
-        context.server.counters().count_error(error["code"].get<int>());
-        return answer(nullptr, "error", std::move(error));
-    };
+    bool waits_for_its_turn() {
+        auto& slow_calls = context_.server.slow_calls();
+        auto job = [self = shared_from_this()](Turn turn) { self->take(turn); };
+        try {
+            if (has_had_a_turn_)
+                slow_calls.post_next(connection_->id, std::move(job));
+            else
+                slow_calls.post(connection_->id, std::move(job));
+            return true;
+        } catch (...) {
+            add(refuse(context_, requests_[next_]));
+            return false;
+        }
+    }
+
+    void take(Turn turn) {
+        has_had_a_turn_ = true;
+        given_up_ = turn == Turn::given_up;
+        add(is_wanted() ? handle(context_, requests_[next_]) : given_up());
+        ++next_;
+        go_on();
+    }
+
+    std::optional<json> given_up() {
+        try {
+            throw Error("the call was given up: the connection has ended, or the server is about to stop");
+        } catch (...) {
+            return refuse(context_, requests_[next_]);
+        }
+    }
+
+    void add(std::optional<json> one) {
+        if (one) answers_.push_back(std::move(*one));
+    }
+
+    void finish() {
+        std::string text;
+        try {
+            if (!answers_.empty()) text = text_of(is_batch_ ? answers_ : answers_.front());
+        } catch (...) { // no memory for a text of that size
+            text = text_of({{"jsonrpc", "2.0"}, {"id", nullptr}, {"error", error_of_current_exception()}});
+        }
+        answer_(std::move(text));
+    }
+
+    const std::shared_ptr<session::Connection> connection_;
+    Context context_;
+    const bool is_batch_;
+    const json requests_;
+    const Answer answer_;
+    json answers_ = json::array();
+    std::size_t next_ = 0;
+    bool has_had_a_turn_ = false, given_up_ = false;
+};
+
+// The error of a text that holds no requests, else nothing, and `requests` are set.
+std::optional<json> refusal(const session::Limits& limits, std::string_view text, json& requests) {
     if (text.size() > limits.message_bytes)
-        return refused(limit_error("a message may have " + std::to_string(limits.message_bytes) + " bytes"));
+        return limit_error("a message may have " + std::to_string(limits.message_bytes) + " bytes");
     if (is_deeper_than(text, limits.json_depth))
-        return refused(limit_error("JSON may be " + std::to_string(limits.json_depth) + " levels deep"));
-    json request;
+        return limit_error("JSON may be " + std::to_string(limits.json_depth) + " levels deep");
     try {
-        request = json::parse(text.begin(), text.end());
+        requests = json::parse(text.begin(), text.end());
     } catch (const json::out_of_range&) {
-        return refused(parse_error("a number in the message is too large; the largest is about 1.8e308"));
+        return parse_error("a number in the message is too large; the largest is about 1.8e308");
     } catch (const json::exception&) {
-        return refused(parse_error("the message is not valid JSON"));
+        return parse_error("the message is not valid JSON");
     }
-    if (!request.is_array()) return handle(context, request);
-    if (request.empty()) return refused(invalid_request("a batch must not be empty"));
-    if (request.size() > limits.batch_requests)
-        return refused(limit_error("a batch may have " + std::to_string(limits.batch_requests) + " requests"));
-    return handle_batch(context, request);
+    if (!requests.is_array()) return {};
+    if (requests.empty()) return invalid_request("a batch must not be empty");
+    if (requests.size() > limits.batch_requests)
+        return limit_error("a batch may have " + std::to_string(limits.batch_requests) + " requests");
+    return {};
 }
 
 } // namespace
 
+void dispatch(session::Server& server, std::shared_ptr<session::Connection> connection, std::string_view text,
+              Answer answer) {
+    json requests;
+    if (auto error = refusal(server.limits(), text, requests)) {
+        server.counters().count_error((*error)["code"].get<int>());
+        return answer(text_of({{"jsonrpc", "2.0"}, {"id", nullptr}, {"error", std::move(*error)}}));
+    }
+    std::make_shared<Requests>(server, std::move(connection), std::move(requests), std::move(answer))->go_on();
+}
+
 std::string dispatch(session::Server& server, session::Connection& connection, std::string_view text) {
-    Context context{server, connection};
-    const auto reply = handle_text(context, text);
-    // A name from a file system may not be UTF-8.
-    return reply ? reply->dump(-1, ' ', false, json::error_handler_t::replace) : std::string();
+    const auto answered = std::make_shared<std::promise<std::string>>(); // set_value may outlast this function
+    const std::shared_ptr<session::Connection> borrowed(std::shared_ptr<void>(), &connection);
+    dispatch(server, borrowed, text, [answered](std::string answer) { answered->set_value(std::move(answer)); });
+    return answered->get_future().get();
 }
 
 } // namespace ciel::methods

@@ -3,6 +3,7 @@
 
 #include "session/connection.hpp"
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -13,8 +14,15 @@ class Server; // datasets, sessions, limits: everything a method may reach
 
 namespace ciel::methods {
 
+// An empty text when nothing is to be answered (only notifications). Must not throw.
+using Answer = std::function<void(std::string text)>;
+
 // Thread-safe. Handles single requests, notifications and batches exactly as the specification says. Never throws for
-// any input. Returns an empty string when nothing is to be answered (only notifications).
+// any input. `answer` is called exactly once: before this returns, or, when the text asks for a slow method, perhaps
+// later and from another thread. The requests of a batch are handled in order.
+void dispatch(session::Server& server, std::shared_ptr<session::Connection> connection, std::string_view text,
+              Answer answer);
+// The same, for those who can wait.
 [[nodiscard]] std::string dispatch(session::Server& server, session::Connection& connection, std::string_view text);
 
 } // namespace ciel::methods

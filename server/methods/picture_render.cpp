@@ -9,15 +9,17 @@ protocol::PictureRenderResult picture_render(Context& context, const protocol::P
     session::check_picture_size(context.server.limits(), params.width, params.height);
     const SceneSource source(context, params.session, params.scene);
     const session::ViewSize size{static_cast<std::uint32_t>(params.width), static_cast<std::uint32_t>(params.height)};
-    const auto [image, time] = context.server.frame_workers().run([&](session::Worker& worker) {
-        const auto geometry = source.geometry();
-        return std::pair{session::draw(*geometry, source.version().scene, size, true, worker), geometry->time};
+    const auto geometry = source.geometry(); // not on the worker, which draws others meanwhile
+    const render::Image image = context.server.picture_workers().run([&](session::Worker& worker) {
+        context.check_wanted();
+        return session::draw(*geometry, source.version().scene, size, true, worker);
     });
+    context.check_wanted();
     std::vector<std::uint8_t> png;
     wire::encode_png(image.width, image.height, image.rgb, wire::PngEffort::still, png);
     context.server.counters().count_picture(png.size());
-    return {"image/png", params.width, params.height, static_cast<std::int64_t>(source.version().revision),
-            time,        base64(png)};
+    return {"image/png",    params.width, params.height, static_cast<std::int64_t>(source.version().revision),
+            geometry->time, base64(png)};
 }
 
 } // namespace ciel::methods

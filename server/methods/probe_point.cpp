@@ -29,11 +29,13 @@ protocol::ProbePointResult probe_point(Context& context, const protocol::ProbePo
     const auto locator = context.server.locators().get(dataset, step);
 
     std::optional<Vec3d> position = params.position;
-    if (params.pixel)
-        position = context.server.frame_workers().run([&](session::Worker& worker) {
-            return session::position_under(*source.geometry(), source.version().scene, size, *params.pixel, *locator,
-                                           worker);
+    if (params.pixel) {
+        const auto geometry = source.geometry(); // not on the worker, which draws others meanwhile
+        position = context.server.picture_workers().run([&](session::Worker& worker) {
+            context.check_wanted();
+            return session::position_under(*geometry, source.version().scene, size, *params.pixel, *locator, worker);
         });
+    }
     if (!position) return {};
     const session::Probed probed = session::probe(*dataset, step, *locator, *position);
     return {probed.cell != none, position, id_of(probed.vertex), id_of(probed.cell), probed.values};

@@ -4,10 +4,10 @@ namespace ciel::methods {
 
 SceneSource::SceneSource(const Context& context, const std::optional<std::string>& session,
                          const std::optional<nlohmann::json>& scene)
-    : services_(context.server.services()) {
+    : context_(context) {
     if (session) session_ = context.session(*session);
     if (scene)
-        version_ = session::make_version(services_, *scene, 0);
+        version_ = session::make_version(context.server.services(), *scene, 0);
     else if (session_)
         version_ = session_->status().version;
     else
@@ -16,8 +16,12 @@ SceneSource::SceneSource(const Context& context, const std::optional<std::string
 }
 
 std::shared_ptr<const session::Geometry> SceneSource::geometry() const {
-    auto made = session_ ? session_->geometry(*version_, {})
-                         : session::SceneGeometry(services_.engine).update(version_->scene, version_->loaded);
+    const std::stop_token& stop = context_.connection.stop;
+    auto made =
+        session_
+            ? session_->geometry(*version_, stop)
+            : session::SceneGeometry(context_.server.services().engine).update(version_->scene, version_->loaded, stop);
+    context_.check_wanted();
     session::require_complete(*made);
     return made;
 }

@@ -16,10 +16,11 @@ public:
     [[nodiscard]] const session::SceneVersion& version() const { return *version_; }
     [[nodiscard]] store::LoadedDataset& loaded() const { return *version_->loaded; }
     // A session's geometry is kept and shared with its views; without a session it is made for this call.
+    // Throws Error when the connection ends meanwhile.
     [[nodiscard]] std::shared_ptr<const session::Geometry> geometry() const;
 
 private:
-    const session::Services& services_;
+    const Context& context_;
     std::shared_ptr<session::Session> session_;
     std::shared_ptr<const session::SceneVersion> version_;
 };

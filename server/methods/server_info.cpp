@@ -7,10 +7,10 @@ namespace {
 // A row that is added to the limits does not compile until it is named here.
 std::map<std::string, double> table_of(const session::Limits& limits) {
     const auto& [message_bytes, json_depth, batch_requests, connections, sessions, views_per_session, layers,
-                 values_per_layer, undo_steps, image_side, image_pixels, histogram_bins, export_bytes,
-                 field_cache_bytes, session_memory_bytes, unacknowledged_frames, session_idle_seconds,
-                 keep_alive_seconds, request_seconds, waiting_text_bytes, websocket_idle_seconds, drain_seconds] =
-        limits;
+                 values_per_layer, undo_steps, image_side, image_pixels, histogram_bins, export_bytes, slow_calls,
+                 slow_calls_waiting, slow_calls_of_connection, field_cache_bytes, session_memory_bytes,
+                 unacknowledged_frames, session_idle_seconds, keep_alive_seconds, request_seconds, waiting_text_bytes,
+                 websocket_idle_seconds, drain_seconds] = limits;
     const auto number = [](auto value) { return static_cast<double>(value); };
     return {{"message_bytes", number(message_bytes)},
             {"json_depth", number(json_depth)},
@@ -25,6 +25,9 @@ std::map<std::string, double> table_of(const session::Limits& limits) {
             {"image_pixels", number(image_pixels)},
             {"histogram_bins", number(histogram_bins)},
             {"export_bytes", number(export_bytes)},
+            {"slow_calls", number(slow_calls)},
+            {"slow_calls_waiting", number(slow_calls_waiting)},
+            {"slow_calls_of_connection", number(slow_calls_of_connection)},
             {"field_cache_bytes", number(field_cache_bytes)},
             {"session_memory_bytes", number(session_memory_bytes)},
             {"unacknowledged_frames", number(unacknowledged_frames)},
@@ -39,7 +42,7 @@ std::map<std::string, double> table_of(const session::Limits& limits) {
 } // namespace
 
 protocol::ServerInfoResult server_info(Context& context, const protocol::ServerInfoParams&) {
-    const session::Readiness drawing = context.server.readiness();
+    const session::Readiness drawing = context.server.last_readiness();
     const bool by_signatures = context.server.options().engine == Engine::signatures;
     return {CIEL_VERSION,
             drawing.gl_renderer,

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -14,7 +15,8 @@ namespace ciel::session {
 // view newest-wins when the socket is slow (the frame loop waits for acknowledgements anyway).
 struct Connection {
     std::uint64_t id = 0;
-    std::string remote; // for logs
+    std::string remote;   // for logs
+    std::stop_token stop; // requested when the connection has ended: what is being made for it is given up
     std::function<void(std::string text)> send_text;
     std::function<void(std::shared_ptr<const std::vector<std::uint8_t>> bytes)> send_binary;
 

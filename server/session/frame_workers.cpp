@@ -61,10 +61,14 @@ FrameWorkers::Job FrameWorkers::next(std::unique_lock<std::mutex>& lock, const s
     };
     while (!stop.stop_requested()) {
         const auto time = Clock::now();
-        if (!later_.empty() && later_.begin()->first + patience < time) return take_later();
+        if (passed_over_ == 0 && !later_.empty() && later_.begin()->first + patience < time) {
+            passed_over_ = now_.size();
+            return take_later();
+        }
         if (!now_.empty()) {
             Job job = std::move(now_.front());
             now_.pop_front();
+            if (passed_over_ > 0) --passed_over_;
             return job;
         }
         if (!later_.empty() && later_.begin()->first <= time) return take_later();

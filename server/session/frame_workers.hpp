@@ -39,8 +39,9 @@ public:
     FrameWorkers(unsigned threads, render::Backend backend);
     ~FrameWorkers(); // waits for the jobs under way, drops the rest
 
-    // Jobs of post go first, in order. A job of post_later starts at `due` or after, when no other waits, or at the
-    // latest a second after `due`. Dropped, with false, once drained.
+    // Jobs of post go first, in order. A job of post_later starts at `due` or after, when no other waits. After a
+    // second of waiting it goes before the jobs of post, which then all go before the next such one. Dropped, with
+    // false, once drained.
     bool post(Job job);
     bool post_later(Clock::time_point due, Job job);
 
@@ -72,6 +73,7 @@ private:
     std::condition_variable_any changed_;
     std::deque<Job> now_;
     std::multimap<Clock::time_point, Job> later_;
+    std::size_t passed_over_ = 0; // jobs of now_, the first ones, that one of later_ went before
     unsigned busy_ = 0;
     bool draining_ = false;
     std::vector<std::jthread> threads_;

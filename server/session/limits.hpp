@@ -21,6 +21,9 @@ struct Limits {
     std::uint64_t image_pixels = 33'554'432; // per picture
     std::size_t histogram_bins = 4096;
     std::size_t export_bytes = 256 << 20;
+    unsigned slow_calls = 2;                                 // pictures, exports and the like under way at a time
+    std::size_t slow_calls_waiting = 64;                     // of all connections
+    std::size_t slow_calls_of_connection = 16;               // of those that wait
     std::size_t field_cache_bytes = std::size_t{4} << 30;    // of one dataset
     std::size_t session_memory_bytes = std::size_t{2} << 30; // query state and surfaces of one session
     unsigned unacknowledged_frames = 2;

@@ -80,6 +80,9 @@ std::string Metrics::text(const Gauges& gauges) const {
     single(out, "ciel_connections", "gauge", "Open WebSockets.", gauges.connections);
     single(out, "ciel_views", "gauge", "Open views.", gauges.views);
     single(out, "ciel_frame_workers_busy", "gauge", "Workers that make a frame or a picture.", gauges.busy_workers);
+    single(out, "ciel_slow_calls", "gauge", "Pictures, exports and the like under way.", gauges.slow_calls);
+    single(out, "ciel_slow_calls_waiting", "gauge", "Pictures, exports and the like that wait for their turn.",
+           gauges.slow_calls_waiting);
     single(out, "ciel_session_bytes", "gauge", "Query state and surfaces of all sessions.", gauges.session_bytes);
     single(out, "ciel_datasets", "gauge", "Datasets in memory.", gauges.datasets);
     single(out, "ciel_dataset_bytes", "gauge", "Topologies and cached fields of all datasets.", gauges.dataset_bytes);

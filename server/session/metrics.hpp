@@ -15,7 +15,7 @@ struct FrameTimes { // milliseconds
 
 struct Gauges { // what is true now; the counters count since the start
     std::size_t sessions = 0, connections = 0, views = 0, session_bytes = 0, dataset_bytes = 0, datasets = 0;
-    std::size_t busy_workers = 0;
+    std::size_t busy_workers = 0, slow_calls = 0, slow_calls_waiting = 0;
     std::string gl_renderer, backend;
 };
 

@@ -4,6 +4,7 @@
 #include "session/locator.hpp"
 #include "session/notify.hpp"
 #include "session/sessions.hpp"
+#include "session/slow_calls.hpp"
 
 #include <set>
 
@@ -14,20 +15,22 @@ struct Server::State {
     Metrics metrics;
     Connections connections;
     store::Catalog catalog;
-    FrameWorkers workers;
+    FrameWorkers workers, picture_workers;
     Services services;
     Sessions sessions;
     Locators locators;
+    SlowCalls slow_calls;
     std::mutex readiness_mutex;
-    Readiness last_readiness;
+    std::optional<Readiness> last_readiness;
     std::shared_ptr<void> watch;
     std::jthread housekeeping; // last: it uses the others
 
     explicit State(ServerOptions chosen)
         : options(std::move(chosen)), catalog(options.data, options.limits.field_cache_bytes),
-          workers(options.render_workers, options.backend), services{options.limits, options.engine, catalog,
-                                                                     connections,    workers,        metrics},
-          sessions(services) {
+          workers(options.render_workers, options.backend),
+          picture_workers(1, options.backend), services{options.limits, options.engine, catalog,
+                                                        connections,    workers,        metrics},
+          sessions(services), slow_calls(options.limits) {
         watch = catalog.watch([this](const std::string& dataset) { tell_steps(dataset); });
         housekeeping = std::jthread([this](const std::stop_token& stop) {
             std::mutex mutex;
@@ -40,6 +43,8 @@ struct Server::State {
 
     ~State() {
         watch.reset();
+        slow_calls.drain();
+        picture_workers.drain();
         workers.drain();
     }
 
@@ -64,8 +69,10 @@ const ServerOptions& Server::options() const { return state_->options; }
 store::Catalog& Server::catalog() { return state_->catalog; }
 Sessions& Server::sessions() { return state_->sessions; }
 FrameWorkers& Server::frame_workers() { return state_->workers; }
+FrameWorkers& Server::picture_workers() { return state_->picture_workers; }
 Metrics& Server::counters() { return state_->metrics; }
 Locators& Server::locators() { return state_->locators; }
+SlowCalls& Server::slow_calls() { return state_->slow_calls; }
 const Services& Server::services() const { return state_->services; }
 
 void Server::connection_opened(std::shared_ptr<Connection> connection) {
@@ -74,6 +81,7 @@ void Server::connection_opened(std::shared_ptr<Connection> connection) {
 
 void Server::connection_closed(std::uint64_t connection_id) {
     state_->connections.remove(connection_id);
+    state_->slow_calls.drop(connection_id);
     state_->sessions.connection_closed(connection_id);
 }
 
@@ -89,6 +97,14 @@ Readiness Server::readiness() {
     return readiness;
 }
 
+Readiness Server::last_readiness() {
+    {
+        const std::scoped_lock lock(state_->readiness_mutex);
+        if (state_->last_readiness) return *state_->last_readiness;
+    }
+    return readiness();
+}
+
 std::string Server::metrics() const {
     Gauges gauges;
     std::set<std::shared_ptr<store::LoadedDataset>> datasets;
@@ -100,17 +116,23 @@ std::string Server::metrics() const {
     }
     gauges.connections = state_->connections.size();
     gauges.datasets = datasets.size();
-    gauges.busy_workers = state_->workers.busy();
+    gauges.busy_workers = state_->workers.busy() + state_->picture_workers.busy();
+    gauges.slow_calls = state_->slow_calls.running();
+    gauges.slow_calls_waiting = state_->slow_calls.waiting();
     for (const auto& dataset : datasets) gauges.dataset_bytes += dataset->memory_bytes();
     const std::scoped_lock lock(state_->readiness_mutex);
-    gauges.gl_renderer = state_->last_readiness.gl_renderer;
-    gauges.backend = state_->last_readiness.backend;
+    if (state_->last_readiness) {
+        gauges.gl_renderer = state_->last_readiness->gl_renderer;
+        gauges.backend = state_->last_readiness->backend;
+    }
     return state_->metrics.text(gauges);
 }
 
 void Server::drain() {
     state_->sessions.stop_opening();
     state_->connections.send_all(notification_text(protocol::ServerDraining{}));
+    state_->slow_calls.drain(); // first: those under way still need a worker
+    state_->picture_workers.drain();
     state_->workers.drain();
 }
 

@@ -30,6 +30,7 @@ class FrameWorkers; // frame_workers.hpp
 class Metrics;      // metrics.hpp
 struct Services;    // services.hpp
 class Locators;     // locator.hpp
+class SlowCalls;    // slow_calls.hpp
 
 // Draws a triangle and checks its pixels.
 [[nodiscard]] Readiness draw_test_picture(render::Renderer& renderer);
@@ -45,10 +46,13 @@ public:
     [[nodiscard]] store::Catalog& catalog();
     [[nodiscard]] Sessions& sessions();
     [[nodiscard]] FrameWorkers& frame_workers();
+    // For slow calls: a picture under way cannot be put off, so it is never in the way of a frame.
+    [[nodiscard]] FrameWorkers& picture_workers();
     [[nodiscard]] const ServerOptions& options() const;
     [[nodiscard]] Metrics& counters();
     [[nodiscard]] const Services& services() const;
     [[nodiscard]] Locators& locators();
+    [[nodiscard]] SlowCalls& slow_calls();
 
     // Connections hear of appended steps (`dataset.changed`) while they are registered here.
     void connection_opened(std::shared_ptr<Connection> connection);
@@ -56,8 +60,10 @@ public:
 
     // Draws a test picture and checks its pixels.
     [[nodiscard]] Readiness readiness();
+    [[nodiscard]] Readiness last_readiness();  // of the last test picture; draws one only when none was drawn yet
     [[nodiscard]] std::string metrics() const; // Prometheus text exposition format 0.0.4
-    void drain(); // SIGTERM: no new sessions or frames, those under way are finished, clients are told
+    // SIGTERM: no new sessions, frames or slow calls, those under way are finished, clients are told.
+    void drain();
 
 private:
     struct State;

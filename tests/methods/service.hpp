@@ -5,10 +5,12 @@
 #include "session/metrics.hpp"
 #include "session/server.hpp"
 #include "session/sessions.hpp"
+#include "session/slow_calls.hpp"
 #include "small_dataset/small_dataset.hpp"
 #include "wire/frame_header.hpp"
 
 #include <condition_variable>
+#include <future>
 #include <gtest/gtest.h>
 #include <mutex>
 #include <nlohmann/json.hpp>
@@ -22,6 +24,7 @@ public:
     Client(session::Server& server, bool streaming) : server_(server) {
         static std::atomic<std::uint64_t> last{0};
         connection_->id = ++last;
+        connection_->stop = stop_.get_token();
         if (!streaming) return;
         connection_->send_text = [this](std::string text) { add(texts_, json::parse(text)); };
         connection_->send_binary = [this](std::shared_ptr<const std::vector<std::uint8_t>> bytes) {
@@ -30,6 +33,7 @@ public:
         server_.connection_opened(connection_);
     }
     ~Client() {
+        hang_up();
         if (connection_->is_streaming()) server_.connection_closed(connection_->id);
         try { // no job of a view is left that could call back
             server_.frame_workers().run([](session::Worker&) { return 0; });
@@ -39,9 +43,22 @@ public:
     Client(const Client&) = delete;
 
     std::string send(std::string_view text) { return methods::dispatch(server_, *connection_, text); }
+    // Without waiting: the answer is a text.
+    std::future<std::string> post(const json& request) {
+        const auto answered = std::make_shared<std::promise<std::string>>();
+        methods::dispatch(server_, connection_, request.dump(),
+                          [answered](std::string text) { answered->set_value(std::move(text)); });
+        return answered->get_future();
+    }
+    static json request_of(const std::string& method, json params) {
+        return {{"jsonrpc", "2.0"}, {"id", 1}, {"method", method}, {"params", std::move(params)}};
+    }
+    void hang_up() {
+        stop_.request_stop();
+        server_.slow_calls().drop(connection_->id);
+    }
     json request(const std::string& method, json params = json::object()) {
-        return json::parse(
-            send(json{{"jsonrpc", "2.0"}, {"id", 1}, {"method", method}, {"params", std::move(params)}}.dump()));
+        return json::parse(send(request_of(method, std::move(params)).dump()));
     }
     json call(const std::string& method, json params = json::object()) {
         json answer = request(method, std::move(params));
@@ -89,6 +106,7 @@ private:
     }
 
     session::Server& server_;
+    std::stop_source stop_;
     std::shared_ptr<session::Connection> connection_ = std::make_shared<session::Connection>();
     std::mutex mutex_;
     std::condition_variable changed_;

@@ -170,7 +170,7 @@ TEST_F(Sharing, the_other_engine_serves_the_same_pictures) {
 
 // One test a row of limits.hpp; message_bytes, json_depth and batch_requests are in json_rpc_test.cpp,
 // unacknowledged_frames and session_idle_seconds above, those of sockets in tests/gateway/test_limits.cpp, and
-// connections in tests/python/test_serve_websocket.py.
+// connections in tests/python/test_serve_websocket.py, and those of slow calls in tests/session/slow_calls_test.cpp.
 class LimitsOf : public Service {};
 
 TEST_F(LimitsOf, sessions) {

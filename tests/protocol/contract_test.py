@@ -99,6 +99,15 @@ class Generated(unittest.TestCase):
                 self.assertIn(f'"{method.name}"', text, language)
             self.assertIn(f"class {method.type_prefix}Params(TypedDict)", python.emit(self.contract))
 
+    def test_what_draws_extracts_or_exports_is_slow(self):
+        """Such a method in the way of quick ones stops every viewer."""
+        table = cpp.emit_table(self.contract)
+        for method in self.contract.methods:
+            source = (ROOT / "server/methods" / f"{method.identifier}.cpp").read_text(encoding="utf-8")
+            works = any(word in source for word in ("picture_workers()", ".geometry()", "scalar_values("))
+            self.assertEqual(method.slow, works, method.name)
+            self.assertIn(f'{{"{method.name}", {"true" if works else "false"}, ', table)
+
     def test_each_error_is_in_every_language(self):
         for name, (code, _) in self.contract.errors.items():
             self.assertIn(f"{name} = {code}", cpp.emit_types(self.contract))

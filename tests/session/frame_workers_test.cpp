@@ -64,6 +64,16 @@ TEST(frame_workers, a_still_that_waits_too_long_goes_first) {
     EXPECT_EQ(order.letters, "sa");
 }
 
+TEST(frame_workers, of_many_stills_that_wait_too_long_one_goes_before_the_interactive_jobs) {
+    Order order;
+    BusyWorker busy;
+    for (const char letter : {'s', 't', 'u'}) busy.workers.post_later(Clock::now() - 2s, order.note(letter));
+    for (const char letter : {'a', 'b'}) busy.workers.post(order.note(letter));
+    busy.workers.post_later(Clock::now() + 1ms, busy.last());
+    busy.let_go_and_wait();
+    EXPECT_EQ(order.letters, "sabtu");
+}
+
 TEST(frame_workers, run_returns_the_result_or_the_exception) {
     FrameWorkers workers(2, render::Backend::automatic);
     EXPECT_EQ(workers.run([](Worker&) { return 7; }), 7);

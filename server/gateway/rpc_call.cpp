@@ -1,0 +1,65 @@
+#include "gateway/rpc_call.hpp"
+
+#include "gateway/handlers.hpp"
+#include "methods/dispatcher.hpp"
+#include "session/slow_calls.hpp"
+
+#include <boost/asio/post.hpp>
+#include <optional>
+
+namespace ciel::gateway {
+namespace {
+
+// Used on the stream's executor only.
+struct Pending {
+    explicit Pending(const beast::tcp_stream::executor_type& executor) : answered(executor) {
+        answered.expires_at(std::chrono::steady_clock::time_point::max());
+    }
+    asio::steady_timer answered; // never expires: cancelled when the answer is there
+    std::optional<std::string> answer;
+    std::stop_source hung_up;
+};
+
+void watch(beast::tcp_stream& stream, const std::shared_ptr<Pending>& pending, std::uint64_t connection,
+           session::Server& server, asio::thread_pool& workers) {
+    stream.socket().async_wait(asio::ip::tcp::socket::wait_read,
+                               [&stream, pending, connection, &server, &workers](const error_code& error) {
+                                   if (pending->answer) return; // the stream may be gone, too
+                                   error_code closed;
+                                   if (!error && stream.socket().available(closed) > 0)
+                                       return; // it sends its next request already
+                                   pending->hung_up.request_stop();
+                                   asio::post(workers, [connection, &server] { server.slow_calls().drop(connection); });
+                               });
+}
+
+} // namespace
+
+asio::awaitable<Response> rpc_call(beast::tcp_stream& stream, const Request& request, Context& context,
+                                   asio::thread_pool& workers) {
+    const auto pending = std::make_shared<Pending>(stream.get_executor());
+    const auto connection = std::make_shared<session::Connection>();
+    connection->id = context.next_connection_id++;
+    connection->remote = request.remote;
+    connection->stop = pending->hung_up.get_token();
+    const auto answer = [pending, executor = stream.get_executor()](std::string text) {
+        asio::post(executor, [pending, text = std::move(text)]() mutable {
+            pending->answer = std::move(text);
+            pending->answered.cancel();
+        });
+    };
+    co_await on_worker(workers, [&] {
+        methods::dispatch(context.server, connection, request.body, answer);
+        return std::string();
+    });
+    if (!pending->answer) watch(stream, pending, connection->id, context.server, workers);
+    error_code ignored;
+    while (!pending->answer) co_await pending->answered.async_wait(asio::redirect_error(asio::use_awaitable, ignored));
+    stream.socket().cancel(ignored); // the watch
+    const unsigned status = pending->answer->empty() ? 204 : 200;
+    Response response = json(status, std::move(*pending->answer));
+    add_common_headers(context, request, response);
+    co_return response;
+}
+
+} // namespace ciel::gateway
