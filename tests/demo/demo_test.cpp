@@ -2,10 +2,10 @@
 #include "demo/demo.hpp"
 
 #include "store/dataset.hpp"
+#include "support/folder.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <numbers>
@@ -16,19 +16,18 @@ namespace {
 class DemoTest : public testing::Test {
 protected:
     static void SetUpTestSuite() {
-        std::string pattern = (std::filesystem::temp_directory_path() / "ciel-demo-XXXXXX").string();
-        directory = ::mkdtemp(pattern.data());
+        folder = std::make_unique<test::Folder>();
         double last = 0;
-        write_demo(directory / "demo.ciel", false, [&](double share, const char*) {
+        write_demo(*folder / "demo.ciel", false, [&](double share, const char*) {
             EXPECT_GE(share, last);
             last = share;
         });
         EXPECT_EQ(last, 1);
-        dataset = store::Dataset::open(directory / "demo.ciel");
+        dataset = store::Dataset::open(*folder / "demo.ciel");
     }
     static void TearDownTestSuite() {
         dataset.reset();
-        std::filesystem::remove_all(directory);
+        folder.reset();
     }
 
     static std::span<const Index> group(const std::string& name) {
@@ -38,10 +37,10 @@ protected:
         return {};
     }
 
-    static std::filesystem::path directory;
+    static std::unique_ptr<test::Folder> folder;
     static std::shared_ptr<store::Dataset> dataset;
 };
-std::filesystem::path DemoTest::directory;
+std::unique_ptr<test::Folder> DemoTest::folder;
 std::shared_ptr<store::Dataset> DemoTest::dataset;
 
 TEST_F(DemoTest, HoldsAHundredThousandPolyhedraInOnePiece) {

@@ -57,7 +57,7 @@ void use(const fs::path& directory) {
 } // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-    static const test::Scratch scratch;
+    static const test::Folder scratch;
     static const fs::path directory = scratch / "box.ciel";
     if (!fs::exists(directory)) test::write_box(directory, test::box(2, 2, 2));
     if (size < 2) return 0;

@@ -2,11 +2,11 @@
 
 #include "ciel/types.hpp"
 #include "gateway/target.hpp"
+#include "support/folder.hpp"
 
 #include <algorithm>
 #include <fstream>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 namespace ciel::gateway {
 namespace {
@@ -17,7 +17,6 @@ namespace fs = std::filesystem;
 class Static : public testing::Test {
 protected:
     void SetUp() override {
-        top_ = fs::path(testing::TempDir()) / ("ciel_static_" + std::to_string(getpid()));
         fs::create_directories(top_ / "client/assets");
         write("secret.txt", "secret");
         write("client/index.html", "<!doctype html>");
@@ -25,14 +24,13 @@ protected:
         write("client/assets/plain.css", "2");
         write("client/.hidden", "3");
         fs::create_symlink(top_ / "secret.txt", top_ / "client/link.txt");
-        fs::create_directory_symlink(top_, top_ / "client/up");
+        fs::create_directory_symlink(top_.path(), top_ / "client/up");
         fs::create_symlink("index.html", top_ / "client/start.html");
         fs::create_symlink("nowhere", top_ / "client/broken.html");
     }
-    void TearDown() override { fs::remove_all(top_); }
     void write(const fs::path& name, const std::string& content) { std::ofstream(top_ / name) << content; }
 
-    fs::path top_;
+    const test::Folder top_;
 };
 
 TEST_F(Static, FilesAreFoundWithTheirTypes) {

@@ -2,9 +2,9 @@
 #include "ciel/types.hpp"
 #include "store/dataset.hpp"
 #include "store/import_missing.hpp"
+#include "support/folder.hpp"
 
 #include <chrono>
-#include <cstdlib>
 #include <fstream>
 #include <gmock/gmock.h>
 
@@ -16,14 +16,6 @@ using std::chrono::hours;
 
 class ImportMissing : public ::testing::Test {
 protected:
-    ImportMissing() {
-        std::string name = (fs::temp_directory_path() / "ciel-import-missing-XXXXXX").string();
-        root_ = ::mkdtemp(name.data());
-        const char* path = std::getenv("PATH");
-        ::setenv("PATH", (std::string(CIEL_BINARY_DIR) + ":" + (path != nullptr ? path : "")).c_str(), 1);
-    }
-    ~ImportMissing() override { fs::remove_all(root_); }
-
     fs::path write(const fs::path& name, const std::string& content) const {
         fs::create_directories((root_ / name).parent_path());
         std::ofstream(root_ / name) << content;
@@ -63,7 +55,7 @@ protected:
     // All inputs as old as what has been lying there for a day.
     void age() const {
         const auto yesterday = fs::file_time_type::clock::now() - hours(24);
-        for (auto entry = fs::recursive_directory_iterator(root_); entry != fs::recursive_directory_iterator();
+        for (auto entry = fs::recursive_directory_iterator(root_.path()); entry != fs::recursive_directory_iterator();
              ++entry) {
             if (entry->path() == root_ / "imported")
                 entry.disable_recursion_pending();
@@ -80,7 +72,7 @@ protected:
                                       [this](const std::string& line) { lines_.push_back(line); }};
         std::vector<fs::path> paths;
         problem_.clear();
-        for (const Servable& each : import_missing(data, root_ / "imported", {}, listener, never_)) {
+        for (const Servable& each : import_missing(data, root_ / "imported", {}, listener, cancel_)) {
             paths.push_back(each.path);
             problem_ += each.problem;
         }
@@ -89,10 +81,10 @@ protected:
 
     [[nodiscard]] bool imported() const { return !lines_.empty(); } // by the last call of serve()
 
-    fs::path root_;
+    const test::Folder root_;
     std::vector<std::string> lines_;
     std::string problem_; // by the last call of serve(); empty when all could be imported
-    std::atomic<bool> never_{false};
+    std::atomic<bool> cancel_{false};
 };
 
 TEST_F(ImportMissing, a_file_is_imported_once_and_again_when_it_has_changed) {
@@ -124,7 +116,7 @@ TEST_F(ImportMissing, what_changes_while_it_is_imported_is_imported_again) {
     const fs::path file = write_cube("cube.vtk");
     age();
     const ImportListener listener{[&](double, const std::string&) { touch(file); }, [](const std::string&) {}};
-    (void)import_missing({file}, root_ / "imported", {}, listener, never_);
+    (void)import_missing({file}, root_ / "imported", {}, listener, cancel_);
     (void)serve({file});
     EXPECT_TRUE(imported());
 }
@@ -195,7 +187,7 @@ TEST_F(ImportMissing, what_cannot_be_imported_is_named_and_leaves_nothing) {
     EXPECT_FALSE(fs::exists(served[0].parent_path()));
     EXPECT_EQ(Dataset::open(served[1])->info().input_cells, 1U) << "the others are imported";
     fs::remove_all(root_ / "imported");
-    never_ = true;
+    cancel_ = true;
     EXPECT_THROW((void)serve({good}), Error) << "cancelled";
     EXPECT_TRUE(fs::is_empty(root_ / "imported"));
 }

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 
 namespace ciel::test {
 namespace {
@@ -100,13 +99,5 @@ void append_step(const std::filesystem::path& directory, double time) {
     writer.add_step(time, 0, 0, arrays.views(true));
     writer.finish();
 }
-
-Folder::Folder() {
-    std::string name = (std::filesystem::temp_directory_path() / "ciel-test-XXXXXX").string();
-    if (::mkdtemp(name.data()) == nullptr) throw Error("no temporary folder for a test");
-    path_ = name;
-}
-
-Folder::~Folder() { std::filesystem::remove_all(path_); }
 
 } // namespace ciel::test

@@ -3,9 +3,9 @@
 #pragma once
 
 #include "ciel/types.hpp"
+#include "support/folder.hpp"
 
 #include <filesystem>
-#include <string>
 
 namespace ciel::test {
 
@@ -22,17 +22,5 @@ inline Vec3d velocity(const Vec3d& at) { return {at[2], 1, -at[0]}; }
 void write_small_dataset(const std::filesystem::path& directory);
 // One more step, as a running simulation would add it.
 void append_step(const std::filesystem::path& directory, double time);
-
-// A folder of its own that goes away.
-class Folder {
-public:
-    Folder();
-    ~Folder();
-    Folder(const Folder&) = delete;
-    [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-
-private:
-    std::filesystem::path path_;
-};
 
 } // namespace ciel::test

@@ -39,7 +39,7 @@ void add_box(Writer& writer, const FaceMesh& mesh) {
 }
 
 TEST(Crash, AnExceptionOrNoFinishLeavesNothing) {
-    const test::Scratch scratch;
+    const test::Folder scratch;
     {
         Writer writer(scratch / "a.ciel", {});
         add_box(writer, test::box(2, 2, 2));
@@ -47,11 +47,11 @@ TEST(Crash, AnExceptionOrNoFinishLeavesNothing) {
         EXPECT_THROW(writer.add_step(0, 0, 0, std::vector<ArrayValues>{{{"p", Association::point, 1, "", ""}, wrong}}),
                      Error);
     }
-    EXPECT_THAT(entries(scratch.directory()), testing::IsEmpty());
+    EXPECT_THAT(entries(scratch.path()), testing::IsEmpty());
 }
 
 TEST(Crash, AKilledWriterLeavesNoDatasetAndTheNextOneCleansUp) {
-    const test::Scratch scratch;
+    const test::Folder scratch;
     const int status = in_child([&] {
         Writer writer(scratch / "a.ciel", {});
         add_box(writer, test::box(2, 2, 2));
@@ -59,13 +59,13 @@ TEST(Crash, AKilledWriterLeavesNoDatasetAndTheNextOneCleansUp) {
     });
     ASSERT_TRUE(WIFSIGNALED(status));
     EXPECT_FALSE(fs::exists(scratch / "a.ciel"));
-    EXPECT_EQ(entries(scratch.directory()).size(), 1U);
+    EXPECT_EQ(entries(scratch.path()).size(), 1U);
     test::write_box(scratch / "a.ciel", test::box(2, 2, 2));
-    EXPECT_THAT(entries(scratch.directory()), testing::ElementsAre("a.ciel"));
+    EXPECT_THAT(entries(scratch.path()), testing::ElementsAre("a.ciel"));
 }
 
 TEST(Crash, AWriterAtWorkIsNotCleanedUpByAnother) {
-    const test::Scratch scratch;
+    const test::Folder scratch;
     Writer first(scratch / "a.ciel", {});
     add_box(first, test::box(1, 1, 1));
     Writer second(scratch / "a.ciel", {});
@@ -76,7 +76,7 @@ TEST(Crash, AWriterAtWorkIsNotCleanedUpByAnother) {
 }
 
 TEST(Crash, AFullDiskLeavesNothing) {
-    const test::Scratch scratch;
+    const test::Folder scratch;
     const int status = in_child([&] {
         ::signal(SIGXFSZ, SIG_IGN);
         const rlimit limit{2048, 2048};
@@ -89,11 +89,11 @@ TEST(Crash, AFullDiskLeavesNothing) {
         }
     });
     EXPECT_EQ(WEXITSTATUS(status), 7);
-    EXPECT_THAT(entries(scratch.directory()), testing::IsEmpty());
+    EXPECT_THAT(entries(scratch.path()), testing::IsEmpty());
 }
 
 TEST(Crash, TheCommitMarkerIsWrittenAfterAllThatItNames) {
-    const test::Scratch scratch;
+    const test::Folder scratch;
     test::write_box(scratch / "a.ciel", test::box(2, 2, 2));
     const auto dataset = Dataset::open(scratch / "a.ciel");
     Writer writer = Writer::append(scratch / "a.ciel");
@@ -110,7 +110,7 @@ TEST(Crash, TheCommitMarkerIsWrittenAfterAllThatItNames) {
 }
 
 TEST(Crash, AnAppendThatFailsOrIsKilledLeavesTheDatasetAsItWas) {
-    const test::Scratch scratch;
+    const test::Folder scratch;
     const FaceMesh mesh = test::box(9, 9, 9);
     test::write_box(scratch / "a.ciel", mesh);
     const auto dataset = Dataset::open(scratch / "a.ciel");
@@ -142,7 +142,7 @@ TEST(Crash, AnAppendThatFailsOrIsKilledLeavesTheDatasetAsItWas) {
 }
 
 TEST(Overwrite, OnlyADatasetAndOnlyWhenAsked) {
-    const test::Scratch scratch;
+    const test::Folder scratch;
     test::write_box(scratch / "a.ciel", test::box(1, 1, 1));
     EXPECT_THROW(Writer(scratch / "a.ciel", {}), Error);
     const auto before = Dataset::open(scratch / "a.ciel");
@@ -154,7 +154,7 @@ TEST(Overwrite, OnlyADatasetAndOnlyWhenAsked) {
     }
     EXPECT_EQ(Dataset::open(scratch / "a.ciel")->info().meshes[0].cells, 2U);
     EXPECT_EQ(before->mesh(0, 0).cell_count(), 1U) << "what was open stays";
-    EXPECT_THAT(entries(scratch.directory()), testing::ElementsAre("a.ciel"));
+    EXPECT_THAT(entries(scratch.path()), testing::ElementsAre("a.ciel"));
     fs::create_directory(scratch / "photos");
     test::overwrite_file(scratch / "photos" / "cat.jpg", "cat");
     EXPECT_THROW(Writer(scratch / "photos", {}, true), Error) << "never somebody's other directory";
@@ -162,17 +162,17 @@ TEST(Overwrite, OnlyADatasetAndOnlyWhenAsked) {
     EXPECT_THROW(Writer(scratch / "file", {}, true), Error);
     EXPECT_EQ(test::read_file(scratch / "photos" / "cat.jpg"), "cat");
     EXPECT_THROW(Writer(scratch / "nowhere/a.ciel", {}), Error) << "no folder";
-    EXPECT_THAT(entries(scratch.directory()), testing::UnorderedElementsAre("a.ciel", "file", "photos"));
+    EXPECT_THAT(entries(scratch.path()), testing::UnorderedElementsAre("a.ciel", "file", "photos"));
 }
 
 TEST(Overwrite, APlaceIsCheckedWithoutATrace) {
-    const test::Scratch scratch;
+    const test::Folder scratch;
     test::write_box(scratch / "a.ciel", test::box(1, 1, 1));
     check_place(scratch / "a.ciel", true);
     check_place(scratch / "b.ciel", false);
     EXPECT_THROW(check_place(scratch / "a.ciel", false), Error);
     EXPECT_THROW(check_place(scratch / "nowhere/a.ciel", true), Error);
-    EXPECT_THAT(entries(scratch.directory()), testing::ElementsAre("a.ciel"));
+    EXPECT_THAT(entries(scratch.path()), testing::ElementsAre("a.ciel"));
 }
 
 } // namespace

@@ -68,7 +68,7 @@ class LoadedTest : public testing::Test {
 protected:
     LoadedTest() { test::write_box(directory, test::box(2, 2, 2)); }
 
-    test::Scratch scratch;
+    test::Folder scratch;
     fs::path directory = scratch / "box.ciel";
 };
 
@@ -208,7 +208,7 @@ TEST_F(CatalogTest, AHiddenFolderIsOneThatIsStillBeingWritten) {
 TEST_F(CatalogTest, ADamagedOneIsListedWithItsProblem) {
     test::write_box(scratch / "bad.ciel", test::box(1, 1, 1));
     test::overwrite_file(scratch / "bad.ciel/steps.json", "{");
-    Catalog catalog({scratch.directory()});
+    Catalog catalog({scratch.path()});
     const auto entries = catalog.list();
     ASSERT_EQ(entries.size(), 2U);
     EXPECT_THAT(entries[0].problem, HasSubstr("steps.json"));

@@ -186,9 +186,9 @@ const std::vector<Malformed> table{
 class MalformedTest : public testing::TestWithParam<Malformed> {};
 
 TEST_P(MalformedTest, IsRefusedByNameOfFile) {
-    static const test::Scratch pattern;
+    static const test::Folder pattern;
     if (!fs::exists(pattern / "box.ciel")) test::write_box(pattern / "box.ciel", test::box(2, 2, 2));
-    const test::Scratch scratch;
+    const test::Folder scratch;
     const fs::path directory = scratch / "box.ciel";
     fs::copy(pattern / "box.ciel", directory, fs::copy_options::recursive);
     GetParam().damage(directory);
@@ -209,7 +209,7 @@ INSTANTIATE_TEST_SUITE_P(Table, MalformedTest, testing::ValuesIn(table), [](cons
 });
 
 TEST(Damaged, AChunkIsVerifiedAtFirstTouch) {
-    const test::Scratch scratch;
+    const test::Folder scratch;
     test::write_box(scratch / "box.ciel", test::box(2, 2, 2));
     flip("meshes/0/arrays/p/2.0", 9)(scratch / "box.ciel");
     const auto dataset = Dataset::open(scratch / "box.ciel");
@@ -219,7 +219,7 @@ TEST(Damaged, AChunkIsVerifiedAtFirstTouch) {
 }
 
 TEST(Damaged, AFileThatShrankIsRefusedByRefresh) {
-    const test::Scratch scratch;
+    const test::Folder scratch;
     test::write_box(scratch / "box.ciel", test::box(2, 2, 2));
     const auto dataset = Dataset::open(scratch / "box.ciel");
     (void)dataset->values("p", 0);
@@ -229,7 +229,7 @@ TEST(Damaged, AFileThatShrankIsRefusedByRefresh) {
 }
 
 TEST(Damaged, AReplacedDatasetIsNotMistakenForAGrownOne) {
-    const test::Scratch scratch;
+    const test::Folder scratch;
     test::write_box(scratch / "box.ciel", test::box(2, 2, 2));
     const auto dataset = Dataset::open(scratch / "box.ciel");
     const auto owner = dataset->mesh(0, 0).owner;
@@ -241,7 +241,7 @@ TEST(Damaged, AReplacedDatasetIsNotMistakenForAGrownOne) {
 }
 
 TEST(Damaged, ALazyArrayIsAnErrorUntilItsChunkStands) {
-    const test::Scratch scratch;
+    const test::Folder scratch;
     const fs::path directory = scratch / "box.ciel";
     test::write_box(directory, test::box(2, 2, 2));
     const std::string chunk = test::read_file(directory / "meshes/0/arrays/p/0.0");

@@ -10,19 +10,19 @@ namespace ciel::store {
 namespace {
 
 using test::box;
+using test::Folder;
 using test::identity;
-using test::Scratch;
 using test::values_of;
 using testing::ElementsAre;
 using testing::ElementsAreArray;
 
-std::shared_ptr<Dataset> written_box(const Scratch& scratch, const FaceMesh& mesh) {
+std::shared_ptr<Dataset> written_box(const Folder& scratch, const FaceMesh& mesh) {
     test::write_box(scratch / "box.ciel", mesh);
     return Dataset::open(scratch / "box.ciel");
 }
 
 TEST(RoundTrip, TopologyIsTheSame) {
-    const Scratch scratch;
+    const Folder scratch;
     const FaceMesh mesh = box(3, 2, 2);
     const auto dataset = written_box(scratch, mesh);
     const FaceMeshView view = dataset->mesh(0, 0);
@@ -37,7 +37,7 @@ TEST(RoundTrip, TopologyIsTheSame) {
 }
 
 TEST(RoundTrip, InfoCountsTheMesh) {
-    const Scratch scratch;
+    const Folder scratch;
     const auto dataset = written_box(scratch, box(3, 2, 2));
     const DatasetInfo& info = dataset->info();
     EXPECT_EQ(info.name, "box");
@@ -58,7 +58,7 @@ TEST(RoundTrip, InfoCountsTheMesh) {
 }
 
 TEST(RoundTrip, TwoBoxesApartAreTwoComponents) {
-    const Scratch scratch;
+    const Folder scratch;
     FaceMesh mesh = box(2, 1, 1), other = box(1, 1, 1);
     const auto vertices = static_cast<Index>(mesh.positions.size() / 3);
     for (const float x : other.positions) mesh.positions.push_back(x + 10);
@@ -73,7 +73,7 @@ TEST(RoundTrip, TwoBoxesApartAreTwoComponents) {
 }
 
 TEST(RoundTrip, GroupsKeepAnyNameAndAreSorted) {
-    const Scratch scratch;
+    const Folder scratch;
     const auto dataset = written_box(scratch, box(2, 2, 2));
     const auto groups = dataset->groups(0);
     ASSERT_EQ(groups.size(), 2U);
@@ -85,7 +85,7 @@ TEST(RoundTrip, GroupsKeepAnyNameAndAreSorted) {
 }
 
 TEST(RoundTrip, ValuesAndGapsPerStep) {
-    const Scratch scratch;
+    const Folder scratch;
     const auto dataset = written_box(scratch, box(2, 2, 2));
     ASSERT_EQ(dataset->steps().size(), 3U);
     EXPECT_THAT(dataset->values("p", 2), ElementsAreArray(values_of(27, 2)));
@@ -102,7 +102,7 @@ TEST(RoundTrip, ValuesAndGapsPerStep) {
 }
 
 TEST(RoundTrip, RangesAreOfMagnitudeAndIgnoreWhatIsNotFinite) {
-    const Scratch scratch;
+    const Folder scratch;
     Writer writer(scratch / "r.ciel", {});
     writer.add_mesh(box(1, 1, 1), identity(8), identity(1), {});
     constexpr float nan = std::numeric_limits<float>::quiet_NaN(), inf = std::numeric_limits<float>::infinity();
@@ -122,7 +122,7 @@ TEST(RoundTrip, RangesAreOfMagnitudeAndIgnoreWhatIsNotFinite) {
 }
 
 TEST(RoundTrip, MovingMeshAndRemeshing) {
-    const Scratch scratch;
+    const Folder scratch;
     const FaceMesh coarse = box(1, 1, 1);
     FaceMesh fine = box(2, 1, 1);
     fine.origin = {500000.125, 5000000.25, 0};
@@ -152,7 +152,7 @@ TEST(RoundTrip, MovingMeshAndRemeshing) {
 }
 
 TEST(Append, AStepIsSeenByRefreshedOnly) {
-    const Scratch scratch;
+    const Folder scratch;
     const FaceMesh mesh = box(2, 2, 2);
     const auto dataset = written_box(scratch, mesh);
     EXPECT_EQ(dataset->refreshed(), nullptr);
@@ -179,7 +179,7 @@ TEST(Append, AStepIsSeenByRefreshedOnly) {
 }
 
 TEST(Append, AMovedMeshAndANewMeshCome) {
-    const Scratch scratch;
+    const Folder scratch;
     const auto dataset = written_box(scratch, box(2, 2, 2));
     Writer writer = Writer::append(scratch / "box.ciel");
     std::vector<float> moved = box(2, 2, 2).positions;
@@ -203,7 +203,7 @@ TEST(Append, AMovedMeshAndANewMeshCome) {
 }
 
 TEST(ScalarNames, VectorsHaveComponentsAndMagnitude) {
-    const Scratch scratch;
+    const Folder scratch;
     const auto dataset = written_box(scratch, box(1, 1, 1));
     EXPECT_THAT(scalar_names(*dataset->find("U")), ElementsAre("U:magnitude", "U:x", "U:y", "U:z"));
     EXPECT_THAT(scalar_names(*dataset->find("cell:p")), ElementsAre("cell:p"));

@@ -12,7 +12,7 @@ TEST(Zarr, PythonReadsAndAppends) {
     const std::string python = "/usr/bin/python3";
     if (std::system((python + " -c 'import zarr' 2>/dev/null").c_str()) != 0)
         GTEST_SKIP() << "python3-zarr is not installed";
-    const test::Scratch scratch;
+    const test::Folder scratch;
     const auto directory = scratch / "box.ciel";
     test::write_box(directory, test::box(2, 2, 2));
     const auto dataset = Dataset::open(directory);

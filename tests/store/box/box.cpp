@@ -1,7 +1,6 @@
 #include "store/box/box.hpp"
 
 #include <array>
-#include <cstdlib>
 #include <fstream>
 #include <iterator>
 
@@ -68,16 +67,6 @@ std::vector<Index> identity(std::size_t count) {
     std::vector<Index> ids(count);
     std::iota(ids.begin(), ids.end(), 0U);
     return ids;
-}
-
-Scratch::Scratch() {
-    std::string pattern = (std::filesystem::temp_directory_path() / "ciel-test-XXXXXX").string();
-    directory_ = ::mkdtemp(pattern.data());
-}
-
-Scratch::~Scratch() {
-    std::error_code error;
-    std::filesystem::remove_all(directory_, error);
 }
 
 std::vector<float> values_of(std::size_t count, std::size_t step) {

@@ -1,8 +1,9 @@
-// A box of unit hexahedra as a FaceMesh, and a scratch directory: what the tests of the store write and read.
+// A box of unit hexahedra as a FaceMesh, and files: what the tests of the store write and read.
 #pragma once
 
 #include "ciel/face_mesh.hpp"
 #include "store/writer.hpp"
+#include "support/folder.hpp"
 
 #include <filesystem>
 #include <numeric>
@@ -14,18 +15,6 @@ namespace ciel::test {
 // nx x ny x nz hexahedra at integer positions; cells and vertices count x fastest.
 FaceMesh box(Index nx, Index ny, Index nz);
 std::vector<Index> identity(std::size_t count);
-
-class Scratch {
-public:
-    Scratch();
-    ~Scratch();
-    Scratch(const Scratch&) = delete;
-    [[nodiscard]] std::filesystem::path operator/(const std::string& name) const { return directory_ / name; }
-    [[nodiscard]] const std::filesystem::path& directory() const { return directory_; }
-
-private:
-    std::filesystem::path directory_;
-};
 
 // NAME.ciel with one mesh, the groups "wall" (faces) and "inner/zone" (cells), and the arrays p (point), U (point, 3)
 // and "cell:p" (cell) at times 0, 0.5, 1.0; p is not written at 0.5. p = vertex id + 1000 * step.
