@@ -1,6 +1,7 @@
 #include "ciel/types.hpp"
 #include "import/parsers/index_entry.hpp"
 
+#include <algorithm>
 #include <gmock/gmock.h>
 
 namespace ciel::importer {
@@ -76,7 +77,11 @@ TEST_P(MalformedIndex, is_refused_by_name) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(table, MalformedIndex, ::testing::ValuesIn(malformed));
+INSTANTIATE_TEST_SUITE_P(table, MalformedIndex, ::testing::ValuesIn(malformed), [](const auto& row) {
+    std::string name = row.param.name;
+    std::replace(name.begin(), name.end(), ' ', '_');
+    return name;
+});
 
 } // namespace
 } // namespace ciel::importer

@@ -1,6 +1,6 @@
 #include "kernel_unit/meshes.hpp"
 
-#include "ciel/parallel.hpp"
+#include "support/thread_count.hpp"
 
 #include <gmock/gmock.h>
 
@@ -259,9 +259,10 @@ TEST(Assemble, PutsCellsInAnOrderWhereNeighboursAreClose) {
 
 TEST(Assemble, IsTheSameOnAnyNumberOfThreads) {
     const Polyhedra mesh = tetrahedra(12, 12, 12);
-    set_thread_count(1);
-    const Assembled serial = mesh.assembled();
-    set_thread_count(0);
+    const Assembled serial = [&] {
+        const ThreadCount one(1);
+        return mesh.assembled();
+    }();
     const Assembled parallel = mesh.assembled();
     EXPECT_EQ(serial.mesh.face_vertex, parallel.mesh.face_vertex);
     EXPECT_EQ(serial.mesh.neighbour, parallel.mesh.neighbour);

@@ -1,8 +1,8 @@
 // The same bits whatever the engine, the block size, the number of threads and the calls before.
-#include "ciel/parallel.hpp"
 #include "oracle/kernel_mesh.hpp"
 #include "support/fields.hpp"
 #include "support/meshes.hpp"
+#include "support/thread_count.hpp"
 
 #include <gtest/gtest.h>
 
@@ -13,8 +13,6 @@ constexpr bool with_normals = true;
 
 class Determinism : public testing::TestWithParam<NamedMesh> {
 protected:
-    void TearDown() override { set_thread_count(0); }
-
     Polyhedra input = GetParam().make();
     const KernelMesh mesh{input, {16}};
 
@@ -88,7 +86,7 @@ TEST_P(Determinism, ThreadsDoNotShow) {
     const std::vector<double> walk = walk_through(values, 8, 105);
     std::vector<Surface> expected;
     for (unsigned threads : {1U, 2U, 5U}) {
-        set_thread_count(threads);
+        const ThreadCount count(threads);
         const KernelMesh other(input, {4});
         const Field field = make_field(other.topology, other.stored(values));
         for (Engine engine : {Engine::signatures, Engine::propagation}) {
@@ -112,7 +110,7 @@ TEST(DeterminismLarge, ThreadsDoNotShow) {
     const std::vector<float> values = bumps_field(input, 107);
     Surface expected;
     for (unsigned threads : {1U, 2U, 5U}) {
-        set_thread_count(threads);
+        const ThreadCount count(threads);
         const KernelMesh mesh(input, {64});
         const Field field = make_field(mesh.topology, mesh.stored(values));
         Query query = mesh.query();
@@ -123,7 +121,6 @@ TEST(DeterminismLarge, ThreadsDoNotShow) {
         if (threads == 1) expected = found;
         EXPECT_EQ(bit_difference(expected, found), "") << threads;
     }
-    set_thread_count(0);
 }
 
 } // namespace

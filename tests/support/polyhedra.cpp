@@ -96,6 +96,12 @@ Loop canonical(Loop loop) {
     return best;
 }
 
+Loop without_repeats(Loop loop) {
+    loop.erase(std::unique(loop.begin(), loop.end()), loop.end());
+    while (loop.size() > 1 && loop.front() == loop.back()) loop.pop_back();
+    return loop;
+}
+
 double signed_volume(const Polyhedra& mesh, Id cell) {
     double sum = 0;
     const Point o = mesh.position(mesh.loops(cell)[0][0]);

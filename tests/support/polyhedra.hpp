@@ -43,6 +43,9 @@ struct Polyhedra {
 // From its least vertex on, in the direction it has.
 [[nodiscard]] Loop canonical(Loop loop);
 
+// Of corners that follow each other, the last and the first too, and are one vertex, only one.
+[[nodiscard]] Loop without_repeats(Loop loop);
+
 // Positive when the faces are wound outwards; faces that are not planar count as fans from their first corner.
 [[nodiscard]] double signed_volume(const Polyhedra& mesh, Id cell);
 

@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
+#include <stdexcept>
 
 namespace ciel::wire {
 namespace {
@@ -50,8 +51,8 @@ struct Decoded {
 
 template <typename T>
 std::vector<T> take(std::span<const std::uint8_t>& bytes, std::size_t count) {
+    if (bytes.size() / sizeof(T) < count) throw std::runtime_error("the batch is shorter than it says");
     std::vector<T> values(count);
-    EXPECT_GE(bytes.size(), count * sizeof(T));
     std::memcpy(values.data(), bytes.data(), count * sizeof(T));
     bytes = bytes.subspan(count * sizeof(T));
     return values;
