@@ -139,8 +139,9 @@ TEST(WebsocketIdleSeconds, EndAConnectionWithoutASignOfLife) {
     limits.websocket_idle_seconds = short_time;
     const RunningServer server(limits);
     HandMade silent(server);
-    int opcode = 0;
-    while ((opcode = silent.receive_frame().first) >= 0) EXPECT_EQ(opcode, ping);
+    int opcode = 0, pings = 0;
+    for (; (opcode = silent.receive_frame().first) >= 0; ++pings) EXPECT_EQ(opcode, ping);
+    EXPECT_GT(pings, 0) << "none was asked for";
 }
 
 TEST(WebsocketIdleSeconds, PongsAreASignOfLifeEnough) {

@@ -1,7 +1,7 @@
 #include "kernel_unit/meshes.hpp"
 
 #include "ciel/extract.hpp"
-#include "ciel/parallel.hpp"
+#include "support/thread_count.hpp"
 
 #include <gmock/gmock.h>
 
@@ -124,9 +124,10 @@ TEST(Extract, IsClosedAndTheSameForAnyEngineHistoryBlockSizeAndThreads) {
             for (const double nu : {0.5, 1.0, 1.5, 3.5, 3.0, 0.2, 0.0, 2.0, 2.0, 99.0, -1.0, 1.0, 4.0}) {
                 SCOPED_TRACE("round " + std::to_string(round) + ", nu " + std::to_string(nu));
                 Surface a, b, c;
-                set_thread_count(1);
-                ASSERT_TRUE(reference.extract(nu, true, a));
-                set_thread_count(0);
+                {
+                    const ThreadCount one(1);
+                    ASSERT_TRUE(reference.extract(nu, true, a));
+                }
                 ASSERT_TRUE(signatures.extract(nu, true, b));
                 ASSERT_TRUE(propagation.extract(nu, true, c));
                 expect_equal(a, b);
@@ -150,6 +151,8 @@ TEST(Extract, CutsASliceOfExactArea) {
         Surface surface;
         ASSERT_TRUE(query.extract(1.25, true, surface));
         EXPECT_NEAR(area_towards(surface, 0), area, 1e-5); // positive: towards higher values
+        EXPECT_EQ(surface.positions.size(), surface.points.size());
+        EXPECT_EQ(surface.normals.size(), surface.points.size());
         for (const Vec3f& normal : surface.normals) EXPECT_NEAR(normal[0], 1, 1e-6);
         for (const Vec3f& position : surface.positions) EXPECT_NEAR(position[0], 1.5, 1e-6);
     }
@@ -197,6 +200,7 @@ TEST(Extract, PassesOverCellsThatTouchAVertexWithoutAValue) {
             ASSERT_TRUE(query.extract(0.5, true, surface));
             EXPECT_EQ(surface.polygon_cell.size(), 21U);
             EXPECT_EQ(surface.points.size(), 35U);
+            EXPECT_EQ(surface.normals.size(), 35U);
             for (const Vec3f& normal : surface.normals) EXPECT_NEAR(normal[2], 1, 1e-5);
             query.set_field(whole);
             ASSERT_TRUE(query.extract(0.5, true, surface));
@@ -303,7 +307,9 @@ TEST(Gradient, IsExactForALinearFieldFarFromTheOrigin) {
         for (std::size_t i = 0; i < m.mesh.positions.size(); i += 3)
             values.push_back(2 * (m.mesh.positions[i] - 1000) - 3 * (m.mesh.positions[i + 1] - 1000) +
                              (m.mesh.positions[i + 2] - 1000));
-        for (const Vec3f& g : vertex_gradients(m.mesh.view(), values)) {
+        const std::vector<Vec3f> gradients = vertex_gradients(m.mesh.view(), values);
+        EXPECT_EQ(gradients.size(), values.size());
+        for (const Vec3f& g : gradients) {
             EXPECT_NEAR(g[0], 2, 2e-3);
             EXPECT_NEAR(g[1], -3, 2e-3);
             EXPECT_NEAR(g[2], 1, 2e-3);

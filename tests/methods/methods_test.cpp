@@ -2,6 +2,8 @@
 #include "service.hpp"
 
 #include <cmath>
+#include <cstring>
+#include <fstream>
 #include <gmock/gmock.h>
 
 namespace ciel::test {
@@ -28,7 +30,9 @@ std::string decoded(const std::string& text) {
     int count = 0;
     for (const char c : text) {
         if (c == '=') break;
-        bits = bits << 6 | static_cast<std::uint32_t>(alphabet.find(c));
+        const std::size_t digit = alphabet.find(c);
+        if (digit == std::string::npos) throw std::runtime_error("not base64: " + text.substr(0, 100));
+        bits = bits << 6 | static_cast<std::uint32_t>(digit);
         if ((count += 6) >= 8) bytes += static_cast<char>(bits >> (count -= 8) & 255);
     }
     return bytes;
@@ -36,7 +40,9 @@ std::string decoded(const std::string& text) {
 
 TEST_F(Methods, discover_is_the_contract_and_all_its_methods_exist) {
     const json document = client.call("rpc.discover");
-    EXPECT_EQ(document["info"]["title"], "CIEL");
+    std::ifstream contract(CIEL_SOURCE_DIR "/protocol/openrpc.json");
+    EXPECT_EQ(document, json::parse(contract));
+    ASSERT_FALSE(document["methods"].empty());
     for (const json& method : document["methods"])
         EXPECT_NE(client.error_code(method["name"], {{"no such param", 1}}), -32601) << method["name"];
 }
@@ -290,12 +296,25 @@ TEST_F(Methods, surfaces_are_exported) {
     params["scene"]["layers"]["iso"]["values"] = {12};
     const json one = client.call("surface.export", params);
     params["scene"]["layers"]["iso"]["values"] = {20};
-    EXPECT_EQ(ply["polygons"],
-              one["polygons"].get<int>() + client.call("surface.export", params)["polygons"].get<int>());
-    for (const char* format : {"stl", "vtp"}) {
-        params["format"] = format;
-        EXPECT_FALSE(client.call("surface.export", params)["data"].get<std::string>().empty());
-    }
+    const json other = client.call("surface.export", params);
+    EXPECT_EQ(ply["polygons"], one["polygons"].get<int>() + other["polygons"].get<int>());
+
+    params["format"] = "vtp";
+    const json vtp = client.call("surface.export", params);
+    EXPECT_EQ(vtp["polygons"], other["polygons"]);
+    EXPECT_THAT(decoded(vtp["data"]),
+                testing::AllOf(testing::HasSubstr("<Piece NumberOfPoints=\"" + other["vertices"].dump() + "\" "),
+                               testing::HasSubstr(" NumberOfPolys=\"" + other["polygons"].dump() + "\">"),
+                               testing::EndsWith("</VTKFile>\n")));
+
+    params["format"] = "stl";
+    const json stl = client.call("surface.export", params);
+    const std::string triangles = decoded(stl["data"]);
+    EXPECT_GE(stl["polygons"], other["polygons"]) << "of triangles";
+    ASSERT_EQ(triangles.size(), 84 + 50 * stl["polygons"].get<std::size_t>());
+    std::uint32_t count = 0;
+    std::memcpy(&count, &triangles[80], sizeof count);
+    EXPECT_EQ(count, stl["polygons"]);
     params["layer"] = "nope";
     EXPECT_EQ(client.error_code("surface.export", params), -32001);
 }

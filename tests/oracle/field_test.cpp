@@ -13,6 +13,12 @@
 namespace ciel::test {
 namespace {
 
+std::vector<Vec3f> gradients_of(const KernelMesh& mesh, const std::vector<float>& stored) {
+    std::vector<Vec3f> gradients = vertex_gradients(mesh.mesh(), stored);
+    EXPECT_EQ(gradients.size(), mesh.mesh().vertex_count());
+    return gradients;
+}
+
 class Fields : public testing::TestWithParam<NamedMesh> {
 protected:
     Polyhedra input = GetParam().make();
@@ -74,9 +80,8 @@ TEST_P(Fields, AmbiguousFacesHaveSeveralMaximaAroundThem) {
         const auto above = [&](Index a, Index b) { return std::pair(values[a], a) > std::pair(values[b], b); };
         std::uint64_t expected = 0;
         for (Index f = 0; f < mesh.mesh().face_count(); ++f) {
-            Loop loop(mesh.mesh().loop(f).begin(), mesh.mesh().loop(f).end());
-            loop.erase(std::unique(loop.begin(), loop.end()), loop.end());
-            while (loop.size() > 1 && loop.front() == loop.back()) loop.pop_back();
+            const auto corners = mesh.mesh().loop(f);
+            const Loop loop = without_repeats({corners.begin(), corners.end()});
             const std::size_t n = loop.size();
             int maxima = 0;
             for (std::size_t i = 0; n > 1 && i < n; ++i) {
@@ -91,28 +96,25 @@ TEST_P(Fields, AmbiguousFacesHaveSeveralMaximaAroundThem) {
 TEST_P(Fields, GradientsOfLinearFieldsAreExact) {
     for (const Point& gradient : {Point{1, 0, 0}, Point{0, -3, 0}, Point{0.25, 2, -1}}) {
         const std::vector<float> values = mesh.stored(linear_field(input, {gradient, 0.5}));
-        const std::vector<Vec3f> found = vertex_gradients(mesh.mesh(), values);
-        ASSERT_EQ(found.size(), values.size());
-        for (const Vec3f& g : found) {
+        for (const Vec3f& g : gradients_of(mesh, values)) {
             for (std::size_t d = 0; d < 3; ++d) ASSERT_NEAR(g[d], gradient[d], 2e-4);
         }
     }
 }
 
 TEST_P(Fields, GradientsOfAConstantAreZero) {
-    for (const Vec3f& g : vertex_gradients(mesh.mesh(), std::vector<float>(mesh.mesh().vertex_count(), 7.0F))) {
-        EXPECT_EQ(g, (Vec3f{0, 0, 0}));
-    }
+    const std::vector<float> values(mesh.mesh().vertex_count(), 7.0F);
+    for (const Vec3f& g : gradients_of(mesh, values)) EXPECT_EQ(g, (Vec3f{0, 0, 0}));
 }
 
 TEST_P(Fields, GradientsStayFiniteBesideNaN) {
     std::vector<float> values = mesh.stored(random_field(input.vertex_count(), 122));
     for (std::size_t v = 0; v < values.size(); v += 5) values[v] = std::nanf("");
+    const std::vector<Vec3f> gradients = gradients_of(mesh, values);
+    ASSERT_EQ(gradients.size(), values.size());
     for (std::size_t v = 0; v < values.size(); ++v) {
-        if (std::isnan(values[v])) continue;
-        const Vec3f g = vertex_gradients(mesh.mesh(), values)[v];
-        ASSERT_TRUE(std::isfinite(g[0] + g[1] + g[2])) << v;
-        if (v > 40) break;
+        const Vec3f& g = gradients[v];
+        ASSERT_TRUE(std::isnan(values[v]) || std::isfinite(g[0] + g[1] + g[2])) << v;
     }
 }
 
@@ -143,7 +145,7 @@ TEST(GradientWeights, AreTheVolumesOfTheCells) {
         if (x == 2) x = 4;
     }
     const KernelMesh mesh(input);
-    const std::vector<Vec3f> gradients = vertex_gradients(mesh.mesh(), mesh.stored(values));
+    const std::vector<Vec3f> gradients = gradients_of(mesh, mesh.stored(values));
     for (Index v = 0; v < gradients.size(); ++v) {
         EXPECT_FLOAT_EQ(gradients[v][0], expected[mesh.assembled.original_vertex[v]]);
         EXPECT_NEAR(gradients[v][1], 0, 1e-5);
@@ -156,13 +158,14 @@ TEST(NormalsWithoutAGradient, FollowThePolygons) {
     const Polyhedra input = hexahedra({{1, 1, 1}});
     const KernelMesh mesh(input);
     const std::vector<float> values{1, -1, -1, 1, -1, 1, 1, -1};
-    for (const Vec3f& g : vertex_gradients(mesh.mesh(), mesh.stored(values))) EXPECT_EQ(g, (Vec3f{0, 0, 0}));
+    for (const Vec3f& g : gradients_of(mesh, mesh.stored(values))) EXPECT_EQ(g, (Vec3f{0, 0, 0}));
     const Field field = make_field(mesh.topology, mesh.stored(values));
     Query query = mesh.query();
     query.set_field(field);
     Surface surface;
     ASSERT_TRUE(query.extract(0, true, surface));
     ASSERT_EQ(surface.polygon_cell.size(), 4U);
+    ASSERT_EQ(surface.normals.size(), surface.positions.size());
     for (std::size_t p = 0; p < 4; ++p) {
         const Vec3d area = vector_area(surface.positions, polygon(surface, p));
         for (Index v : polygon(surface, p)) {
@@ -194,7 +197,7 @@ TEST_P(FarAway, GradientsOfLinearFieldsAreExact) {
         LinearField linear{gradient};
         linear.constant = -linear.at(input.position(0)); // values of some hundreds, which floats hold well
         const std::vector<float> values = mesh.stored(linear_field(input, linear));
-        for (const Vec3f& g : vertex_gradients(mesh.mesh(), values)) {
+        for (const Vec3f& g : gradients_of(mesh, values)) {
             for (std::size_t d = 0; d < 3; ++d) ASSERT_NEAR(g[d], gradient[d], 1e-4);
         }
         const Field field = make_field(mesh.topology, values);

@@ -37,26 +37,25 @@ double cone_volume(const Surface& surface) {
     return sum;
 }
 
-// The part of the box [0, size] where gradient . x < nu, for positive gradients (inclusion and exclusion of corners),
-// and, divided by |gradient|, its derivative by nu is the area of the section.
-double volume_below(const Vec3d& size, const Vec3d& gradient, double nu) {
+// By inclusion and exclusion of the box's corners, for positive gradients.
+double corner_sum(const Vec3d& size, const Vec3d& gradient, double nu, int power) {
     double sum = 0;
     for (int corner = 0; corner < 8; ++corner) {
         double rest = nu;
         for (int d = 0; d < 3; ++d) rest -= (corner >> d & 1) * gradient[d] * size[d];
-        sum += (std::popcount(static_cast<unsigned>(corner)) % 2 ? -1 : 1) * std::pow(std::max(0.0, rest), 3);
+        sum += (std::popcount(static_cast<unsigned>(corner)) % 2 ? -1 : 1) * std::pow(std::max(0.0, rest), power);
     }
-    return sum / (6 * gradient[0] * gradient[1] * gradient[2]);
+    return sum / (gradient[0] * gradient[1] * gradient[2]);
 }
 
+// The part of the box [0, size] where gradient . x < nu.
+double volume_below(const Vec3d& size, const Vec3d& gradient, double nu) {
+    return corner_sum(size, gradient, nu, 3) / 6;
+}
+
+// The derivative of the volume by the distance along the gradient.
 double section_area(const Vec3d& size, const Vec3d& gradient, double nu) {
-    double sum = 0;
-    for (int corner = 0; corner < 8; ++corner) {
-        double rest = nu;
-        for (int d = 0; d < 3; ++d) rest -= (corner >> d & 1) * gradient[d] * size[d];
-        sum += (std::popcount(static_cast<unsigned>(corner)) % 2 ? -1 : 1) * std::pow(std::max(0.0, rest), 2);
-    }
-    return sum / (2 * gradient[0] * gradient[1] * gradient[2]) * std::sqrt(dot(gradient, gradient));
+    return corner_sum(size, gradient, nu, 2) / 2 * std::sqrt(dot(gradient, gradient));
 }
 
 struct FilledBox {
@@ -149,13 +148,17 @@ TEST_P(PlaneThroughABox, NormalsAreTheGradientOfALinearField) {
     const Field field = make_field(mesh.topology, mesh.stored(values));
     Query query = mesh.query();
     query.set_field(field);
+    std::size_t normals = 0;
     for (double nu : walk_through(values, 5, 111)) {
         Surface surface;
         ASSERT_TRUE(query.extract(nu, true, surface));
+        ASSERT_EQ(surface.normals.size(), surface.points.size());
+        normals += surface.normals.size();
         for (const Vec3f& normal : surface.normals) {
             for (std::size_t d = 0; d < 3; ++d) ASSERT_NEAR(normal[d], unit(gradient)[d], 1e-3) << nu;
         }
     }
+    EXPECT_GT(normals, 100U);
 }
 
 TEST_P(PlaneThroughABox, InterpolationOfALinearFieldIsTheFieldAtThePosition) {
@@ -165,6 +168,8 @@ TEST_P(PlaneThroughABox, InterpolationOfALinearFieldIsTheFieldAtThePosition) {
     query.set_field(field);
     Surface surface;
     ASSERT_TRUE(query.extract(0.5, false, surface));
+    ASSERT_GT(surface.points.size(), 10U);
+    ASSERT_EQ(surface.positions.size(), surface.points.size());
     const LinearField first{{1, 2, 3}, -1}, second{{-2, 0, 1}, 5};
     const std::vector<float> a = mesh.stored(linear_field(input, first)), b = mesh.stored(linear_field(input, second));
     std::vector<float> both, result(2 * surface.points.size());

@@ -7,6 +7,7 @@
 
 #include <atomic>
 #include <chrono>
+#include <latch>
 #include <thread>
 
 namespace ciel::test {
@@ -52,25 +53,45 @@ TEST_P(Sharing, QueriesInManyThreadsGiveTheSameBits) {
     EXPECT_EQ(different, 0);
 }
 
-// Whenever the stop comes, the query goes on as if the call had not been made.
+// Whenever the stop comes, the query goes on as if the call had not been made. One call follows the other until one is
+// stopped, so that it is found at work however the threads take turns.
 TEST_P(Sharing, ACallStoppedAnywhereHarmsNothing) {
+    using std::chrono::steady_clock;
     const Field field = make_field(mesh.topology, mesh.stored(values));
-    const Surface expected_low = fresh(field, 0.3), expected_high = fresh(field, 0.7);
+    const double nus[] = {0.3, 0.7};
+    const Surface expected[] = {fresh(field, nus[0]), fresh(field, nus[1])};
     Query query = mesh.query(GetParam());
     query.set_field(field);
-    for (int delay = 0; delay < 60; ++delay) {
+    Surface surface;
+    ASSERT_TRUE(query.extract(nus[1], true, surface));
+    const auto before = steady_clock::now();
+    ASSERT_TRUE(query.extract(nus[0], true, surface));
+    const auto one_call = steady_clock::now() - before;
+    int stopped_inside = 0;
+    for (int round = 0; round < 60; ++round) {
         std::stop_source stop;
-        std::thread stopper([&] {
-            std::this_thread::sleep_for(std::chrono::microseconds(20 * delay));
+        std::atomic<steady_clock::time_point> due = steady_clock::time_point::max();
+        std::latch watching(1);
+        std::jthread stopper([&] {
+            watching.count_down();
+            while (steady_clock::now() < due.load()) std::this_thread::yield();
             stop.request_stop();
         });
-        Surface surface;
-        const bool done = query.extract(0.3, true, surface, stop.get_token());
-        EXPECT_EQ(done ? bit_difference(surface, expected_low) : "", "");
+        watching.wait();
+        due = steady_clock::now() + round * one_call / 16;
+        bool done = true;
+        for (std::size_t call = 0; done && call < 2000; ++call) {
+            const bool too_late = stop.stop_requested();
+            done = query.extract(nus[call % 2], true, surface, stop.get_token());
+            ASSERT_EQ(done ? bit_difference(surface, expected[call % 2]) : "", "") << "call " << call;
+            stopped_inside += done || too_late ? 0 : 1;
+        }
         stopper.join();
-        ASSERT_TRUE(query.extract(0.7, true, surface));
-        ASSERT_EQ(bit_difference(surface, expected_high), "") << "after a stop at " << delay;
+        ASSERT_FALSE(done) << "round " << round;
+        ASSERT_TRUE(query.extract(nus[1], true, surface));
+        ASSERT_EQ(bit_difference(surface, expected[1]), "") << "after round " << round;
     }
+    EXPECT_GE(stopped_inside, 20);
 }
 
 // A moved mesh keeps its topology: the polygons stay, their vertices follow.

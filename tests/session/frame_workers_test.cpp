@@ -86,11 +86,12 @@ TEST(frame_workers, drain_finishes_what_runs_and_refuses_the_rest) {
     std::latch started(1);
     workers.post([&](Worker&) {
         started.count_down();
-        std::this_thread::sleep_for(20ms);
+        for (int i = 0; i < 60'000 && workers.post([&](Worker&) { finished += 100; }); ++i)
+            std::this_thread::sleep_for(1ms);
+        std::this_thread::sleep_for(20ms); // a drain() that did not wait would return now
         ++finished;
     });
     started.wait();
-    workers.post([&](Worker&) { finished += 100; });
     workers.drain();
     EXPECT_EQ(finished, 1);
     EXPECT_FALSE(workers.post([](Worker&) {}));

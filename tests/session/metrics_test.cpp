@@ -10,6 +10,7 @@ namespace ciel::session {
 namespace {
 
 using testing::HasSubstr;
+using testing::IsSupersetOf;
 
 TEST(mailbox, the_newest_wins) {
     Mailbox<int> mailbox;
@@ -49,21 +50,27 @@ TEST(metrics, follow_the_exposition_format) {
     metrics.count_error(-32700);
     std::istringstream lines(metrics.text({}));
     const std::regex sample(R"re(([a-z_]+)(\{[a-z]+="[^"]*"(,[a-z]+="[^"]*")*\})? [0-9.e+-]+)re");
-    const std::regex type(R"(# TYPE ([a-z_]+) (counter|gauge))");
-    std::set<std::string> families;
+    const std::regex help("# HELP ([a-z_]+) .+"), type("# TYPE ([a-z_]+) (counter|gauge)");
+    std::set<std::string> families, with_samples;
     std::string line, family;
     std::smatch match;
     while (std::getline(lines, line)) {
-        if (line.starts_with("# HELP ")) continue;
-        if (std::regex_match(line, match, type)) {
+        if (std::regex_match(line, match, help)) {
             family = match[1];
             EXPECT_TRUE(families.insert(family).second) << family << " twice";
+            ASSERT_TRUE(std::getline(lines, line)) << family;
+            ASSERT_TRUE(std::regex_match(line, match, type)) << line;
+            EXPECT_EQ(match[1], family) << line;
             EXPECT_EQ(match[2] == "counter", family.ends_with("_total")) << family;
         } else {
             ASSERT_TRUE(std::regex_match(line, match, sample)) << line;
             EXPECT_EQ(match[1], family) << line;
+            with_samples.insert(family);
         }
     }
+    EXPECT_EQ(with_samples, families);
+    EXPECT_THAT(families, IsSupersetOf({"ciel_frames_total", "ciel_rpc_requests_total", "ciel_rpc_errors_total",
+                                        "ciel_sessions", "ciel_dataset_bytes", "ciel_gl_info"}));
 }
 
 } // namespace

@@ -68,8 +68,8 @@ TEST_F(probe_points, a_vertex_is_its_own_nearest) {
     }
 }
 
-// Every kind of cell there is, non-convex ones too: a point inside a cell is found in a cell that really is around it,
-// and the weights reproduce a linear field.
+// Every kind of cell there is, non-convex ones too: a point between two cells is found in one of them, and the weights
+// reproduce a linear field.
 TEST(probe_meshes, linear_fields_are_exact_in_every_mesh) {
     const test::LinearField field{{1, -2, 0.5}, 3};
     for (const auto& named : test::all_meshes()) {
@@ -85,8 +85,8 @@ TEST(probe_meshes, linear_fields_are_exact_in_every_mesh) {
         const Locator locator(dataset, 0, 0);
         const FaceMeshView mesh = dataset->mesh(0, 0);
         std::mt19937 random(5);
-        for (int i = 0; i < 40; ++i) {
-            // Between a face's corners and its centre, a little off the face into the owner or the neighbour.
+        int found = 0;
+        for (int i = 0; i < 40; ++i) { // the middles of faces
             const Index face = random() % mesh.face_count();
             const auto loop = mesh.loop(face);
             Vec3d at = mesh.origin;
@@ -94,8 +94,8 @@ TEST(probe_meshes, linear_fields_are_exact_in_every_mesh) {
                 for (std::size_t axis = 0; axis < 3; ++axis)
                     at[axis] += mesh.positions[std::size_t{3} * vertex + axis] / static_cast<double>(loop.size());
             const Index cell = locator.cell_at(at);
-            EXPECT_TRUE(cell != none || !named.planar_faces) << named.name;
             if (cell == none) continue;
+            ++found;
             double value = 0, sum = 0;
             for (const auto& [vertex, share] : locator.weights_in(cell, at)) {
                 const float* p = &mesh.positions[std::size_t{3} * vertex];
@@ -105,6 +105,7 @@ TEST(probe_meshes, linear_fields_are_exact_in_every_mesh) {
             EXPECT_NEAR(sum, 1, 1e-9) << named.name;
             EXPECT_NEAR(value, field.at(at), 1e-4) << named.name;
         }
+        EXPECT_GE(found, named.planar_faces ? 40 : 30) << named.name;
     }
 }
 

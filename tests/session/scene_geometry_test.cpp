@@ -199,6 +199,15 @@ TEST_P(scene_geometry, the_frame_borrows_and_draws_opaque_layers_first) {
     const render::Frame frame = frame_of(*shown, parsed, 320, 200, 4);
     ASSERT_EQ(frame.meshes.size(), 3U);
     EXPECT_EQ(frame.meshes[2].color[3], 0.5F);
+    const std::size_t drawn_from[] = {1, 2, 0}; // the glass is the first of the layers
+    for (std::size_t i = 0; i < 3; ++i) {
+        const render::Mesh& mesh = frame.meshes[i];
+        const Drawable& drawable = shown->drawables.at(drawn_from[i]);
+        EXPECT_EQ(mesh.positions.data(), drawable.shape->surface.positions.data()) << i;
+        EXPECT_EQ(mesh.normals.data(), drawable.shape->surface.normals.data()) << i;
+        EXPECT_EQ(mesh.indices.data(), drawable.shape->indices.data()) << i;
+        EXPECT_EQ(mesh.scalars.data(), drawable.scalars ? drawable.scalars->data() : nullptr) << i;
+    }
     EXPECT_EQ(frame.origin, test::box_origin);
     EXPECT_EQ(frame.bounds_max[0], test::box_origin[0] + test::box_edge);
     const auto lines =

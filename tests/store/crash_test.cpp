@@ -26,7 +26,11 @@ template <typename Body>
 int in_child(const Body& body) {
     const pid_t child = ::fork();
     if (child == 0) {
-        body();
+        try {
+            body();
+        } catch (...) { // else the child would go on with the other tests
+            ::_exit(1);
+        }
         ::_exit(0);
     }
     int status = 0;
