@@ -1,6 +1,7 @@
 // What is seen, and that the hand changes it.
 import assert from "node:assert/strict";
 import { before, describe, test } from "node:test";
+import { lateAnswer } from "./late_answer.ts";
 import type { Client } from "./page.ts";
 import { difference, distance, find, hue, share, type Color, type Picture } from "./png.ts";
 import { nameOf } from "./server.ts";
@@ -194,6 +195,16 @@ describe("view", { skip }, () => {
     await client.page.getByLabel("Stream").selectOption("image");
     await client.settled();
     assert.ok(difference(image, await client.picture()) < 0.005);
+  });
+
+  test("polygons that come before the answer to view.open are shown", async () => {
+    const early = await stage.open(stage.server.address, {
+      before: `${lateAnswer}; localStorage.setItem("ciel.stream", "geometry")`,
+    });
+    await early.settled("geometry");
+    assert.ok(foreground(await early.picture()) > 0.02);
+    assert.deepEqual(early.problems, []);
+    await early.close();
   });
 
   test("nothing went wrong on the way", () => assert.deepEqual(client.problems, []));

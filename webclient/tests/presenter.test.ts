@@ -108,12 +108,70 @@ describe("images", () => {
   });
 });
 
-describe("geometry", () => {
-  const part = (layer: string): Uint8Array => {
-    const description = { layer, kind: "lines", vertices: 2, indices: 2, normals: false, scalars: false, batches: 2 };
-    return geometryPayload(description, [new Float32Array(6), Uint32Array.of(0, 1)]);
-  };
+const part = (layer: string): Uint8Array => {
+  const description = { layer, kind: "lines", vertices: 2, indices: 2, normals: false, scalars: false, batches: 2 };
+  return geometryPayload(description, [new Float32Array(6), Uint32Array.of(0, 1)]);
+};
 
+describe("while a view is being opened", () => {
+  test("its polygons are kept, whichever message comes first", () => {
+    presenter.expect();
+    presenter.receive(frameBytes({ kind: 2, flags: 4, view: 8, frame: 1 }, part("a")));
+    presenter.receive(frameBytes({ kind: 2, flags: 2, view: 8, frame: 1 }, part("b")));
+    runFrame();
+    expect([drawn, acknowledged]).toEqual([[], []]);
+    presenter.show(8);
+    runFrame();
+    expect(drawn).toMatchObject([[{ layer: "a" }, { layer: "b" }]]);
+    expect(acknowledged).toEqual([1]);
+  });
+
+  test("a frame that is half here is made whole after the answer", () => {
+    presenter.expect();
+    presenter.receive(frameBytes({ kind: 2, flags: 4, view: 8, frame: 1 }, part("a")));
+    presenter.show(8);
+    presenter.receive(frameBytes({ kind: 2, flags: 2, view: 8, frame: 1 }, part("b")));
+    runFrame();
+    expect(drawn).toMatchObject([[{ layer: "a" }, { layer: "b" }]]);
+  });
+
+  test("of two pictures the newest is shown, both are acknowledged", async () => {
+    presenter.expect();
+    image(1, 8);
+    image(2, 8);
+    presenter.show(8);
+    await finish(1);
+    await finish(2);
+    runFrame();
+    expect(drawn).toEqual([2]);
+    expect(acknowledged.sort()).toEqual([1, 2]);
+  });
+
+  test("frames of another view are not shown, nor those of a view that is not opened after all", () => {
+    presenter.expect();
+    presenter.receive(frameBytes({ kind: 2, flags: 6, view: 1, frame: 7 }, part("old")));
+    presenter.receive(frameBytes({ kind: 2, flags: 6, view: 8, frame: 1 }, part("new")));
+    presenter.show(8);
+    runFrame();
+    expect(drawn).toMatchObject([[{ layer: "new" }]]);
+    presenter.expect();
+    presenter.receive(frameBytes({ kind: 2, flags: 6, view: 9, frame: 1 }, part("never")));
+    presenter.show(0);
+    presenter.show(9);
+    runFrame();
+    expect(drawn.length).toBe(1);
+    expect(acknowledged).toEqual([1]);
+  });
+
+  test("no more is kept than a server sends unacknowledged", () => {
+    presenter.expect();
+    for (const frame of [1, 2, 3, 4]) image(frame, 8);
+    presenter.show(8);
+    expect([...decoding.keys()]).toEqual([3, 4]);
+  });
+});
+
+describe("geometry", () => {
   test("a frame is shown when its last message is here, and acknowledged once", () => {
     presenter.receive(frameBytes({ kind: 2, flags: 4, frame: 3 }, part("a")));
     runFrame();

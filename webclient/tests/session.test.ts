@@ -36,6 +36,7 @@ beforeEach(() => {
     firstScene: () => Promise.resolve(scene),
     viewSize: () => size,
     stream: () => "image" as const,
+    viewOpening: () => void views.push(-1),
     viewOpened: (view: number) => void views.push(view),
     opened: () => undefined,
     connection: () => undefined,
@@ -97,6 +98,15 @@ describe("session", () => {
     expect(network.newest.calls("view.ack")).toEqual([]);
     session.acknowledge(4, 1);
     expect(network.newest.calls("view.ack")).toMatchObject([{ params: { view: 4, frame: 1 } }]);
+  });
+
+  test("frames are expected from the call that opens the view, not from its answer", async () => {
+    network.newest.onopen?.();
+    await settled();
+    await network.newest.answer(state(scene), "session.open");
+    expect(views.at(-1)).toBe(-1);
+    await network.newest.answer({ view: 4 }, "view.open");
+    expect(views.at(-1)).toBe(4);
   });
 
   test("a refused scene is said, a broken line is not", async () => {

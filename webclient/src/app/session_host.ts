@@ -26,6 +26,7 @@ export function sessionHost(app: App): SessionHost {
     },
     viewSize: () => app.size.pixels(),
     stream: () => app.streams.current(),
+    viewOpening: () => app.presenter?.expect(),
     viewOpened: (view) => app.presenter?.show(view),
     opened: ({ revision }) => {
       app.latency.reset();

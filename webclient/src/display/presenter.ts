@@ -1,5 +1,6 @@
 // From binary messages to what is seen: decode, keep the newest, draw in an animation frame, then acknowledge.
 import type { GeometryBatch } from "../decoders/geometry";
+import { EarlyFrames } from "./early_frames";
 import { decodeHeader, KIND_GEOMETRY, KIND_IMAGE, type FrameHeader } from "../protocol/frame_header";
 
 export interface Screen {
@@ -31,6 +32,8 @@ export class Presenter {
   private ready: ReadyFrame | null = null;
   private parts: { frame: number; batches: GeometryBatch[]; bytes: number } | null = null;
   private frameRequested = false;
+  /** While a view is being opened. */
+  private early: EarlyFrames | null = null;
 
   constructor(
     private readonly screen: Screen,
@@ -39,18 +42,31 @@ export class Presenter {
     private readonly requestFrame: (callback: () => void) => void,
   ) {}
 
+  /** A view is being opened: its frames may come before the answer that names it to `show`. */
+  expect(): void {
+    this.show(0);
+    this.early = new EarlyFrames();
+  }
+
   /** Frames of any other view are not shown from now on. 0: none is. */
   show(view: number): void {
+    const early = this.early?.of(view) ?? [];
+    this.early = null;
     this.view = view;
     this.lastFrame = 0;
     this.parts = null;
     this.ready?.release();
     this.ready = null;
+    for (const message of early) this.receive(message);
   }
 
   receive(message: ArrayBuffer): void {
     try {
       const header = decodeHeader(message);
+      if (this.early !== null) {
+        this.early.keep(header, message);
+        return;
+      }
       if (header.view !== this.view) return;
       if (header.kind === KIND_IMAGE) this.receiveImage(header, message);
       else if (header.kind === KIND_GEOMETRY) this.receiveGeometry(header, message);

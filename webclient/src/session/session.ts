@@ -14,6 +14,8 @@ export interface SessionHost {
   firstScene(call: Caller): Promise<Scene | null>;
   viewSize(): ViewSize;
   stream(): "image" | "geometry";
+  /** Frames of a view that is not named yet may come from here on. */
+  viewOpening(): void;
   /** 0: no view. */
   viewOpened(view: number): void;
   opened(state: SessionState): void;
@@ -125,6 +127,7 @@ export class Session {
     );
     this.host.opened(state);
     this.sentSize = this.host.viewSize();
+    this.host.viewOpening();
     const { view } = await rpc.call("view.open", { session, ...this.sentSize, stream: this.host.stream() });
     if (this.rpc !== rpc) return;
     this.setView(view);
