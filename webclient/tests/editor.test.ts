@@ -21,14 +21,16 @@ const taken = (revision: number): Revision => ({ revision, can_undo: true, can_r
 let sent: Sent[] = [];
 let frames: (() => void)[] = [];
 let refused: Error[] = [];
+let stuck: string[] = [];
 let editor: SceneEditor;
 let held = scene; // what the server has
 let canUndo = false;
+let lost: Error | null = null; // why the step before cannot be shown
 
 const server = {
   patch: (patch: object, gesture: string) =>
     new Promise<Revision>((answer, refuse) => sent.push({ patch, gesture, answer, refuse })),
-  undo: () => Promise.resolve(state(scene, 9)),
+  undo: () => (lost === null ? Promise.resolve(state(scene, 9)) : Promise.reject(lost)),
   redo: () => Promise.resolve(state(scene, 10)),
   get: () => Promise.resolve({ ...state(held, 11), can_undo: canUndo }),
 };
@@ -41,11 +43,12 @@ const setValue = (value: number, gesture?: string): void =>
   editor.change({ layers: { iso: { values: [value] } } }, gesture);
 
 beforeEach(() => {
-  [sent, frames, refused, held, canUndo] = [[], [], [], scene, false];
+  [sent, frames, refused, stuck, held, canUndo, lost] = [[], [], [], [], scene, false, null];
   const events = {
     changed: () => undefined,
     accepted: () => undefined,
     refused: (error: Error) => void refused.push(error),
+    stuck: (step: string, { message }: Error) => void stuck.push(`${step}: ${message}`),
   };
   editor = new SceneEditor(events, { now: () => 0, requestFrame: (callback) => void frames.push(callback) }, "g");
   editor.connected(server, state(scene));
@@ -105,6 +108,24 @@ describe("scene editor", () => {
     await editor.undo();
     expect(sent.length).toBe(1);
     expect(editor.scene).toEqual(scene);
+  });
+
+  test("an undo to what cannot be shown any more is said, and not offered until there is something else to undo", async () => {
+    setValue(7);
+    runFrame();
+    sent[0]?.answer(taken(2));
+    await settled();
+    expect(editor.canUndo).toBe(true);
+    lost = new RpcError(-32001, "There is no dataset", {});
+    await editor.undo();
+    expect(stuck).toEqual(["undo: There is no dataset"]);
+    expect(refused).toEqual([]);
+    expect([editor.canUndo, editor.isPending, values()]).toEqual([false, false, [7]]);
+    setValue(8);
+    runFrame();
+    sent[1]?.answer(taken(3));
+    await settled();
+    expect(editor.canUndo).toBe(true);
   });
 
   test("a refused change is taken back and said", async () => {
@@ -183,6 +204,15 @@ describe("scene editor", () => {
 });
 
 describe("without a connection", () => {
+  test("there is no history: the server keeps it", async () => {
+    setValue(7);
+    runFrame();
+    sent[0]?.answer(taken(2));
+    await settled();
+    editor.disconnected();
+    expect(editor.canUndo).toBe(false);
+  });
+
   test("an undo is not lost without a word", async () => {
     editor.disconnected();
     await editor.undo();

@@ -18,9 +18,17 @@ export class FakeSocket implements SocketLike {
   }
 
   /** Answers the newest call of the method (any, if none is named), and lets the promises run. */
-  async answer(result: unknown, method?: string): Promise<void> {
+  answer(result: unknown, method?: string): Promise<void> {
+    return this.reply({ result }, method);
+  }
+
+  refuse(error: { code: number; message: string; data: unknown }, method: string): Promise<void> {
+    return this.reply({ error }, method);
+  }
+
+  private async reply(answer: object, method?: string): Promise<void> {
     const call = this.sent.filter((message) => method === undefined || message.method === method).at(-1);
-    this.onmessage?.({ data: JSON.stringify({ jsonrpc: "2.0", id: call?.id, result }) });
+    this.onmessage?.({ data: JSON.stringify({ jsonrpc: "2.0", id: call?.id, ...answer }) });
     await settled();
   }
 

@@ -12,6 +12,7 @@ let network = new FakeNetwork();
 let frames: (() => void)[] = [];
 let views: number[] = [];
 let failures: string[] = [];
+let refusals: string[] = [];
 let size = { width: 800, height: 600 };
 let clock = new FakeClock();
 let editor: SceneEditor;
@@ -23,12 +24,26 @@ const join = async (held: Scene, view: number): Promise<void> => {
   await network.newest.answer(state(held), "session.open");
   await network.newest.answer({ view }, "view.open");
 };
+const opened = (): Scene[] =>
+  network.newest.calls("session.open").map(({ params }) => (params as { scene: Scene }).scene);
+const gone = { code: -32001, message: "There is no dataset", data: {} };
+const reconnect = async (): Promise<void> => {
+  network.newest.onclose?.();
+  clock.advance(500);
+  network.newest.onopen?.();
+  await settled();
+};
 
 beforeEach(() => {
   [network, clock, size] = [new FakeNetwork(), new FakeClock(), { width: 800, height: 600 }];
-  [frames, views, failures] = [[], [], []];
+  [frames, views, failures, refusals] = [[], [], [], []];
   editor = new SceneEditor(
-    { changed: () => undefined, accepted: () => undefined, refused: (error) => void failures.push(error.message) },
+    {
+      changed: () => undefined,
+      accepted: () => undefined,
+      refused: (error) => void failures.push(error.message),
+      stuck: () => undefined,
+    },
     { now: () => clock.now(), requestFrame: (callback) => void frames.push(callback) },
     "g",
   );
@@ -39,6 +54,7 @@ beforeEach(() => {
     viewOpening: () => void views.push(-1),
     viewOpened: (view: number) => void views.push(view),
     opened: () => undefined,
+    refused: (error: Error) => void refusals.push(error.message),
     connection: () => undefined,
     roundTrip: () => undefined,
     binary: () => undefined,
@@ -100,6 +116,18 @@ describe("session", () => {
     expect(network.newest.calls("view.ack")).toMatchObject([{ params: { view: 4, frame: 1 } }]);
   });
 
+  test("a refused scene is said, a broken line is not", async () => {
+    network.newest.onopen?.();
+    await settled();
+    await network.newest.refuse({ code: -32002, message: "Invalid scene", data: {} }, "session.open");
+    expect(refusals).toEqual(["Invalid scene"]);
+    network.newest.onclose?.();
+    await expect(session.call("dataset.list", {})).rejects.toThrow("connection ended");
+    await settled();
+    expect(refusals.length).toBe(1);
+    expect(failures).toEqual([]);
+  });
+
   test("frames are expected from the call that opens the view, not from its answer", async () => {
     network.newest.onopen?.();
     await settled();
@@ -109,19 +137,92 @@ describe("session", () => {
     expect(views.at(-1)).toBe(4);
   });
 
-  test("a refused scene is said, a broken line is not", async () => {
+  test("what is chosen when the scene was refused opens the session at once, without what the hand did before", async () => {
+    await join(scene, 4);
+    editor.change({ layers: { iso: { values: [5] } } });
+    await reconnect();
+    await network.newest.refuse(gone, "session.open");
+    expect(refusals).toEqual(["There is no dataset"]);
+    expect([views.at(-1), editor.isConnected]).toEqual([0, false]);
+    expect(editor.scene?.dataset).toBe("d"); // kept: the dataset may come back
+    editor.change({ layers: { iso: { values: [6] } } });
+    const other: Scene = { dataset: "other" };
+    const begun = session.begin(other);
+    await settled();
+    expect(opened().at(-1)).toEqual(other);
+    await network.newest.answer(state(other), "session.open");
+    await network.newest.answer({ view: 9 }, "view.open");
+    await begun;
+    frames.splice(0).forEach((frame) => frame());
+    expect(editor.scene).toEqual(other);
+    expect(views.at(-1)).toBe(9);
+    expect([network.newest.calls("scene.patch"), editor.isPending]).toEqual([[], false]);
+    await reconnect();
+    expect(opened()).toEqual([other]);
+  });
+
+  test("a choice that is refused as well leaves the scene that was kept to try again", async () => {
+    await join(scene, 4);
+    await reconnect();
+    await network.newest.refuse(gone, "session.open");
+    void session.begin({ dataset: "other" });
+    await settled();
+    await network.newest.refuse(gone, "session.open");
+    expect(refusals.length).toBe(2);
+    void session.open();
+    void session.open();
+    await settled();
+    expect(opened().map(({ dataset }) => dataset)).toEqual(["d", "other", "d"]);
+    await network.newest.answer(state(scene), "session.open");
+    await network.newest.answer({ view: 9 }, "view.open");
+    expect(views.at(-1)).toBe(9);
+    void session.open(); // it is open
+    await settled();
+    expect(opened().length).toBe(3);
+  });
+
+  test("of two choices in a hurry the newest is shown", async () => {
+    await join(scene, 4);
+    await reconnect();
+    await network.newest.refuse(gone, "session.open");
+    void session.begin({ dataset: "first" });
+    void session.begin({ dataset: "second" });
+    await settled();
+    expect(opened().at(-1)).toEqual({ dataset: "second" });
+    void session.begin({ dataset: "third" });
+    await network.newest.answer(state({ dataset: "second" }), "session.open");
+    await network.newest.answer({ view: 9 }, "view.open");
+    expect(network.newest.calls("scene.patch")).toMatchObject([{ params: { patch: { dataset: "third" } } }]);
+    expect(network.newest.calls("view.open").length).toBe(1);
+  });
+
+  test("a session that another page has opened meanwhile is led to what was chosen", async () => {
+    await join(scene, 4);
+    await reconnect();
+    await network.newest.refuse(gone, "session.open");
+    void session.begin({ dataset: "mine" });
+    await settled();
+    await network.newest.answer(state({ dataset: "theirs" }), "session.open");
+    expect(network.newest.calls("scene.patch")).toMatchObject([{ params: { patch: { dataset: "mine" } } }]);
+  });
+
+  test("a choice that the broken line has swallowed opens the session when it is back", async () => {
+    await join(scene, 4);
+    await reconnect();
+    await network.newest.refuse(gone, "session.open");
+    void session.begin({ dataset: "other" });
+    await settled();
+    await reconnect();
+    expect(opened()).toEqual([{ dataset: "other" }]);
+  });
+
+  test("a view that is refused leaves no session that looks open", async () => {
     network.newest.onopen?.();
     await settled();
-    const error = { code: -32002, message: "Invalid scene", data: {} };
-    network.newest.onmessage?.({
-      data: JSON.stringify({ jsonrpc: "2.0", id: network.newest.calls("session.open")[0]?.id, error }),
-    });
-    await settled();
-    expect(failures).toEqual(["Invalid scene"]);
-    network.newest.onclose?.();
-    await expect(session.call("dataset.list", {})).rejects.toThrow("connection ended");
-    await settled();
-    expect(failures.length).toBe(1);
+    await network.newest.answer(state(scene), "session.open");
+    await network.newest.refuse({ code: -32003, message: "Too many views", data: {} }, "view.open");
+    expect(refusals).toEqual(["Too many views"]);
+    expect([views.at(-1), editor.isConnected]).toEqual([0, false]);
   });
 
   test("a person is told the reason and the place", () => {

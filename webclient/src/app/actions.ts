@@ -143,8 +143,8 @@ export class Actions {
       const description = await app.session.call("dataset.describe", { dataset: name });
       const scene = openingScene(description, app.size, this.themeBackground());
       app.store.set({ description, probe: null });
-      if (app.editor.scene === null) await app.session.begin(scene);
-      else app.editor.replace(scene);
+      if (app.editor.isConnected) app.editor.replace(scene);
+      else await app.session.begin(scene);
     });
   }
 

@@ -62,6 +62,8 @@ export class App {
           this.store.set({ revision, pending: this.editor.isPending });
         },
         refused: (error) => this.fail(error),
+        stuck: (step, error) =>
+          this.toasts.show(`This cannot be ${step === "undo" ? "undone" : "redone"}. ${wordsFor(error)}`, "error"),
       },
       { now, requestFrame },
       Math.random().toString(36).slice(2, 10), // other pages of the session name their gestures otherwise

@@ -13,7 +13,8 @@ export async function listDatasets(app: App): Promise<void> {
 export async function describeDatasets(app: App, again = false): Promise<void> {
   const { scene, description, opening } = app.store.get();
   const name = scene?.dataset;
-  if (name === undefined || opening === name || (!again && description?.name === name)) return;
+  if (name === undefined || !app.editor.isConnected || opening === name || (!again && description?.name === name))
+    return;
   app.store.set({ opening: name });
   try {
     const found = await app.session.call("dataset.describe", { dataset: name });

@@ -22,7 +22,10 @@ export class Links {
   async follow(): Promise<void> {
     if (location.hash === this.written) return;
     const scene = await this.decoded();
-    if (scene !== null) await this.app.editor.propose(scene); // it may be of another server, or made by hand
+    if (scene === null) return;
+    // Proposed only: it may be of another server, or made by hand.
+    if (this.app.store.get().fatal === null) await this.app.editor.propose(scene);
+    else await this.app.session.begin(scene);
   }
 
   sceneChanged(): void {

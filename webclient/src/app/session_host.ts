@@ -4,6 +4,7 @@ import { wordsFor, type SessionHost } from "../session/session";
 import type { App } from "./app";
 import { describeDatasets, listDatasets } from "./datasets";
 import { firstScene } from "./first_scene";
+import { emptyReadout } from "./state";
 
 type Handlers = { [N in keyof Notifications]: (params: Notifications[N]) => void };
 
@@ -33,6 +34,19 @@ export function sessionHost(app: App): SessionHost {
       app.histograms.clear();
       // Revisions of the session before, if the server forgot it, mean nothing here.
       app.store.set({ fatal: null, revision, readout: { ...app.store.get().readout, revision: 0 } });
+      void describeDatasets(app, true);
+    },
+    refused: (error) => {
+      app.viewport?.clear(); // what is seen is of a session that is no more
+      const { roundTripMs } = app.store.get().readout;
+      app.store.set({
+        fatal: wordsFor(error),
+        description: null,
+        probe: null,
+        lacking: [],
+        readout: { ...emptyReadout, roundTripMs },
+      });
+      void listDatasets(app);
     },
     connection: (connection) => {
       app.store.set({ connection });
@@ -48,18 +62,13 @@ export function sessionHost(app: App): SessionHost {
         (server) => app.store.set({ server }),
         (error: unknown) => app.fail(error),
       );
-      void describeDatasets(app, true);
     },
     roundTrip: (roundTripMs) => app.store.set({ readout: { ...app.store.get().readout, roundTripMs } }),
     binary: (message) => app.presenter?.receive(message),
     notified: (name, params) => {
       if (name in handlers) handlers[name](params as never);
     },
-    failed: (error) => {
-      const nothing = app.editor.scene === null || app.store.get().readout.stream === "none";
-      if (nothing) app.store.set({ fatal: wordsFor(error) });
-      else app.fail(error);
-    },
+    failed: (error) => app.fail(error),
   };
 }
 

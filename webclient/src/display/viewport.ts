@@ -34,6 +34,11 @@ export class Viewport implements Screen {
     this.switchTo("geometry");
   }
 
+  /** Nothing is shown until the next frame. */
+  clear(): void {
+    this.switchTo("none");
+  }
+
   /** After the camera, the size or the background changed: polygons that are here already are drawn anew. */
   redraw(): void {
     if (this.shown !== "geometry" || this.redrawRequested) return;
@@ -50,11 +55,11 @@ export class Viewport implements Screen {
     if (look !== null) this.geometry?.draw(look, width, height);
   }
 
-  private switchTo(kind: "image" | "geometry"): void {
+  private switchTo(kind: "none" | "image" | "geometry"): void {
     if (this.shown === kind) return;
     this.shown = kind;
     this.images.canvas.hidden = kind !== "image";
     this.geometryCanvas.hidden = kind !== "geometry";
-    if (kind === "image") this.geometry?.setBatches([]);
+    if (kind !== "geometry") this.geometry?.setBatches([]);
   }
 }

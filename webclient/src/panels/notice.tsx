@@ -1,6 +1,7 @@
 // What stands in the way of a live picture, in full sentences.
 import type { JSX } from "preact";
 import { useEffect, useState } from "preact/hooks";
+import { formatCount } from "../scene/numbers";
 import { TokenForm } from "./token_form";
 import { useApp, useAppState } from "./context";
 
@@ -62,14 +63,47 @@ export function ConnectionNotice(): JSX.Element | null {
   );
 }
 
+const MOST_CHOICES = 6;
+
+/** What can be shown instead, a button each. */
+function Choices(): JSX.Element | null {
+  const { actions } = useApp();
+  const datasets = useAppState((state) => state.datasets) ?? [];
+  const usable = datasets.filter(({ problem }) => problem === "");
+  const more = usable.length - MOST_CHOICES;
+  if (usable.length === 0) return null;
+  return (
+    <>
+      <p>Choose a dataset that is here:</p>
+      <div class="choices" role="group" aria-label="Datasets that can be opened">
+        {usable.slice(0, MOST_CHOICES).map(({ name }) => (
+          <button key={name} type="button" class="button" onClick={() => void actions.openDataset(name)}>
+            {name}
+          </button>
+        ))}
+      </div>
+      {more > 0 && (
+        <p class="hint">{`${formatCount(more)} more ${more === 1 ? "is" : "are"} in the list at the top.`}</p>
+      )}
+    </>
+  );
+}
+
 export function FatalNotice(): JSX.Element | null {
+  const { session } = useApp();
   const fatal = useAppState((state) => state.fatal);
   const connected = useAppState((state) => state.connection.kind === "open");
+  const keptName = useAppState((state) => state.scene?.dataset);
   if (fatal === null || !connected) return null;
   return (
     <div class="notice" role="alert">
       <strong>Nothing can be shown</strong>
       <p>{fatal}</p>
+      <Choices />
+      {keptName !== undefined && <p class="hint">{`Your scene of ${keptName} is kept until another is chosen.`}</p>}
+      <button type="button" class="button" onClick={() => void session.open()}>
+        Try again
+      </button>
     </div>
   );
 }

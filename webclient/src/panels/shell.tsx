@@ -33,6 +33,7 @@ function useTheme(): void {
 export function Shell(): JSX.Element {
   const app = useApp();
   const panelOpen = useAppState((state) => state.panelOpen);
+  const nothing = useAppState((state) => state.fatal !== null);
   const title = useAppState((state) => state.scene?.dataset);
   useTheme();
   useEffect(() => {
@@ -48,11 +49,15 @@ export function Shell(): JSX.Element {
       <TimeBar />
       {panelOpen && (
         <aside class="side-panel" aria-label="Scene">
-          <IsoSection />
-          <SlicesSection />
-          <BoundarySection />
-          <ViewSection />
-          <InfoSection />
+          {!nothing && (
+            <>
+              <IsoSection />
+              <SlicesSection />
+              <BoundarySection />
+              <ViewSection />
+              <InfoSection />
+            </>
+          )}
         </aside>
       )}
       <StatusBar />

@@ -14,6 +14,7 @@ export function Stage(): JSX.Element {
   const images = useRef<HTMLCanvasElement>(null);
   const geometry = useRef<HTMLCanvasElement>(null);
   const live = useAppState((state) => state.connection.kind === "open");
+  const nothing = useAppState((state) => state.fatal !== null);
   useEffect(() => {
     const element = root.current;
     if (element === null || images.current === null || geometry.current === null) return;
@@ -44,9 +45,13 @@ export function Stage(): JSX.Element {
         <canvas ref={images} hidden />
         <canvas ref={geometry} hidden />
       </div>
-      <AxesTriad />
-      <Legends />
-      <ProbeCard />
+      {!nothing && (
+        <>
+          <AxesTriad />
+          <Legends />
+          <ProbeCard />
+        </>
+      )}
       <Busy />
       <LackingNotice />
       <FatalNotice />

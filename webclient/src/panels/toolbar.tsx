@@ -72,7 +72,7 @@ const FORMATS: { format: ExportFormat; text: string }[] = [
   { format: "vtp", text: "VTP" },
 ];
 
-function ExportMenu(): JSX.Element {
+function ExportMenu({ disabled }: { disabled: boolean }): JSX.Element {
   const { actions } = useApp();
   const scene = useAppState((state) => state.scene);
   const layers = Object.entries(scene?.layers ?? {}).filter(([, layer]) => layer.type !== "outline");
@@ -80,7 +80,7 @@ function ExportMenu(): JSX.Element {
   const [triangles, setTriangles] = useState(false);
   const layer = layers.some(([id]) => id === chosen) ? chosen : (layers[0]?.[0] ?? "");
   return (
-    <Menu icon="download" label="Export a surface" disabled={layers.length === 0}>
+    <Menu icon="download" label="Export a surface" disabled={disabled || layers.length === 0}>
       {(close) => (
         <>
           <SelectField
@@ -116,11 +116,11 @@ const THEME_WORDS: Record<Theme, string> = { system: "as the system", light: "li
 
 export function Toolbar(): JSX.Element {
   const { actions, store } = useApp();
-  const connected = useAppState((state) => state.connection.kind === "open");
-  const canUndo = useAppState((state) => state.canUndo) && connected; // the server keeps the history
-  const canRedo = useAppState((state) => state.canRedo) && connected;
+  const canUndo = useAppState((state) => state.canUndo);
+  const canRedo = useAppState((state) => state.canRedo);
   const theme = useAppState((state) => state.theme);
   const hasScene = useAppState((state) => state.scene !== null);
+  const hasPicture = useAppState((state) => state.scene !== null && state.fatal === null);
   const panelOpen = useAppState((state) => state.panelOpen);
   return (
     <header class="toolbar">
@@ -136,10 +136,10 @@ export function Toolbar(): JSX.Element {
           icon="camera"
           label="Save a picture"
           keys="S"
-          disabled={!hasScene}
+          disabled={!hasPicture}
           onClick={() => void actions.screenshot()}
         />
-        <ExportMenu />
+        <ExportMenu disabled={!hasPicture} />
         <IconButton
           icon="link"
           label="Copy a link to this view"

@@ -10,12 +10,16 @@ export interface SceneServer {
   get(): Promise<SessionState>;
 }
 
+export type Step = "undo" | "redo";
+
 export interface EditorEvents {
   /** The scene or what can be undone differs. */
   changed(): void;
   /** The server has taken the changes made since `since` (performance.now) as this revision. */
   accepted(revision: number, since: number): void;
   refused(error: Error): void;
+  /** The server cannot show what that step leads to. */
+  stuck(step: Step, error: Error): void;
 }
 
 export interface Timing {
@@ -58,6 +62,10 @@ export class SceneEditor {
     return this.document;
   }
 
+  get isConnected(): boolean {
+    return this.server !== null;
+  }
+
   /** Whether the server has not taken everything yet. */
   get isPending(): boolean {
     return this.differsFromServer || this.travelling > 0;
@@ -95,11 +103,19 @@ export class SceneEditor {
   }
 
   async undo(): Promise<void> {
-    await this.travel((server) => server.undo());
+    const stuck = (error: Error): void => {
+      this.canUndo = false; // until the server says otherwise after another change
+      this.events.stuck("undo", error);
+    };
+    await this.travel((server) => server.undo(), stuck);
   }
 
   async redo(): Promise<void> {
-    await this.travel((server) => server.redo());
+    const stuck = (error: Error): void => {
+      this.canRedo = false;
+      this.events.stuck("redo", error);
+    };
+    await this.travel((server) => server.redo(), stuck);
   }
 
   /** What a session that was just opened holds. Changes that were made while there was none are sent as one step. */
@@ -119,6 +135,13 @@ export class SceneEditor {
     this.server = null;
     this.unanswered = [];
     this.travelling = 0;
+    this.canUndo = this.canRedo = false; // the server keeps the history
+    this.events.changed();
+  }
+
+  /** Before `connected`, where another scene has been chosen than the one that stood here. */
+  forget(): void {
+    this.document = null;
   }
 
   /** Another client of the session has changed the scene, perhaps while a change of this one was on its way. */
@@ -148,10 +171,13 @@ export class SceneEditor {
     this.events.changed();
   }
 
-  private async travel(step: (server: SceneServer) => Promise<SessionState>): Promise<void> {
+  private async travel(
+    step: (server: SceneServer) => Promise<SessionState>,
+    refused = (error: Error) => this.events.refused(error),
+  ): Promise<void> {
     const server = this.server;
     if (server === null) {
-      this.events.refused(new Error("There is no connection now; try it again when there is one"));
+      this.events.refused(new Error("There is no open session now; try it again when the picture is back"));
       return;
     }
     while (this.queue.length > 0) this.sendOldest(server); // an undo takes back what the hand did last
@@ -169,8 +195,8 @@ export class SceneEditor {
     } catch (error) {
       if (this.server !== server || error instanceof Disconnected) return;
       this.travelling -= 1;
+      refused(error as Error);
       this.events.changed();
-      this.events.refused(error as Error);
     }
   }
 

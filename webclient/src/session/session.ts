@@ -19,6 +19,8 @@ export interface SessionHost {
   /** 0: no view. */
   viewOpened(view: number): void;
   opened(state: SessionState): void;
+  /** The server is there, but opens no session with this scene, or no view of it. */
+  refused(error: Error): void;
   connection(state: ConnectionState): void;
   roundTrip(milliseconds: number): void;
   binary(message: ArrayBuffer): void;
@@ -31,6 +33,9 @@ export type Caller = <M extends MethodName>(method: M, params: Params<M>) => Pro
 export class Session {
   private readonly connection: Connection;
   private rpc: Rpc | null = null;
+  private joining: Promise<void> = Promise.resolve();
+  /** What is to be shown in place of the editor's scene, which the server has refused or never had. */
+  private chosen: Scene | null = null;
   private view = 0;
   private sentSize: ViewSize = { width: 0, height: 0 };
 
@@ -87,9 +92,24 @@ export class Session {
     this.call("view.stream", { view: this.view, stream }).catch((error: unknown) => this.report(error));
   }
 
-  /** Opens the session where there was no dataset to open it with until now. */
+  /** Opens the session with this scene where there is none: nothing to open it with until now, or refused before. */
   async begin(scene: Scene): Promise<void> {
-    if (this.rpc !== null) await this.join(this.rpc, scene);
+    this.chosen = scene;
+    await this.joining;
+    if (this.chosen !== scene) return; // another was chosen meanwhile
+    if (!this.editor.isConnected) await this.open();
+    else {
+      this.chosen = null;
+      await this.editor.propose(scene);
+    }
+  }
+
+  /** Once more what the server has refused. */
+  async open(): Promise<void> {
+    const { rpc, joining } = this;
+    await joining;
+    if (this.joining !== joining) return; // asked for twice in a hurry
+    if (rpc !== null && rpc === this.rpc && !this.editor.isConnected) await this.joinOrSayWhy(rpc);
   }
 
   private stateChanged(state: ConnectionState): void {
@@ -103,19 +123,30 @@ export class Session {
 
   private async opened(rpc: Rpc): Promise<void> {
     this.rpc = rpc;
-    try {
-      const call: Caller = (method, params) => rpc.call(method, params);
-      const scene = this.editor.scene ?? (await this.host.firstScene(call));
-      if (this.rpc === rpc && scene !== null) await this.join(rpc, scene);
-    } catch (error) {
-      this.report(error);
-    }
+    await this.joinOrSayWhy(rpc);
   }
 
-  private async join(rpc: Rpc, scene: Scene): Promise<void> {
+  private joinOrSayWhy(rpc: Rpc): Promise<void> {
+    const { chosen } = this;
+    this.joining = this.join(rpc, chosen).catch((error: unknown) => {
+      if (this.rpc !== rpc) return;
+      if (this.chosen === chosen) this.chosen = null; // the scene that stood before is tried again, if any
+      this.setView(0);
+      this.editor.disconnected();
+      this.host.refused(error as Error);
+    });
+    return this.joining;
+  }
+
+  private async join(rpc: Rpc, chosen: Scene | null): Promise<void> {
     const session = this.id;
+    const call: Caller = (method, params) => rpc.call(method, params);
+    const scene = chosen ?? this.editor.scene ?? (await this.host.firstScene(call));
+    if (this.rpc !== rpc || scene === null) return;
     const state = await rpc.call("session.open", { session, scene });
     if (this.rpc !== rpc) return;
+    if (chosen !== null) this.editor.forget();
+    if (this.chosen === chosen) this.chosen = null;
     this.editor.connected(
       {
         patch: (patch, gesture) => rpc.call("scene.patch", { session, patch, gesture }),
@@ -126,6 +157,8 @@ export class Session {
       state,
     );
     this.host.opened(state);
+    // Another page of the session may have opened it with something else.
+    if (chosen !== null && chosen.dataset !== state.scene.dataset) void this.editor.propose(chosen);
     this.sentSize = this.host.viewSize();
     this.host.viewOpening();
     const { view } = await rpc.call("view.open", { session, ...this.sentSize, stream: this.host.stream() });

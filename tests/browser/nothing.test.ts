@@ -1,0 +1,128 @@
+// Where there is nothing to see, the page says why, and what can be done.
+import assert from "node:assert/strict";
+import { execFileSync } from "node:child_process";
+import { existsSync, mkdtempSync, renameSync, rmSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { after, afterEach, before, describe, test } from "node:test";
+import { fragmentOf } from "./link.ts";
+import type { Client } from "./page.ts";
+import { difference } from "./png.ts";
+import { Server } from "./server.ts";
+import { data, skip, Stage } from "./stage.ts";
+
+describe("nothing", { skip }, () => {
+  const stage = new Stage();
+  const folder = mkdtempSync(join(tmpdir(), "ciel-nothing-"));
+  const away = mkdtempSync(join(tmpdir(), "ciel-away-"));
+  let server: Server;
+  let moved = NaN; // the iso-value of the scene that the server no longer has the dataset for
+  before(async () => {
+    for (const name of ["here", "gone"]) execFileSync("cp", ["-al", data[0] ?? "", join(folder, `${name}.ciel`)]);
+    server = await Server.started([folder]);
+  });
+  after(async () => {
+    await server.stop();
+    for (const path of [folder, away]) rmSync(path, { recursive: true });
+  });
+  const [here, elsewhere] = [join(folder, "gone.ciel"), join(away, "gone.ciel")];
+  const remove = (): void => renameSync(here, elsewhere);
+  const giveBack = (): void => {
+    if (existsSync(elsewhere)) renameSync(elsewhere, here);
+  };
+  afterEach(giveBack);
+  const shown = (client: Client): Promise<number> => client.page.locator(".canvases canvas:visible").count();
+
+  async function listed(): Promise<void> {
+    const body = JSON.stringify({ jsonrpc: "2.0", id: 1, method: "dataset.list", params: {} });
+    const headers = { "Content-Type": "application/json" };
+    await fetch(new URL("rpc", server.address), { method: "POST", headers, body });
+  }
+
+  /** A page that shows the dataset, and a server that has come back without it. */
+  async function lost(scheme: "dark" | "light"): Promise<Client> {
+    const client = await stage.open(server.address, { scheme });
+    await client.settled();
+    await client.choose("gone");
+    await client.settled();
+    await client.dragIso(0.6);
+    await client.settled();
+    moved = await client.value();
+    await server.stop("SIGKILL");
+    remove();
+    await server.start();
+    await client.page.getByText("There is no dataset 'gone'").waitFor({ timeout: 30_000 });
+    assert.equal(await shown(client), 0, "no picture of what is not here");
+    assert.equal(await client.page.locator(".legend, .triad, .toast, .section").count(), 0);
+    for (const name of ["Undo", "Save a picture", "Export a surface"])
+      assert.ok(await client.button(name).isDisabled(), name);
+    await client.keep(`dataset-gone-${scheme}`);
+    return client;
+  }
+
+  test("a dataset that is gone when the server is back: another is opened at once", async () => {
+    const client = await lost("dark");
+    await client.button("here").click();
+    await client.page.waitForFunction(() => document.title.startsWith("here "));
+    await client.settled();
+    assert.equal(await shown(client), 1);
+    assert.ok(await client.button("Undo").isDisabled());
+    const before = await client.picture();
+    await client.dragIso(0.7);
+    await client.settled();
+    assert.ok(difference(before, await client.picture()) > 0.005, "the page is alive");
+    assert.deepEqual(client.problems, []);
+    await client.close();
+  });
+
+  test("from the toolbar too, and by a link", async () => {
+    const client = await lost("light");
+    await client.choose("here");
+    await client.settled();
+    await client.close();
+    giveBack();
+    const other = await lost("light");
+    await other.page.evaluate((hash) => void (location.hash = hash), fragmentOf({ dataset: "here" }));
+    await other.settled();
+    assert.match(await other.page.title(), /^here /);
+    await other.close();
+  });
+
+  test("a dataset that is there again shows the scene that was kept", async () => {
+    const client = await lost("dark");
+    await client.button("Try again").click();
+    await client.page.getByText("There is no dataset 'gone'").waitFor();
+    giveBack();
+    await client.button("Try again").click();
+    await client.settled();
+    assert.equal(await client.value(), moved);
+    assert.match(await client.page.title(), /^gone /);
+    assert.deepEqual(client.problems, []);
+    await client.close();
+  });
+
+  test("an undo to a dataset that was removed is said, and later steps are undone all the same", async () => {
+    const client = await stage.open(server.address);
+    await client.settled();
+    await client.choose("gone");
+    await client.settled();
+    await client.choose("here");
+    await client.settled();
+    remove();
+    await listed(); // the server looks into its folder
+    const value = await client.value();
+    await client.button("Undo").click();
+    await client.toast("This cannot be undone. There is no dataset 'gone'").waitFor();
+    await client.keep("undo-to-nowhere");
+    assert.ok(await client.button("Undo").isDisabled());
+    await client.settled();
+    await client.dragIso(0.3);
+    await client.settled();
+    assert.notEqual(await client.value(), value);
+    await client.button("Undo").click();
+    await client.reached(value);
+    await client.settled();
+    assert.deepEqual(client.problems, []);
+    await client.close();
+  });
+});
