@@ -5,6 +5,7 @@ import { existsSync, mkdtempSync, renameSync, rmSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, afterEach, before, describe, test } from "node:test";
+import { cubeIn } from "./cube.ts";
 import { fragmentOf } from "./link.ts";
 import type { Client } from "./page.ts";
 import { difference } from "./png.ts";
@@ -124,5 +125,28 @@ describe("nothing", { skip }, () => {
     await client.settled();
     assert.deepEqual(client.problems, []);
     await client.close();
+  });
+
+  test("a slice beside the data, values without a surface, an array of one value", async () => {
+    const cube = await Server.started([cubeIn(away)]);
+    const layers = { slice: { type: "slice", axis: "z", value: 0.5, color: { array: "c" } } };
+    const client = await stage.open(cube.address + fragmentOf({ dataset: "cube", layers }));
+    await client.settled();
+    const legend = client.page.getByLabel("Colours of c");
+    await legend.getByText("everywhere").waitFor();
+    assert.equal((await legend.locator(".legend-scale").textContent())?.trim(), "3everywhere");
+    await client.keep("one-value");
+    const field = client.page.getByLabel("Position on z");
+    await field.fill("7");
+    await field.press("Enter");
+    await client.page.getByText("No slice: z goes from 0 to 1.").waitFor();
+    await client.page.getByText("None of the surfaces that are switched on").waitFor();
+    await client.keep("empty");
+    await field.fill("0.25");
+    await field.press("Enter");
+    await client.settled();
+    assert.equal(await client.page.locator(".lacking").count(), 0);
+    await client.close();
+    await cube.stop();
   });
 });

@@ -167,7 +167,14 @@ describe("page", { skip }, () => {
   test("a surface leaves as a file", async () => {
     const client = await stage.same();
     await client.button("Export a surface").click();
-    await client.page.getByLabel("Surface", { exact: true }).selectOption("iso");
+    const surface = client.page.getByLabel("Surface", { exact: true });
+    const names = await surface.locator("option").allTextContents();
+    assert.ok(
+      names.some((name) => /^Iso-surface of \S+ at [\d.]/.test(name)),
+      names.join(),
+    );
+    await client.keep("export");
+    await surface.selectOption("iso");
     const [file] = await Promise.all([client.page.waitForEvent("download"), client.button("PLY").click()]);
     const text = (await readFile(await file.path())).toString("latin1");
     assert.match(text, /^ply\n/);

@@ -1,6 +1,15 @@
 import { describe, expect, test } from "vitest";
-import type { ArrayInfo, DatasetDescription, Scene } from "../src/generated/protocol";
-import { freeId, layersOf, legendsOf, nearestStep, rangeOfAllSteps, topOrder, unitsOf } from "../src/scene/scalars";
+import type { ArrayInfo, DatasetDescription, Layer, Scene } from "../src/generated/protocol";
+import {
+  freeId,
+  layersOf,
+  legendsOf,
+  nearestStep,
+  rangeOfAllSteps,
+  topOrder,
+  unitsOf,
+  wantsSurfaces,
+} from "../src/scene/scalars";
 
 const array = (name: string, components: number, scalars: string[]): ArrayInfo => ({
   name,
@@ -13,7 +22,11 @@ const array = (name: string, components: number, scalars: string[]): ArrayInfo =
   times: [0],
 });
 const description = {
-  arrays: [array("p", 1, ["p"]), array("U", 3, ["U:x", "U:y", "U:z", "U:magnitude"])],
+  arrays: [
+    array("p", 1, ["p"]),
+    array("U", 3, ["U:x", "U:y", "U:z", "U:magnitude"]),
+    { ...array("cell:p", 1, []), association: "cell" },
+  ],
 } as unknown as DatasetDescription;
 const scene: Scene = {
   dataset: "d",
@@ -30,11 +43,20 @@ const scene: Scene = {
 describe("scalars", () => {
   test("units belong to the array, the range of all steps to scalars and magnitudes", () => {
     expect(unitsOf(description, "U:x")).toBe("m\u00b2/s\u00b2");
+    expect(unitsOf(description, "cell:p")).toBe("m\u00b2/s\u00b2"); // a probe reads it, no layer does
     expect(unitsOf(description, "gone")).toBe("");
     expect(rangeOfAllSteps(description, "p")).toEqual([-1, 5]);
     expect(rangeOfAllSteps(description, "U:magnitude")).toEqual([-1, 5]);
     expect(rangeOfAllSteps(description, "U:x")).toBeNull();
     expect(rangeOfAllSteps(null, "p")).toBeNull();
+  });
+
+  test("something should be seen of a layer that is switched on and has a value", () => {
+    const of = (layers: Record<string, Layer>): boolean => wantsSurfaces({ dataset: "d", layers });
+    expect(wantsSurfaces(scene)).toBe(true);
+    expect(of({ outline: { type: "outline" }, off: { type: "surface", visible: false } })).toBe(false);
+    expect(of({ iso: { type: "iso", array: "p", values: [] } })).toBe(false);
+    expect([of({}), wantsSurfaces(null)]).toEqual([false, false]);
   });
 
   test("the nearest step", () => {

@@ -60,6 +60,16 @@ function ColorScale({ coloring, layers, range }: Entry & { range: Range }): JSX.
   );
 }
 
+/** Of an array that has one value: a scale of it would say the same thrice. */
+function OneValue({ value }: { value: number }): JSX.Element {
+  return (
+    <p class="one-value">
+      {formatNumber(value)}
+      <small>everywhere</small>
+    </p>
+  );
+}
+
 function RangeButtons({ coloring, layers, range }: Entry & { range: Range }): JSX.Element {
   const { actions } = useApp();
   const description = useAppState((state) => state.description);
@@ -99,6 +109,7 @@ function LegendEntry({ coloring, layers }: Entry): JSX.Element {
   const own =
     description === null ? null : histograms.get(description.name, coloring.array, shownTime(description, scene));
   const range: Range | null = coloring.range ?? own?.range ?? null;
+  const constant = !coloring.range && range !== null && range[0] === range[1];
   return (
     <figure class="legend" aria-label={`Colours of ${coloring.array}`}>
       <figcaption>
@@ -108,7 +119,8 @@ function LegendEntry({ coloring, layers }: Entry): JSX.Element {
       </figcaption>
       <div class="legend-scale">
         <ColorBar map={coloring.map ?? DEFAULT_MAP} />
-        {range !== null && <ColorScale coloring={coloring} layers={layers} range={range} />}
+        {range !== null &&
+          (constant ? <OneValue value={range[0]} /> : <ColorScale coloring={coloring} layers={layers} range={range} />)}
       </div>
       {range !== null && <RangeButtons coloring={coloring} layers={layers} range={range} />}
     </figure>

@@ -1,7 +1,9 @@
 // What stands in the way of a live picture, in full sentences.
 import type { JSX } from "preact";
 import { useEffect, useState } from "preact/hooks";
+import type { AppState } from "../app/state";
 import { formatCount } from "../scene/numbers";
+import { wantsSurfaces } from "../scene/scalars";
 import { TokenForm } from "./token_form";
 import { useApp, useAppState } from "./context";
 
@@ -108,13 +110,23 @@ export function FatalNotice(): JSX.Element | null {
   );
 }
 
+const EMPTY = "None of the surfaces that are switched on meets the data at this time.";
+
+/** Whether the picture of this scene is here, and no surface is in it. */
+function isEmpty({ scene, readout, pending, revision }: AppState): boolean {
+  const current = readout.stream === "geometry" || (readout.stream === "image" && readout.revision >= revision);
+  return current && !pending && readout.triangles === 0 && wantsSurfaces(scene);
+}
+
 export function LackingNotice(): JSX.Element | null {
   const lacking = useAppState((state) => state.lacking);
+  const empty = useAppState(isEmpty);
   const connected = useAppState((state) => state.connection.kind === "open");
-  if (lacking.length === 0 || !connected) return null;
+  const sentences = lacking.length === 0 && empty ? [EMPTY] : lacking;
+  if (sentences.length === 0 || !connected) return null;
   return (
     <div class="lacking" role="status">
-      {lacking.map((sentence) => (
+      {sentences.map((sentence) => (
         <p key={sentence}>{sentence}</p>
       ))}
     </div>

@@ -31,22 +31,30 @@ function AxisRow({ axis, entry }: { axis: Axis; entry: [string, SliceLayer] | un
     if (entry !== undefined) actions.setLayer(entry[0], { value: position }, gesture);
   };
   const units = description?.length_units ?? "";
+  const text = (position: number): string => formatNumber(position, high - low);
   return (
-    <div class="axis-row">
-      <Check label={axis.toUpperCase()} checked={shown} onChange={toggle} />
-      <Slider
-        label={`Position of the ${axis} slice`}
-        min={low}
-        max={high}
-        step={niceStep([low, high])}
-        value={value}
-        text={`${formatNumber(value, high - low)} ${units}`.trim()}
-        disabled={!shown}
-        newGesture={() => editor.newGesture()}
-        onChange={set}
-      />
-      <NumberField label={`Position on ${axis}`} value={shown ? value : null} span={high - low} onChange={set} />
-    </div>
+    <>
+      <div class="axis-row">
+        <Check label={axis.toUpperCase()} checked={shown} onChange={toggle} />
+        <Slider
+          label={`Position of the ${axis} slice`}
+          min={low}
+          max={high}
+          step={niceStep([low, high])}
+          value={value}
+          text={`${text(value)} ${units}`.trim()}
+          disabled={!shown}
+          newGesture={() => editor.newGesture()}
+          onChange={set}
+        />
+        <NumberField label={`Position on ${axis}`} value={shown ? value : null} span={high - low} onChange={set} />
+      </div>
+      {shown && description !== null && (value < low || value > high) && (
+        <p class="hint" role="status">
+          No slice: {axis} goes from {text(low)} to {text(high)}.
+        </p>
+      )}
+    </>
   );
 }
 

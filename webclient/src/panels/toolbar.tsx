@@ -2,6 +2,7 @@ import type { JSX } from "preact";
 import { AXIS_VIEWS, type AxisView } from "../camera/camera";
 import type { ExportFormat } from "../app/actions";
 import type { Theme } from "../app/state";
+import { layerNames } from "../scene/layer_names";
 import { MINUS } from "../scene/numbers";
 import { Check, IconButton, Menu, SelectField } from "./controls";
 import { useApp, useAppState } from "./context";
@@ -76,6 +77,7 @@ function ExportMenu({ disabled }: { disabled: boolean }): JSX.Element {
   const { actions } = useApp();
   const scene = useAppState((state) => state.scene);
   const layers = Object.entries(scene?.layers ?? {}).filter(([, layer]) => layer.type !== "outline");
+  const names = layerNames(scene);
   const [chosen, setChosen] = useState("");
   const [triangles, setTriangles] = useState(false);
   const layer = layers.some(([id]) => id === chosen) ? chosen : (layers[0]?.[0] ?? "");
@@ -86,7 +88,7 @@ function ExportMenu({ disabled }: { disabled: boolean }): JSX.Element {
           <SelectField
             label="Surface"
             value={layer}
-            options={layers.map(([id, { type }]) => ({ value: id, text: id === type ? id : `${id} (${type})` }))}
+            options={layers.map(([id]) => ({ value: id, text: names.get(id) ?? id }))}
             onChange={setChosen}
           />
           <Check label="Triangles only" checked={triangles} onChange={setTriangles} />

@@ -18,8 +18,11 @@ export function scalarsOf(description: DatasetDescription | null): Scalar[] {
 export const arrayOf = (description: DatasetDescription | null, scalar: string): ArrayInfo | undefined =>
   scalarsOf(description).find(({ name }) => name === scalar)?.array;
 
-export const unitsOf = (description: DatasetDescription | null, scalar: string): string =>
-  scalarsOf(description).find(({ name }) => name === scalar)?.units ?? "";
+/** Also of a cell array, which has no scalars: no layer is made from it, but a probe reads it. */
+export function unitsOf(description: DatasetDescription | null, name: string): string {
+  const array = arrayOf(description, name) ?? description?.arrays.find((other) => other.name === name);
+  return prettyUnits(array?.units ?? "");
+}
 
 /** null where it is known of single steps only: a vector's range is its magnitude's. */
 export function rangeOfAllSteps(description: DatasetDescription | null, scalar: string): Range | null {
@@ -49,6 +52,12 @@ export function layersOf<T extends Layer["type"]>(scene: Scene | null, type: T):
   );
   return ofType.sort(([a, x], [b, y]) => (x.order ?? 0) - (y.order ?? 0) || (a < b ? -1 : 1));
 }
+
+/** Whether there is a layer in the scene of which something should be seen; the outline is always. */
+export const wantsSurfaces = (scene: Scene | null): boolean =>
+  Object.values(scene?.layers ?? {}).some(
+    (layer) => layer.visible !== false && layer.type !== "outline" && (layer.type !== "iso" || layer.values.length > 0),
+  );
 
 /** An id that no layer has: prefix, prefix2, prefix3 ... */
 export function freeId(scene: Scene, prefix: string): string {
