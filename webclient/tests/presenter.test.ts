@@ -15,6 +15,7 @@ let failures: Error[] = [];
 let frames: (() => void)[] = [];
 let decoding = new Map<number, { finish: () => void; fail: (error: Error) => void; image: FakeImage }>();
 let presenter: Presenter;
+let canDraw = true;
 
 const runFrame = (): void => frames.splice(0).forEach((frame) => frame());
 const image = (frame: number, view = 1): void => presenter.receive(frameBytes({ frame, view }, PNG_SIGNATURE));
@@ -24,11 +25,15 @@ const finish = async (frame: number): Promise<void> => {
 };
 
 beforeEach(() => {
+  canDraw = true;
   [acknowledged, drawn, failures, frames, decoding] = [[], [], [], [], new Map<number, never>()];
   presenter = new Presenter(
     {
       showImage: (bitmap) => void drawn.push((bitmap as unknown as FakeImage).frame),
-      showGeometry: (batches) => void drawn.push(batches),
+      showGeometry: (batches) => {
+        if (!canDraw) throw new Error("no WebGL2");
+        drawn.push(batches);
+      },
     },
     {
       image: (message) =>
@@ -172,6 +177,24 @@ describe("while a view is being opened", () => {
 });
 
 describe("geometry", () => {
+  test("a frame with a damaged batch is said and acknowledged, not shown, and the next one is", () => {
+    presenter.receive(frameBytes({ kind: 2, flags: 4, frame: 3 }, part("a").slice(0, 20)));
+    presenter.receive(frameBytes({ kind: 2, flags: 2, frame: 3 }, part("b")));
+    runFrame();
+    expect([failures.length, drawn, acknowledged]).toEqual([1, [], [3]]);
+    presenter.receive(frameBytes({ kind: 2, flags: 6, frame: 4 }, part("c")));
+    runFrame();
+    expect(drawn).toMatchObject([[{ layer: "c" }]]);
+    expect(acknowledged).toEqual([3, 4]);
+  });
+
+  test("where it cannot be drawn, that is said, and the server goes on", () => {
+    canDraw = false;
+    presenter.receive(frameBytes({ kind: 2, flags: 6, frame: 3 }, part("a")));
+    runFrame();
+    expect([failures.length, acknowledged]).toEqual([1, [3]]);
+  });
+
   test("a frame is shown when its last message is here, and acknowledged once", () => {
     presenter.receive(frameBytes({ kind: 2, flags: 4, frame: 3 }, part("a")));
     runFrame();

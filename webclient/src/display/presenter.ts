@@ -30,7 +30,7 @@ export class Presenter {
   private view = 0;
   private lastFrame = 0;
   private ready: ReadyFrame | null = null;
-  private parts: { frame: number; batches: GeometryBatch[]; bytes: number } | null = null;
+  private parts: { frame: number; batches: GeometryBatch[]; bytes: number; damaged: boolean } | null = null;
   private frameRequested = false;
   /** While a view is being opened. */
   private early: EarlyFrames | null = null;
@@ -95,13 +95,23 @@ export class Presenter {
   }
 
   private receiveGeometry(header: FrameHeader, message: ArrayBuffer): void {
-    if (header.first || this.parts?.frame !== header.frame) this.parts = { frame: header.frame, batches: [], bytes: 0 };
+    if (header.first || this.parts?.frame !== header.frame)
+      this.parts = { frame: header.frame, batches: [], bytes: 0, damaged: false };
     const { parts } = this;
-    const batch = this.decoders.geometry(message);
-    if (batch !== null) parts.batches.push(batch);
+    try {
+      const batch = this.decoders.geometry(message);
+      if (batch !== null) parts.batches.push(batch);
+    } catch (error) {
+      parts.damaged = true;
+      this.events.failed(error as Error);
+    }
     parts.bytes += message.byteLength;
     if (!header.last) return;
     this.parts = null;
+    if (parts.damaged) {
+      this.events.acknowledge(header.view, header.frame); // as with a damaged image
+      return;
+    }
     const draw = (): void => this.screen.showGeometry(parts.batches);
     this.offer({ header, bytes: parts.bytes, draw, release: () => undefined });
   }
@@ -133,9 +143,13 @@ export class Presenter {
     if (frame === null) return;
     this.ready = null;
     this.lastFrame = frame.header.frame;
-    frame.draw();
+    try {
+      frame.draw();
+      this.events.presented(frame.header, frame.bytes);
+    } catch (error) {
+      this.events.failed(error as Error); // a browser without WebGL2
+    }
     frame.release();
     this.events.acknowledge(frame.header.view, frame.header.frame);
-    this.events.presented(frame.header, frame.bytes);
   }
 }
