@@ -17,10 +17,10 @@ SceneSource::SceneSource(const Context& context, const std::optional<std::string
 
 std::shared_ptr<const session::Geometry> SceneSource::geometry() const {
     const std::stop_token& stop = context_.connection.stop;
-    auto made =
-        session_
-            ? session_->geometry(*version_, stop)
-            : session::SceneGeometry(context_.server.services().engine).update(version_->scene, version_->loaded, stop);
+    const session::Services& services = context_.server.services();
+    auto made = session_ ? session_->geometry(*version_, stop)
+                         : session::SceneGeometry(services.engine)
+                               .update(version_->scene, version_->loaded, stop, services.limits.session_memory_bytes);
     context_.check_wanted();
     session::require_complete(*made);
     return made;

@@ -8,16 +8,42 @@
 namespace ciel::methods {
 namespace {
 
-// The layer's iso-values as one surface, one after the other.
-wire::JoinedSurface joined(const session::Geometry& geometry, const std::string& layer) {
+// The layer's iso-values as one surface, one after the other. Throws LimitReached before there is more than a file may
+// have.
+wire::JoinedSurface joined(const Context& context, const session::Geometry& geometry, const std::string& layer,
+                           wire::SurfaceFormat format, bool triangles) {
+    const std::size_t limit = context.server.limits().export_bytes;
+    std::uint64_t bytes = 0;
     wire::JoinedSurface result;
     for (const session::Drawable& drawable : geometry.drawables) {
         if (drawable.layer != layer) continue;
+        context.check_wanted();
         std::vector<wire::NamedValues> values;
         if (drawable.scalars) values.push_back({drawable.array, *drawable.scalars});
+        wire::JoinedSurface one;
+        one.add(drawable.shape->surface, values);
+        bytes += wire::body_bytes(format, {one.surface(), geometry.origin, one.values(), triangles});
+        if (bytes > limit)
+            throw session::LimitReached("the file would have more than the " + std::to_string(limit >> 20) +
+                                        " MB that an export may have; use `ciel extract`");
         result.add(drawable.shape->surface, values);
     }
     return result;
+}
+
+struct File {
+    std::string bytes;
+    wire::ExportedCounts counts;
+};
+
+File file_of(const Context& context, const SceneSource& source, const protocol::SurfaceExportParams& params) {
+    const wire::SurfaceFormat format = wire::surface_format("." + params.format);
+    const auto geometry = source.geometry();
+    const wire::JoinedSurface surface = joined(context, *geometry, params.layer, format, params.triangles);
+    std::ostringstream out;
+    const wire::ExportedCounts counts =
+        wire::write_surface(format, {surface.surface(), geometry->origin, surface.values(), params.triangles}, out);
+    return {std::move(out).str(), counts};
 }
 
 const char* mime_of(wire::SurfaceFormat format) {
@@ -44,19 +70,11 @@ protocol::SurfaceExportResult surface_export(Context& context, const protocol::S
     if (std::holds_alternative<scene::OutlineLayer>(layer->kind))
         throw InvalidParams("/layer", "layer " + params.layer + " is an outline and has no polygons");
 
-    const auto geometry = source.geometry();
-    const wire::JoinedSurface surface = joined(*geometry, params.layer);
-    const wire::SurfaceFormat format = wire::surface_format("." + params.format);
-    std::ostringstream out;
-    const wire::ExportedCounts written =
-        wire::write_surface(format, {surface.surface(), geometry->origin, surface.values(), params.triangles}, out);
-    const std::string bytes = std::move(out).str();
-    if (bytes.size() > context.server.limits().export_bytes)
-        throw session::LimitReached("the surface has " + std::to_string(bytes.size() >> 20) +
-                                    " MB, more than an export may have; use `ciel extract`");
-    return {mime_of(format), params.layer + "." + params.format,
-            base64({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()}),
-            static_cast<std::int64_t>(written.polygons), static_cast<std::int64_t>(written.vertices)};
+    const File file = file_of(context, source, params);
+    context.check_wanted();
+    return {mime_of(wire::surface_format("." + params.format)), params.layer + "." + params.format,
+            base64({reinterpret_cast<const std::uint8_t*>(file.bytes.data()), file.bytes.size()}),
+            static_cast<std::int64_t>(file.counts.polygons), static_cast<std::int64_t>(file.counts.vertices)};
 }
 
 } // namespace ciel::methods

@@ -3,6 +3,16 @@
 #include <atomic>
 
 namespace ciel::session {
+namespace {
+
+std::size_t bytes_of(const Shape& shape) {
+    const Surface& s = shape.surface;
+    return (s.positions.size() + s.normals.size()) * sizeof(Vec3f) + s.points.size() * sizeof(EdgePoint) +
+           (s.polygon_offset.size() + s.polygon_vertex.size() + s.polygon_cell.size() + shape.indices.size()) *
+               sizeof(Index);
+}
+
+} // namespace
 
 std::uint64_t unique_number() {
     static std::atomic<std::uint64_t> last{0};
@@ -54,5 +64,11 @@ bool Cut::extract(double new_nu, bool new_normals, const std::stop_token& stop) 
     shape = std::move(made);
     return true;
 }
+
+std::size_t Cut::memory_bytes() const {
+    return (query ? query->memory_bytes() : 0) + (shape ? bytes_of(*shape) : 0) + painted.memory_bytes();
+}
+
+std::size_t Boundary::memory_bytes() const { return (shape ? bytes_of(*shape) : 0) + painted.memory_bytes(); }
 
 } // namespace ciel::session

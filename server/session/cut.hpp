@@ -17,6 +17,7 @@ struct Painted {
     std::shared_ptr<const std::vector<float>> scalars;
     std::uint64_t identity = unique_number(), revision = 0;
 
+    [[nodiscard]] std::size_t memory_bytes() const { return scalars ? scalars->size() * sizeof(float) : 0; }
     void paint(const std::shared_ptr<const Shape>& new_shape, const std::string& new_array, std::size_t new_step,
                store::LoadedDataset& loaded);
 };
@@ -34,12 +35,15 @@ struct Cut {
     void use_field(const std::string& name, store::ScalarField new_field, Engine engine);
     // False when stopped; the shape is then made anew by the next call.
     bool extract(double new_nu, bool new_normals, const std::stop_token& stop);
+    [[nodiscard]] std::size_t memory_bytes() const;
 };
 
 struct Boundary {
     std::string key; // what it was made from
     std::shared_ptr<const Shape> shape;
     Painted painted;
+
+    [[nodiscard]] std::size_t memory_bytes() const;
 };
 
 [[nodiscard]] std::shared_ptr<const Shape> boundary_shape(const store::Dataset& dataset, const store::Step& step,

@@ -1,6 +1,7 @@
 #include "session/scene_geometry.hpp"
 
 #include "session/cut.hpp"
+#include "session/errors.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -34,13 +35,6 @@ void colour(Drawable& drawable, const scene::Coloring& coloring, const scene::La
         drawable.range = {static_cast<float>((*coloring.range)[0]), static_cast<float>((*coloring.range)[1])};
 }
 
-std::size_t bytes_of(const Shape& shape) {
-    const Surface& s = shape.surface;
-    return (s.positions.size() + s.normals.size()) * sizeof(Vec3f) + s.points.size() * sizeof(EdgePoint) +
-           (s.polygon_offset.size() + s.polygon_vertex.size() + s.polygon_cell.size() + shape.indices.size()) *
-               sizeof(Index);
-}
-
 // High means value >= nu, so a plane on the low side of the domain would cut nothing. One that is off a side by no more
 // than rounding means the side.
 double on_the_side(double nu, std::array<float, 2> range) {
@@ -69,9 +63,18 @@ struct Update {
     Geometry& out;
     std::map<std::pair<std::string, std::size_t>, Cut>& cuts;
     std::map<std::pair<std::string, std::size_t>, Boundary>& boundaries;
-    std::set<std::pair<std::string, std::size_t>> used{};
+    const std::size_t most_bytes;
+    std::size_t bytes; // of all that is kept
 
     [[nodiscard]] const store::Step& step() const { return dataset->steps()[out.step]; }
+
+    // Looked at after each surface, so that a scene which is too large is never made.
+    void count(std::size_t before, std::size_t after) {
+        bytes = bytes - before + after;
+        if (bytes > most_bytes)
+            throw LimitReached("the surfaces of this scene need more than the " + std::to_string(most_bytes >> 20) +
+                               " MB that a scene may have; show fewer values or layers");
+    }
 
     void add(Painted& painted, const std::shared_ptr<const Shape>& shape, const scene::Coloring& coloring,
              const scene::Layer& layer, bool lit) {
@@ -101,8 +104,8 @@ struct Update {
 
     bool operator()(const scene::Layer& layer, const scene::IsoLayer& iso) {
         for (std::size_t i = 0; i < iso.values.size(); ++i) {
-            used.insert({layer.id, i});
             Cut& cut = cuts[{layer.id, i}];
+            const std::size_t before = cut.memory_bytes();
             const std::string name = "field " + std::to_string(out.step) + " " + iso.array;
             try {
                 if (cut.field_name != name) cut.use_field(name, loaded->scalar(iso.array, out.step), engine);
@@ -112,6 +115,7 @@ struct Update {
             }
             if (!cut.extract(iso.values[i], iso.smooth, stop)) return false;
             add(cut.painted, cut.shape, iso.color, layer, true);
+            count(before, cut.memory_bytes());
         }
         return true;
     }
@@ -119,14 +123,15 @@ struct Update {
     // The field is measured from the mesh's origin, whatever the slice's, so that a slice that moves along its normal
     // is only another nu of the same field.
     bool operator()(const scene::Layer& layer, const scene::SliceLayer& slice) {
-        used.insert({layer.id, 0});
         Cut& cut = cuts[{layer.id, 0}];
+        const std::size_t before = cut.memory_bytes();
         const std::string name = plane_name(slice, step());
         if (cut.field_name != name) cut.use_field(name, loaded->plane(out.step, out.origin, slice.normal), engine);
         double nu = 0;
         for (std::size_t axis = 0; axis < 3; ++axis) nu += slice.normal[axis] * (slice.origin[axis] - out.origin[axis]);
         if (!cut.extract(on_the_side(nu, cut.field.field->range()), false, stop)) return false;
         add(cut.painted, cut.shape, slice.color, layer, false);
+        count(before, cut.memory_bytes());
         return true;
     }
 
@@ -134,8 +139,10 @@ struct Update {
         std::string key = "surface " + std::to_string(step().mesh) + " " + std::to_string(step().coordinates);
         for (const auto& group : surface.groups) key += '\0' + group;
         Boundary& kept = boundary(layer, key);
+        const std::size_t before = kept.memory_bytes();
         if (!kept.shape) kept.shape = boundary_shape(*dataset, step(), surface.groups);
         add(kept.painted, kept.shape, surface.color, layer, true);
+        count(before, kept.memory_bytes());
         return true;
     }
 
@@ -149,9 +156,10 @@ struct Update {
     }
 
     Boundary& boundary(const scene::Layer& layer, const std::string& key) {
-        used.insert({layer.id, 0});
         Boundary& kept = boundaries[{layer.id, 0}];
+        const std::size_t before = kept.memory_bytes();
         if (kept.key != key) kept.shape = nullptr;
+        count(before, kept.memory_bytes());
         kept.key = key;
         return kept;
     }
@@ -170,7 +178,7 @@ SceneGeometry& SceneGeometry::operator=(SceneGeometry&&) noexcept = default;
 
 std::shared_ptr<const Geometry> SceneGeometry::update(const scene::Scene& scene,
                                                       const std::shared_ptr<store::LoadedDataset>& loaded,
-                                                      const std::stop_token& stop) {
+                                                      const std::stop_token& stop, std::size_t most_bytes) {
     if (loaded != loaded_) {
         cuts_.clear();
         boundaries_.clear();
@@ -188,33 +196,40 @@ std::shared_ptr<const Geometry> SceneGeometry::update(const scene::Scene& scene,
     geometry->bounds_min = low(dataset->info().meshes[step.mesh]);
     geometry->bounds_max = high(dataset->info().meshes[step.mesh]);
 
-    Update run{engine_, loaded, dataset, stop, *geometry, cuts_, boundaries_};
+    forget_all_but(scene); // first, for what comes needs the room
+    Update run{engine_, loaded, dataset, stop, *geometry, cuts_, boundaries_, most_bytes, memory_bytes()};
     for (const scene::Layer& layer : scene.layers) {
-        if (!layer.visible) {
-            for (auto& [key, cut] : cuts_) // kept: showing it again costs nothing
-                if (key.first == layer.id) run.used.insert(key);
-            continue;
-        }
+        if (!layer.visible) continue;
         const auto make = [&](const auto& kind) { return run(layer, kind); };
         if (!std::visit(make, layer.kind)) return nullptr;
     }
     dataset->check_intact();
-    std::erase_if(cuts_, [&](const auto& entry) { return !run.used.contains(entry.first); });
-    std::erase_if(boundaries_, [&](const auto& entry) { return !run.used.contains(entry.first); });
     geometry->bytes = memory_bytes();
     return geometry;
 }
 
+void SceneGeometry::forget_all_but(const scene::Scene& scene) {
+    std::map<std::string, std::size_t> cuts_of; // how many stay
+    std::set<std::string> shown;
+    for (const scene::Layer& layer : scene.layers) {
+        const auto* iso = std::get_if<scene::IsoLayer>(&layer.kind);
+        if (layer.visible) shown.insert(layer.id);
+        if (!layer.visible)
+            cuts_of[layer.id] = SIZE_MAX; // showing it again costs nothing
+        else
+            cuts_of[layer.id] = iso != nullptr ? iso->values.size() : 1;
+    }
+    std::erase_if(cuts_, [&](const auto& entry) {
+        const auto kept = cuts_of.find(entry.first.first);
+        return kept == cuts_of.end() || entry.first.second >= kept->second;
+    });
+    std::erase_if(boundaries_, [&](const auto& entry) { return !shown.contains(entry.first.first); });
+}
+
 std::size_t SceneGeometry::memory_bytes() const {
     std::size_t bytes = 0;
-    const auto painted = [](const Painted& p) { return p.scalars ? p.scalars->size() * sizeof(float) : 0; };
-    for (const auto& [key, cut] : cuts_) {
-        if (cut.query) bytes += cut.query->memory_bytes();
-        if (cut.shape) bytes += bytes_of(*cut.shape);
-        bytes += painted(cut.painted);
-    }
-    for (const auto& [key, boundary] : boundaries_)
-        bytes += (boundary.shape ? bytes_of(*boundary.shape) : 0) + painted(boundary.painted);
+    for (const auto& [key, cut] : cuts_) bytes += cut.memory_bytes();
+    for (const auto& [key, boundary] : boundaries_) bytes += boundary.memory_bytes();
     return bytes;
 }
 

@@ -7,6 +7,7 @@
 #include "scene/scene.hpp"
 #include "store/loaded.hpp"
 
+#include <cstdint>
 #include <map>
 #include <memory>
 #include <stop_token>
@@ -59,15 +60,19 @@ public:
     SceneGeometry(SceneGeometry&&) noexcept;
     SceneGeometry& operator=(SceneGeometry&&) noexcept;
 
-    // Brings the geometry to `scene`, whose dataset `loaded` is. Returns null when `stop` was requested. Throws Error
-    // or scene::Invalid, and can be called again with another scene then.
+    // Brings the geometry to `scene`, whose dataset `loaded` is. Returns null when `stop` was requested. Throws Error,
+    // scene::Invalid, or LimitReached as soon as what is kept needs more than `most_bytes`, which it passes by one
+    // surface at most; it can be called again with another scene then.
     [[nodiscard]] std::shared_ptr<const Geometry> update(const scene::Scene& scene,
                                                          const std::shared_ptr<store::LoadedDataset>& loaded,
-                                                         const std::stop_token& stop = {});
+                                                         const std::stop_token& stop = {},
+                                                         std::size_t most_bytes = SIZE_MAX);
     [[nodiscard]] std::size_t memory_bytes() const; // query state and surfaces
 
 private:
     using Key = std::pair<std::string, std::size_t>; // layer id, index of the value
+    void forget_all_but(const scene::Scene& scene);
+
     Engine engine_;
     std::shared_ptr<store::LoadedDataset> loaded_;
     std::map<Key, Cut> cuts_;

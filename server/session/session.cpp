@@ -156,16 +156,15 @@ void Session::dataset_changed() {
 
 std::shared_ptr<const Geometry> Session::geometry(const SceneVersion& version, const std::stop_token& stop) {
     const std::scoped_lock lock(geometry_mutex_);
-    auto made = scene_geometry_.update(version.scene, version.loaded, stop);
-    bytes_ = scene_geometry_.memory_bytes();
-    if (bytes_ <= services_.limits.session_memory_bytes) return made;
-    const auto megabytes = [](std::size_t bytes) { return std::to_string(bytes >> 20) + " MB"; };
-    const std::string sentence = "the surfaces of this scene need " + megabytes(bytes_) + ", more than the " +
-                                 megabytes(services_.limits.session_memory_bytes) +
-                                 " of a session; show fewer values or layers";
-    scene_geometry_ = SceneGeometry(services_.engine);
-    bytes_ = 0;
-    throw LimitReached(sentence);
+    try {
+        auto made = scene_geometry_.update(version.scene, version.loaded, stop, services_.limits.session_memory_bytes);
+        bytes_ = scene_geometry_.memory_bytes();
+        return made;
+    } catch (const LimitReached&) {
+        scene_geometry_ = SceneGeometry(services_.engine);
+        bytes_ = 0;
+        throw;
+    }
 }
 
 void Session::release_geometry() {

@@ -79,6 +79,23 @@ ExportedCounts write_surface(SurfaceFormat format, const ExportSurface& surface,
     return {};
 }
 
+std::uint64_t body_bytes(SurfaceFormat format, const ExportSurface& surface) {
+    const bool is_stl = format == SurfaceFormat::stl;
+    const ExportedPolygons polygons = exported_polygons(surface.surface, is_stl || surface.triangles);
+    const std::uint64_t faces = polygons.counts().polygons, vertices = polygons.vertices.size();
+    const std::uint64_t per_vertex = 24 + (surface.surface.normals.empty() ? 0 : 12) + 4 * surface.values.size();
+    const std::uint64_t indices = faces + polygons.corner.size(); // a size or an offset each, and the corners
+    switch (format) {
+    case SurfaceFormat::ply:
+        return vertices * per_vertex + 4 * indices;
+    case SurfaceFormat::stl:
+        return 50 * faces;
+    case SurfaceFormat::vtp:
+        return vertices * per_vertex + 8 * indices;
+    }
+    return 0;
+}
+
 ExportedPolygons exported_polygons(const Surface& surface, bool triangles) {
     Compactor compactor(surface);
     if (triangles) {

@@ -3,6 +3,7 @@
 
 #include "ciel/extract.hpp"
 
+#include <cstdint>
 #include <ostream>
 #include <string>
 #include <vector>
@@ -34,6 +35,9 @@ ExportedCounts write_ply(const ExportSurface& surface, std::ostream& out); // bi
 ExportedCounts write_stl(const ExportSurface& surface, std::ostream& out); // binary; float32 positions and no values
 ExportedCounts write_vtp(const ExportSurface& surface, std::ostream& out); // VTK XML, appended raw, double positions
 ExportedCounts write_surface(SurfaceFormat format, const ExportSurface& surface, std::ostream& out);
+
+// Of the file, but for its head, which is small: for those who want to know before it is made.
+[[nodiscard]] std::uint64_t body_bytes(SurfaceFormat format, const ExportSurface& surface);
 
 // What every format writes.
 struct ExportedPolygons {

@@ -256,6 +256,20 @@ TEST_F(LimitsOf, histogram_bins_and_export_bytes) {
     EXPECT_EQ(client.error_code("surface.export", {{"scene", scene}, {"layer", "s"}, {"format", "stl"}}), -32003);
 }
 
+TEST_F(LimitsOf, memory_of_a_scene_without_a_session) {
+    session::Limits limits;
+    limits.session_memory_bytes = 1000;
+    session::Server server(options(limits));
+    Client client(server, false);
+    const json answer = client.request("picture.render", {{"scene", iso_scene(0)}, {"width", 16}, {"height", 16}});
+    EXPECT_EQ(answer["error"]["code"], -32003);
+    EXPECT_THAT(answer["error"]["data"]["reason"].get<std::string>(),
+                testing::HasSubstr("show fewer values or layers"));
+    EXPECT_EQ(client.error_code("surface.export", {{"scene", iso_scene(0)}, {"layer", "iso"}, {"format", "stl"}}),
+              -32003);
+    EXPECT_EQ(client.error_code("picture.render", {{"scene", {{"dataset", "box"}}}}), 0);
+}
+
 TEST_F(LimitsOf, field_cache_bytes) {
     const auto kept_with = [](std::size_t bytes) {
         session::Limits limits;

@@ -1,5 +1,6 @@
 #include "session/scene_geometry.hpp"
 
+#include "session/errors.hpp"
 #include "small_dataset/small_dataset.hpp"
 #include "store/catalog.hpp"
 
@@ -127,6 +128,23 @@ TEST_P(scene_geometry, hidden_layers_keep_their_state_and_removed_ones_give_it_b
     document["layers"] = json::object();
     EXPECT_TRUE(show(document)->drawables.empty());
     EXPECT_EQ(geometry.memory_bytes(), 0U);
+}
+
+TEST_P(scene_geometry, a_scene_that_is_too_large_is_never_made) {
+    const std::size_t of_one = (show(scene_of({{"a", iso({20})}})), geometry.memory_bytes());
+    json layers;
+    for (char id = 'a'; id <= 'h'; ++id) layers[std::string(1, id)] = iso({20, 20, 20, 20});
+    const auto document = scene::parse(scene_of(layers));
+    const std::size_t most = 5 * of_one / 2;
+    EXPECT_THROW((void)geometry.update(document, loaded, {}, most), LimitReached);
+    EXPECT_EQ(geometry.memory_bytes(), 3 * of_one) << "it ends with the surface that passes the limit";
+    EXPECT_EQ(geometry.update(document, loaded, {}, 32 * of_one)->drawables.size(), 32U);
+}
+
+TEST_P(scene_geometry, what_a_scene_no_longer_shows_makes_room_for_what_it_shows) {
+    const std::size_t of_one = (show(scene_of({{"a", iso({20})}})), geometry.memory_bytes());
+    const auto other = scene::parse(scene_of({{"b", iso({20})}}));
+    EXPECT_NO_THROW((void)geometry.update(other, loaded, {}, of_one));
 }
 
 TEST_P(scene_geometry, any_history_gives_the_same_surface) {

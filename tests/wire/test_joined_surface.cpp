@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sstream>
 
 namespace ciel::wire {
 namespace {
@@ -46,6 +47,20 @@ TEST(JoinedSurface, NormalsAndValuesStayOnlyWhereAllHaveThem) {
     with_empty.add(Surface{}, {});
     with_empty.add(touching(), {});
     EXPECT_EQ(with_empty.surface().normals.size(), 4U);
+}
+
+TEST(SurfaceFiles, TheBodyIsKnownBeforeTheFileIsMade) {
+    constexpr std::size_t largest_head = 2000;
+    for (const SurfaceFormat format : {SurfaceFormat::ply, SurfaceFormat::stl, SurfaceFormat::vtp})
+        for (const bool triangles : {false, true}) {
+            JoinedSurface joined;
+            for (int i = 0; i < 100; ++i) joined.add(touching(), {{"v", {1, 2, 3, 3}}, {"w", {4, 5, 6, 6}}});
+            const ExportSurface surface{joined.surface(), {}, joined.values(), triangles};
+            std::ostringstream file;
+            write_surface(format, surface, file);
+            const std::size_t head = file.str().size() - body_bytes(format, surface);
+            EXPECT_LT(head, largest_head) << "also when it would be negative";
+        }
 }
 
 } // namespace
