@@ -16,24 +16,18 @@ double component_of(std::span<const float> values, int components, Index id, con
     return std::sqrt(squares);
 }
 
-void probe_points(const store::Dataset& dataset, std::size_t step, const store::ArrayInfo& array,
-                  const Weights& weights, Probed& out) {
+// The weighted sum of the values of vertices, or of one cell.
+void probe_array(const store::Dataset& dataset, std::size_t step, const store::ArrayInfo& array, const Weights& weights,
+                 Probed& out) {
     const auto values = dataset.values(array.name, step);
     for (const std::string& scalar : store::scalar_names(array)) {
         out.values[scalar] = std::nullopt;
         if (values.empty()) continue;
         const store::ScalarName name = store::parse_scalar(dataset, scalar);
         double sum = 0;
-        for (const auto& [vertex, share] : weights) sum += share * component_of(values, array.components, vertex, name);
+        for (const auto& [item, share] : weights) sum += share * component_of(values, array.components, item, name);
         out.values[scalar] = finite(sum);
     }
-}
-
-void probe_cell(const store::Dataset& dataset, std::size_t step, const store::ArrayInfo& array, Index cell,
-                Probed& out) {
-    if (array.components != 1) return;
-    const auto values = dataset.values(array.name, step);
-    out.values[array.name] = values.empty() ? std::nullopt : finite(values[cell]);
 }
 
 } // namespace
@@ -47,12 +41,9 @@ Probed probe(const store::Dataset& dataset, std::size_t step, const Locator& loc
     out.cell = dataset.original_cell(mesh)[cell];
     out.vertex = dataset.original_vertex(mesh)[locator.nearest_vertex(cell, position)];
     const Weights weights = locator.weights_in(cell, position);
-    for (const store::ArrayInfo& array : dataset.info().arrays) {
-        if (array.association == store::Association::point)
-            probe_points(dataset, step, array, weights, out);
-        else
-            probe_cell(dataset, step, array, cell, out);
-    }
+    const Weights own{{cell, 1.0}};
+    for (const store::ArrayInfo& array : dataset.info().arrays)
+        probe_array(dataset, step, array, array.association == store::Association::point ? weights : own, out);
     return out;
 }
 

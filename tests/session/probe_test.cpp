@@ -68,6 +68,22 @@ TEST_F(probe_points, a_vertex_is_its_own_nearest) {
     }
 }
 
+TEST(probe_vectors, of_cells_are_told_like_those_of_points) {
+    const Assembled assembled = assemble(test::view(test::hexahedra({{1, 1, 1}})));
+    const test::Folder scratch;
+    store::Writer writer(scratch.path() / "m.ciel", {});
+    writer.add_mesh(assembled.mesh, assembled.original_vertex, assembled.original_cell, {});
+    const std::vector<float> velocity{3, 0, -4};
+    const store::ArrayInfo info{"cell:U", store::Association::cell, 3, "m/s", ""};
+    writer.add_step(0, 0, 0, std::vector<store::ArrayValues>{{info, velocity}});
+    writer.finish();
+    const auto dataset = store::Dataset::open(scratch.path() / "m.ciel");
+    const Probed probed = probe(*dataset, 0, Locator(dataset, 0, 0), {0.5, 0.5, 0.5});
+    EXPECT_EQ(probed.values.at("cell:U:x"), 3);
+    EXPECT_EQ(probed.values.at("cell:U:z"), -4);
+    EXPECT_EQ(probed.values.at("cell:U:magnitude"), 5);
+}
+
 // Every kind of cell there is, non-convex ones too: a point between two cells is found in one of them, and the weights
 // reproduce a linear field.
 TEST(probe_meshes, linear_fields_are_exact_in_every_mesh) {

@@ -44,6 +44,7 @@ describe("scalars", () => {
   test("units belong to the array, the range of all steps to scalars and magnitudes", () => {
     expect(unitsOf(description, "U:x")).toBe("m\u00b2/s\u00b2");
     expect(unitsOf(description, "cell:p")).toBe("m\u00b2/s\u00b2"); // a probe reads it, no layer does
+    expect(unitsOf(description, "cell:p:x")).toBe("m\u00b2/s\u00b2");
     expect(unitsOf(description, "gone")).toBe("");
     expect(rangeOfAllSteps(description, "p")).toEqual([-1, 5]);
     expect(rangeOfAllSteps(description, "U:magnitude")).toEqual([-1, 5]);

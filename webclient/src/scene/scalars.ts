@@ -20,7 +20,9 @@ export const arrayOf = (description: DatasetDescription | null, scalar: string):
 
 /** Also of a cell array, which has no scalars: no layer is made from it, but a probe reads it. */
 export function unitsOf(description: DatasetDescription | null, name: string): string {
-  const array = arrayOf(description, name) ?? description?.arrays.find((other) => other.name === name);
+  const array =
+    arrayOf(description, name) ??
+    description?.arrays.find((other) => name === other.name || name.startsWith(`${other.name}:`));
   return prettyUnits(array?.units ?? "");
 }
 
