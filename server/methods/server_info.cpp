@@ -8,9 +8,10 @@ namespace {
 std::map<std::string, double> table_of(const session::Limits& limits) {
     const auto& [message_bytes, json_depth, batch_requests, connections, sessions, views_per_session, layers,
                  values_per_layer, undo_steps, image_side, image_pixels, histogram_bins, export_bytes, slow_calls,
-                 slow_calls_waiting, slow_calls_of_connection, field_cache_bytes, session_memory_bytes,
-                 unacknowledged_frames, session_idle_seconds, keep_alive_seconds, request_seconds, waiting_text_bytes,
-                 websocket_idle_seconds, drain_seconds] = limits;
+                 slow_calls_waiting, slow_calls_of_connection, field_cache_bytes, dataset_memory_bytes,
+                 dataset_idle_seconds, session_memory_bytes, unacknowledged_frames, session_idle_seconds,
+                 keep_alive_seconds, request_seconds, waiting_text_bytes, websocket_idle_seconds, drain_seconds] =
+        limits;
     const auto number = [](auto value) { return static_cast<double>(value); };
     return {{"message_bytes", number(message_bytes)},
             {"json_depth", number(json_depth)},
@@ -29,6 +30,8 @@ std::map<std::string, double> table_of(const session::Limits& limits) {
             {"slow_calls_waiting", number(slow_calls_waiting)},
             {"slow_calls_of_connection", number(slow_calls_of_connection)},
             {"field_cache_bytes", number(field_cache_bytes)},
+            {"dataset_memory_bytes", number(dataset_memory_bytes)},
+            {"dataset_idle_seconds", number(dataset_idle_seconds)},
             {"session_memory_bytes", number(session_memory_bytes)},
             {"unacknowledged_frames", number(unacknowledged_frames)},
             {"session_idle_seconds", number(session_idle_seconds)},

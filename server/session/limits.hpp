@@ -25,6 +25,8 @@ struct Limits {
     std::size_t slow_calls_waiting = 64;                     // of all connections
     std::size_t slow_calls_of_connection = 16;               // of those that wait
     std::size_t field_cache_bytes = std::size_t{4} << 30;    // of one dataset
+    std::size_t dataset_memory_bytes = std::size_t{8} << 30; // of all; beyond it those that nobody uses are given back
+    unsigned dataset_idle_seconds = 600;                     // without use, until one is given back
     std::size_t session_memory_bytes = std::size_t{2} << 30; // query state and surfaces of one scene
     unsigned unacknowledged_frames = 2;
     unsigned session_idle_seconds = 3600;      // without a connection

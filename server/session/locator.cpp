@@ -174,4 +174,9 @@ std::shared_ptr<const Locator> Locators::get(const std::shared_ptr<store::Datase
     return made;
 }
 
+void Locators::forget() {
+    const std::scoped_lock lock(mutex_);
+    kept_.clear();
+}
+
 } // namespace ciel::session

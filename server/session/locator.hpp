@@ -41,6 +41,7 @@ private:
 class Locators {
 public:
     [[nodiscard]] std::shared_ptr<const Locator> get(const std::shared_ptr<store::Dataset>& dataset, std::size_t step);
+    void forget(); // datasets that they keep can then be given back
 
 private:
     struct Kept {

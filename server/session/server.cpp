@@ -26,7 +26,8 @@ struct Server::State {
     std::jthread housekeeping; // last: it uses the others
 
     explicit State(ServerOptions chosen)
-        : options(std::move(chosen)), catalog(options.data, options.limits.field_cache_bytes),
+        : options(std::move(chosen)),
+          catalog(options.data, options.limits.field_cache_bytes, options.limits.dataset_memory_bytes),
           workers(options.render_workers, options.backend),
           picture_workers(1, options.backend), services{options.limits, options.engine, catalog,
                                                         connections,    workers,        metrics},
@@ -37,7 +38,7 @@ struct Server::State {
             std::condition_variable_any never;
             std::unique_lock lock(mutex);
             while (!never.wait_for(lock, stop, std::chrono::seconds(10), [&] { return stop.stop_requested(); }))
-                sessions.expire(Clock::now());
+                tidy(Clock::now());
         });
     }
 
@@ -46,6 +47,11 @@ struct Server::State {
         slow_calls.drain();
         picture_workers.drain();
         workers.drain();
+    }
+
+    void tidy(Clock::time_point now) {
+        sessions.expire(now);
+        if (catalog.give_back(now - std::chrono::seconds(options.limits.dataset_idle_seconds)) > 0) locators.forget();
     }
 
     void tell_steps(const std::string& dataset) {
@@ -85,6 +91,8 @@ void Server::connection_closed(std::uint64_t connection_id) {
     state_->sessions.connection_closed(connection_id);
 }
 
+void Server::tidy(std::chrono::steady_clock::time_point now) { state_->tidy(now); }
+
 Readiness Server::readiness() {
     Readiness readiness;
     try {
@@ -107,12 +115,13 @@ Readiness Server::last_readiness() {
 
 std::string Server::metrics() const {
     Gauges gauges;
-    std::set<std::shared_ptr<store::LoadedDataset>> datasets;
+    const auto offered = state_->catalog.loaded();
+    std::set<std::shared_ptr<store::LoadedDataset>> datasets(offered.begin(), offered.end());
     for (const auto& session : state_->sessions.all()) {
         ++gauges.sessions;
         gauges.views += session->view_count();
         gauges.session_bytes += session->memory_bytes();
-        datasets.insert(session->newest()->loaded);
+        datasets.insert(session->newest()->loaded); // also one that another has replaced
     }
     gauges.connections = state_->connections.size();
     gauges.datasets = datasets.size();

@@ -7,6 +7,7 @@
 #include "session/limits.hpp"
 #include "store/catalog.hpp"
 
+#include <chrono>
 #include <memory>
 #include <string>
 
@@ -57,6 +58,9 @@ public:
     // Connections hear of appended steps (`dataset.changed`) while they are registered here.
     void connection_opened(std::shared_ptr<Connection> connection);
     void connection_closed(std::uint64_t connection_id);
+
+    // Gives back what has not been used for long: sessions, datasets. Called every now and then by the server itself.
+    void tidy(std::chrono::steady_clock::time_point now);
 
     // Draws a test picture and checks its pixels.
     [[nodiscard]] Readiness readiness();

@@ -52,6 +52,7 @@ struct Known {
     Stamp examined{};    // the marker that `problem` is about
     std::shared_ptr<LoadedDataset> loaded;
     Stamp loaded_stamp{};
+    Catalog::Clock::time_point used{};
     std::shared_ptr<std::mutex> opening = std::make_shared<std::mutex>();
 };
 
@@ -59,7 +60,7 @@ struct Known {
 
 struct Catalog::State {
     std::vector<fs::path> roots;
-    std::size_t field_budget = 0;
+    std::size_t field_budget = 0, most_bytes = 0;
     mutable std::mutex mutex;
     std::map<std::string, Known> known; // by name
 
@@ -115,7 +116,8 @@ struct Catalog::State {
     void poll(const std::function<void(const std::string&)>& on_change);
 };
 
-Catalog::Catalog(std::vector<fs::path> paths, std::size_t field_budget_bytes) : state_(std::make_unique<State>()) {
+Catalog::Catalog(std::vector<fs::path> paths, std::size_t field_budget_bytes, std::size_t most_bytes)
+    : state_(std::make_unique<State>()) {
     for (fs::path& path : paths) {
         path = fs::absolute(path).lexically_normal();
         if (!path.has_filename()) path = path.parent_path();
@@ -125,6 +127,7 @@ Catalog::Catalog(std::vector<fs::path> paths, std::size_t field_budget_bytes) : 
     }
     state_->roots = std::move(paths);
     state_->field_budget = field_budget_bytes;
+    state_->most_bytes = most_bytes;
     state_->scan();
 }
 
@@ -158,6 +161,7 @@ std::shared_ptr<LoadedDataset> Catalog::open(const std::string& name) {
         const auto found = state_->known.find(name);
         if (found == state_->known.end())
             throw Error("there is no dataset '" + name + "'; there are: " + state_->names());
+        found->second.used = Clock::now();
         if (found->second.loaded) return found->second.loaded;
         State::examine(found->second);
         if (found->second.failed) throw Error(found->second.problem);
@@ -171,6 +175,7 @@ std::shared_ptr<LoadedDataset> Catalog::open(const std::string& name) {
         if (const auto found = state_->known.find(name); found != state_->known.end() && found->second.loaded)
             return found->second.loaded;
     }
+    give_back({}); // makes room
     const Stamp stamp = stamp_of(directory);
     std::shared_ptr<LoadedDataset> loaded;
     std::string problem;
@@ -190,6 +195,37 @@ std::shared_ptr<LoadedDataset> Catalog::open(const std::string& name) {
     }
     if (failure) std::rethrow_exception(failure);
     return loaded;
+}
+
+std::vector<std::shared_ptr<LoadedDataset>> Catalog::loaded() const {
+    const std::lock_guard lock(state_->mutex);
+    std::vector<std::shared_ptr<LoadedDataset>> all;
+    for (const auto& [name, entry] : state_->known)
+        if (entry.loaded) all.push_back(entry.loaded);
+    return all;
+}
+
+std::size_t Catalog::give_back(Clock::time_point unused_since) {
+    std::vector<std::shared_ptr<LoadedDataset>> forgotten; // destroyed without the lock: unmapping takes a while
+    const std::lock_guard lock(state_->mutex);
+    std::vector<Known*> unused; // only here, under the lock, could somebody get hold of one
+    std::size_t bytes = 0;
+    for (auto& [name, entry] : state_->known) {
+        if (!entry.loaded) continue;
+        bytes += entry.loaded->memory_bytes();
+        if (entry.loaded.use_count() == 1)
+            unused.push_back(&entry);
+        else
+            entry.used = Clock::now();
+    }
+    std::sort(unused.begin(), unused.end(), [](const Known* a, const Known* b) { return a->used < b->used; });
+    for (Known* entry : unused) {
+        const bool makes_room = bytes > state_->most_bytes && entry != unused.back();
+        if (!makes_room && entry->used >= unused_since) continue;
+        bytes -= entry->loaded->memory_bytes();
+        forgotten.push_back(std::move(entry->loaded));
+    }
+    return forgotten.size();
 }
 
 void Catalog::State::poll(const std::function<void(const std::string&)>& on_change) {

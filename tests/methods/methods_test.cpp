@@ -52,7 +52,7 @@ TEST_F(Methods, server_info) {
     EXPECT_FALSE(info["gl_renderer"].get<std::string>().empty());
     EXPECT_EQ(info["engine"], "signatures");
     const session::Limits& limits = server.limits();
-    EXPECT_EQ(info["limits"].size(), 25U) << "a row of limits.hpp each";
+    EXPECT_EQ(info["limits"].size(), 27U) << "a row of limits.hpp each";
     EXPECT_EQ(info["limits"]["sessions"], limits.sessions);
     EXPECT_EQ(info["limits"]["keep_alive_seconds"], limits.keep_alive_seconds);
     EXPECT_EQ(info["limits"]["waiting_text_bytes"], limits.waiting_text_bytes);

@@ -270,6 +270,46 @@ TEST_F(LimitsOf, memory_of_a_scene_without_a_session) {
     EXPECT_EQ(client.error_code("picture.render", {{"scene", {{"dataset", "box"}}}}), 0);
 }
 
+class DatasetsInMemory : public LimitsOf {
+protected:
+    static void look_at(Client& client, const char* dataset) {
+        json scene = iso_scene(0);
+        scene["dataset"] = dataset;
+        (void)client.call("picture.render", {{"scene", scene}, {"width", 16}, {"height", 16}});
+    }
+    static bool counts(const session::Server& server, int datasets) {
+        return server.metrics().find("ciel_datasets " + std::to_string(datasets) + "\n") != std::string::npos;
+    }
+};
+
+TEST_F(DatasetsInMemory, are_counted_without_a_session_and_given_back_when_idle) {
+    session::Limits limits;
+    limits.dataset_idle_seconds = 100;
+    session::Server server(options(limits));
+    Client client(server, false);
+    EXPECT_TRUE(counts(server, 0));
+    look_at(client, "box");
+    look_at(client, "bax");
+    EXPECT_TRUE(counts(server, 2));
+    EXPECT_THAT(server.metrics(), testing::Not(testing::HasSubstr("ciel_dataset_bytes 0\n")));
+    const std::string session = client.call("session.open", {{"dataset", "box"}})["session"];
+    server.tidy(session::Clock::now() + std::chrono::seconds(90));
+    EXPECT_TRUE(counts(server, 2));
+    server.tidy(session::Clock::now() + std::chrono::seconds(110));
+    EXPECT_TRUE(counts(server, 1)) << "a session shows box";
+}
+
+TEST_F(DatasetsInMemory, are_given_back_beyond_dataset_memory_bytes) {
+    session::Limits limits;
+    limits.dataset_memory_bytes = 1;
+    session::Server server(options(limits));
+    Client client(server, false);
+    look_at(client, "box");
+    look_at(client, "bax");
+    server.tidy(session::Clock::now());
+    EXPECT_TRUE(counts(server, 1));
+}
+
 TEST_F(LimitsOf, field_cache_bytes) {
     const auto kept_with = [](std::size_t bytes) {
         session::Limits limits;

@@ -250,6 +250,62 @@ TEST_F(CatalogTest, ManyOpenersShareOne) {
     for (auto& each : all) EXPECT_EQ(each.get(), one);
 }
 
+// The box three times: "a", "b" and "c".
+class GiveBackTest : public CatalogTest {
+protected:
+    GiveBackTest() {
+        fs::create_directory(scratch / "all");
+        for (const char* name : {"all/a.ciel", "all/b.ciel", "all/c.ciel"})
+            fs::copy(directory, scratch / name, fs::copy_options::recursive);
+    }
+    static std::size_t use(Catalog& catalog, const std::string& name) {
+        const auto loaded = catalog.open(name);
+        (void)loaded->scalar("p", 0);
+        return loaded->memory_bytes();
+    }
+    static constexpr std::size_t enough = 1 << 30;
+};
+
+TEST_F(GiveBackTest, WhatNobodyHasUsedSince) {
+    Catalog catalog({scratch / "all"}, enough);
+    use(catalog, "a");
+    const auto held = catalog.open("b");
+    EXPECT_EQ(catalog.give_back({}), 0U);
+    const auto later = Catalog::Clock::now();
+    use(catalog, "c");
+    EXPECT_EQ(catalog.give_back(later), 1U);
+    EXPECT_EQ(catalog.loaded().size(), 2U);
+    EXPECT_EQ(catalog.open("b"), held);
+    EXPECT_GT(use(catalog, "a"), 0U) << "it is opened anew";
+    EXPECT_EQ(catalog.give_back(Catalog::Clock::now() + std::chrono::hours(1)), 2U);
+    EXPECT_EQ(catalog.open("b"), held);
+}
+
+TEST_F(GiveBackTest, TheLongestUnusedWhenAllTogetherAreTooLarge) {
+    const std::size_t of_one = [&] {
+        Catalog catalog({scratch / "all"}, enough);
+        return use(catalog, "a");
+    }();
+    Catalog catalog({scratch / "all"}, enough, 2 * of_one);
+    for (const char* name : {"a", "b", "a", "c"}) use(catalog, name);
+    EXPECT_EQ(catalog.give_back({}), 1U);
+    const auto a = catalog.open("a");
+    EXPECT_GT(a->memory_bytes(), 0U) << "b was longer unused";
+    EXPECT_EQ(use(catalog, "b"), of_one);
+    EXPECT_EQ(catalog.give_back({}), 1U);
+    EXPECT_EQ(catalog.loaded().size(), 2U);
+    EXPECT_EQ(catalog.open("a"), a);
+}
+
+TEST_F(GiveBackTest, NeverTheLastOneUsedForItsSizeAlone) {
+    Catalog catalog({scratch / "all"}, enough, 1);
+    use(catalog, "a");
+    EXPECT_EQ(catalog.give_back({}), 0U);
+    use(catalog, "b");
+    EXPECT_EQ(catalog.give_back({}), 1U);
+    EXPECT_EQ(catalog.loaded().size(), 1U);
+}
+
 TEST_F(CatalogTest, WatchTellsOfStepsAndOfAReplacement) {
     Catalog catalog({directory});
     const auto loaded = catalog.open("box");
