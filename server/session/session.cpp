@@ -7,6 +7,7 @@
 #include "session/view.hpp"
 
 #include <algorithm>
+#include <exception>
 
 namespace ciel::session {
 namespace {
@@ -93,12 +94,20 @@ SessionStatus Session::redo(std::uint64_t author) { return move_in_history(&Hist
 
 SessionStatus Session::move_in_history(Document (History::*move)(Document), std::uint64_t author) {
     const std::scoped_lock lock(mutex_);
-    History after = history_; // the old one stays when the document cannot be shown any more
-    const Document document = (after.*move)(version_->document);
-    if (!document) return current();
-    auto next = make_version(services_, *document, version_->revision + 1);
-    history_ = std::move(after);
-    return change(std::move(next), author);
+    History after = history_; // the old one stays when there is nothing that can be shown
+    std::exception_ptr refused;
+    Document document = version_->document;
+    while ((document = (after.*move)(document))) {
+        try {
+            auto next = make_version(services_, *document, version_->revision + 1);
+            history_ = std::move(after);
+            return change(std::move(next), author);
+        } catch (const std::exception&) { // its dataset is gone, or has other arrays: the step before may do
+            if (!refused) refused = std::current_exception();
+        }
+    }
+    if (refused) std::rethrow_exception(refused);
+    return current();
 }
 
 void Session::subscribe(std::uint64_t connection) {

@@ -145,6 +145,19 @@ TEST_F(Methods, patch_undo_redo_and_gestures) {
     EXPECT_EQ(client.call("scene.undo", in_session({}))["scene"]["dataset"], "box");
 }
 
+TEST_F(Methods, an_undo_passes_over_what_cannot_be_shown_any_more) {
+    const test::Folder aside;
+    write_small_dataset(folder->path() / "gone.ciel");
+    client.call("dataset.open", in_session({{"dataset", "gone"}}));
+    client.call("dataset.open", in_session({{"dataset", "bax"}}));
+    std::filesystem::rename(folder->path() / "gone.ciel", aside.path() / "gone.ciel");
+    client.call("dataset.list"); // looks at the folder
+    const json undone = client.call("scene.undo", in_session({}));
+    EXPECT_EQ(undone["scene"]["dataset"], "box");
+    EXPECT_EQ(undone["can_undo"], false);
+    EXPECT_EQ(client.call("scene.redo", in_session({}))["scene"]["dataset"], "bax");
+}
+
 TEST_F(Methods, a_patch_that_breaks_the_scene_changes_nothing) {
     const json before = client.call("scene.get", in_session({}));
     for (const char* patch : {R"({"layers": {"iso": {"array": "nope"}}})", R"({"dataset": null})",
