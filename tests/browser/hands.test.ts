@@ -81,6 +81,9 @@ describe("hands", { skip }, () => {
   });
 
   test("several iso-values: one more, moved on its own, taken away", async () => {
+    const opening = await client.value();
+    await client.dragIso(0.85); // a high one, so that the next is around it and seen
+    await client.settled();
     const before = await client.picture();
     const value = await client.value();
     const handles = client.page.locator(".histogram-track").first().getByRole("slider");
@@ -99,6 +102,11 @@ describe("hands", { skip }, () => {
     await client.settled();
     assert.equal(await handles.count(), 1);
     assert.ok(difference(before, await client.picture()) < 0.005);
+    for (let undone = 0; undone < 4; undone += 1) {
+      await client.button("Undo").click();
+      await client.settled();
+    }
+    assert.equal(await client.value(), opening);
   });
 
   test("patches come and go one by one", async (context) => {
