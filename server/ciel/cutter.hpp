@@ -1,4 +1,4 @@
-// The two engines behind Query: each finds out which blocks a surface crosses and cuts them.
+// The engines behind Query: each finds out which blocks a surface crosses and cuts them.
 #pragma once
 
 #include "ciel/cut_block.hpp"
@@ -30,5 +30,7 @@ protected:
 [[nodiscard]] std::unique_ptr<Cutter> make_signature_cutter(const Topology& topology);
 // The paper's Algorithm 2: the active edges are propagated from one nu to the next, from sorted extrema. Serial.
 [[nodiscard]] std::unique_ptr<Cutter> make_propagation_cutter(const Topology& topology);
+// The paper's baseline: nothing is kept, every edge is looked at each time; blocks in parallel.
+[[nodiscard]] std::unique_ptr<Cutter> make_naive_cutter(const Topology& topology);
 
 } // namespace ciel

@@ -44,7 +44,8 @@ struct Surface {
     void clear();
 };
 
-enum class Engine { signatures, propagation }; // design: block signatures; the paper's Algorithm 2
+// Block signatures; the paper's Algorithm 2; the paper's baseline without a list of active edges.
+enum class Engine { signatures, propagation, naive };
 
 // One viewer's query state on one field: signatures, active edges. Not thread-safe: one at a time; any number of
 // Queries may share a Topology and Fields. The mesh view must outlive the Query.

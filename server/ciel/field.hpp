@@ -43,6 +43,9 @@ private:
 // Least-squares gradient per polyhedron, volume-weighted average at the vertices (paper, section 3); centred, in
 // double. Zero where no cell around a vertex spans a volume or has all its values.
 [[nodiscard]] std::vector<Vec3f> vertex_gradients(const FaceMeshView& mesh, std::span<const float> values);
+// The same where the mesh's topology is there already.
+[[nodiscard]] std::vector<Vec3f> vertex_gradients(const Topology& topology, const FaceMeshView& mesh,
+                                                  std::span<const float> values);
 
 // Faces with more than one local maximum around them under the order (value, vertex id) (paper, section 4; whatever
 // nu). Faces that touch a vertex without a value do not count.

@@ -214,7 +214,10 @@ std::size_t GradientCache::memory_bytes() const {
 }
 
 std::vector<Vec3f> vertex_gradients(const FaceMeshView& mesh, std::span<const float> values) {
-    const Topology topology(mesh);
+    return vertex_gradients(Topology(mesh), mesh, values);
+}
+
+std::vector<Vec3f> vertex_gradients(const Topology& topology, const FaceMeshView& mesh, std::span<const float> values) {
     const Field field(topology, values, nullptr);
     std::vector<EdgePoint> all;
     for (Index v = 0; v < mesh.vertex_count(); ++v) all.push_back({v, v, 0});

@@ -3,6 +3,22 @@
 
 namespace ciel {
 
+namespace {
+
+std::unique_ptr<Cutter> make_cutter(Engine engine, const Topology& topology) {
+    switch (engine) {
+    case Engine::propagation:
+        return make_propagation_cutter(topology);
+    case Engine::naive:
+        return make_naive_cutter(topology);
+    case Engine::signatures:
+        break;
+    }
+    return make_signature_cutter(topology);
+}
+
+} // namespace
+
 struct Query::State {
     const Topology* topology;
     FaceMeshView mesh;
@@ -13,9 +29,7 @@ struct Query::State {
 void Surface::clear() { *this = Surface{}; }
 
 Query::Query(const Topology& topology, const FaceMeshView& mesh, Engine engine)
-    : state_(std::make_unique<State>(
-          State{&topology, mesh,
-                engine == Engine::signatures ? make_signature_cutter(topology) : make_propagation_cutter(topology)})) {
+    : state_(std::make_unique<State>(State{&topology, mesh, make_cutter(engine, topology)})) {
     if (mesh.vertex_count() != topology.counts().vertices || mesh.cell_count() != topology.counts().cells)
         throw Error("the mesh is not the one that the topology was built from");
 }

@@ -122,12 +122,23 @@ TEST_P(Extract, ValuesThatAreNoNumbersGiveNothing) {
     }
 }
 
+const char* name_of(Engine engine) {
+    switch (engine) {
+    case Engine::propagation:
+        return "propagation";
+    case Engine::naive:
+        return "naive";
+    case Engine::signatures:
+        break;
+    }
+    return "signatures";
+}
+
 INSTANTIATE_TEST_SUITE_P(All, Extract,
                          testing::Combine(testing::ValuesIn(all_meshes()),
-                                          testing::Values(Engine::signatures, Engine::propagation)),
+                                          testing::Values(Engine::signatures, Engine::propagation, Engine::naive)),
                          [](const auto& test) {
-                             const bool signatures = std::get<1>(test.param) == Engine::signatures;
-                             return std::get<0>(test.param).name + (signatures ? "_signatures" : "_propagation");
+                             return std::get<0>(test.param).name + "_" + name_of(std::get<1>(test.param));
                          });
 
 // Values at the ends of what a float holds: differences overflow, ratios must not.
