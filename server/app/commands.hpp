@@ -23,6 +23,7 @@ public:
 };
 
 void add_append(CLI::App& app, Run& run);
+void add_bench(CLI::App& app, Run& run);
 void add_demo(CLI::App& app, Run& run);
 void add_extract(CLI::App& app, Run& run);
 void add_import(CLI::App& app, Run& run);

@@ -16,7 +16,7 @@ using AddCommand = void (*)(CLI::App& app, ciel::app::Run& run);
 // In the order that --help shows.
 const std::vector<AddCommand> commands{
     ciel::app::add_import,  ciel::app::add_info,   ciel::app::add_append, ciel::app::add_demo,
-    ciel::app::add_extract, ciel::app::add_render, ciel::app::add_serve,
+    ciel::app::add_extract, ciel::app::add_render, ciel::app::add_serve,  ciel::app::add_bench,
 };
 
 // One sentence of what is wrong with the command line and where to read more.

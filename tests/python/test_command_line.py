@@ -4,7 +4,7 @@ import pytest
 
 from program import ciel
 
-COMMANDS = ["import", "info", "append", "demo", "extract", "render", "serve"]
+COMMANDS = ["import", "info", "append", "demo", "extract", "render", "serve", "bench"]
 
 
 WRONG = [

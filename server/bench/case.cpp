@@ -1,0 +1,74 @@
+#include "bench/case.hpp"
+
+#include <limits>
+
+namespace ciel::bench {
+
+namespace {
+
+constexpr std::size_t no_budget = std::numeric_limits<std::size_t>::max();
+
+bool varies(const store::Step& step, const std::string& array) {
+    const auto found = step.arrays.find(array);
+    return found != step.arrays.end() && found->second.range[0] < found->second.range[1];
+}
+
+std::string first_that_varies(const store::Dataset& dataset) {
+    for (const store::ArrayInfo& array : dataset.info().arrays)
+        for (const store::Step& step : dataset.steps())
+            if (array.association == store::Association::point && varies(step, array.name)) return array.name;
+    throw Error("dataset '" + dataset.info().name + "' has no array on its points that varies; nothing can be cut");
+}
+
+// The last two steps at which the array was written, the later one first.
+std::vector<std::size_t> steps_with(const store::Dataset& dataset, const std::string& array) {
+    std::vector<std::size_t> found;
+    for (std::size_t step = dataset.steps().size(); step-- > 0 && found.size() < 2;)
+        if (varies(dataset.steps()[step], array)) found.push_back(step);
+    if (found.empty()) throw Error("array '" + array + "' has the same value everywhere; nothing can be cut");
+    return found;
+}
+
+std::shared_ptr<const std::vector<float>> grown(const std::vector<float>& values) {
+    auto changed = std::make_shared<std::vector<float>>(values);
+    for (float& value : *changed) value *= 1.01F;
+    return changed;
+}
+
+} // namespace
+
+Case open_case(const std::string& path, const std::string& array) {
+    Case data;
+    data.path = path;
+    data.dataset = store::Dataset::open(path);
+    data.array = array.empty() ? first_that_varies(*data.dataset) : array;
+    store::LoadedDataset loaded(data.dataset, no_budget);
+    const std::vector<std::size_t> steps =
+        steps_with(*data.dataset, store::parse_scalar(*data.dataset, data.array).array);
+    const store::Step& step = data.dataset->steps()[steps[0]];
+    data.time = step.time;
+    data.mesh = data.dataset->mesh(step.mesh, step.coordinates);
+    data.values = loaded.scalar_values(data.array, steps[0]);
+    const bool same_mesh = steps.size() > 1 && data.dataset->steps()[steps[1]].mesh == step.mesh;
+    data.changed = same_mesh ? loaded.scalar_values(data.array, steps[1]) : grown(*data.values);
+    data.topology = std::make_shared<Topology>(data.mesh);
+    return data;
+}
+
+std::uint64_t triangles_of(const Surface& surface) {
+    return surface.polygon_vertex.size() - 2 * surface.polygon_cell.size();
+}
+
+std::vector<double> values_between(double low, double high, std::size_t count) {
+    std::vector<double> values(count);
+    for (std::size_t i = 0; i < count; ++i)
+        values[i] = low + (high - low) * static_cast<double>(i + 1) / static_cast<double>(count + 1);
+    return values;
+}
+
+Field field_of(const Case& data, std::shared_ptr<const std::vector<float>> values) {
+    const std::span<const float> view = *values;
+    return {*data.topology, view, std::move(values)};
+}
+
+} // namespace ciel::bench

@@ -1,0 +1,58 @@
+#include "bench/case.hpp"
+
+#include <optional>
+
+namespace ciel::bench {
+
+namespace {
+
+std::shared_ptr<const std::vector<float>> coordinate(const FaceMeshView& mesh, std::size_t axis, double sign) {
+    Vec3d normal{};
+    normal[axis] = sign;
+    return std::make_shared<const std::vector<float>>(plane_distance(mesh, mesh.origin, normal));
+}
+
+// Extrema are made once per field, so each run has a field of its own.
+Row minima_row(const Case& data, const std::string& what, const std::shared_ptr<const std::vector<float>>& values) {
+    std::optional<Field> field;
+    std::size_t found = 0;
+    Row row = measure(
+        what,
+        [&] {
+            found = field->sorted_minima().size();
+            return 0;
+        },
+        [&] { field.emplace(field_of(data, values)); });
+    row.note = std::to_string(found) + " minima";
+    return row;
+}
+
+} // namespace
+
+Table preprocessing_table(const Case& data) {
+    Table table{"preprocessing", {}, {}};
+    const auto add = [&](const std::string& what, const std::function<void()>& body) -> Row& {
+        table.rows.push_back(measure(what, [&] {
+            body();
+            return 0;
+        }));
+        return table.rows.back();
+    };
+    add("open the dataset, verify its topology", [&] { (void)store::Dataset::open(data.path); });
+    Row& construction = add("construction (Algorithm 5)", [&] { const Topology topology(data.mesh); });
+    construction.note = std::to_string(static_cast<std::uint64_t>(
+                            static_cast<double>(data.topology->counts().half_edges) / construction.wall.median)) +
+                        " half-edges/s";
+    add("make a field current", [&] { const Field field = field_of(data, data.values); });
+    add("gradients at all vertices", [&] { (void)vertex_gradients(*data.topology, data.mesh, *data.values); });
+    add("ambiguous faces", [&] { (void)count_ambiguous_faces(data.mesh, *data.values); });
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        for (const double sign : {1.0, -1.0})
+            table.rows.push_back(
+                minima_row(data, std::string("minima of the geometry, ") + "XYZ"[axis] + (sign > 0 ? "+" : "-"),
+                           coordinate(data.mesh, axis, sign)));
+    table.rows.push_back(minima_row(data, "minima of the property", data.values));
+    return table;
+}
+
+} // namespace ciel::bench

@@ -1,0 +1,62 @@
+// 100 slices with the property at their points: what the paper's volume rendering blends.
+#include "bench/case.hpp"
+
+#include <cmath>
+
+namespace ciel::bench {
+
+namespace {
+
+constexpr std::size_t slice_count = 100;
+
+class Slices {
+public:
+    Slices(const Case& data, Engine engine) : data_(data), query_(*data.topology, data.mesh, engine) {}
+
+    std::uint64_t draw(const Field& distance) {
+        query_.set_field(distance);
+        const auto [low, high] = distance.range();
+        std::uint64_t triangles = 0;
+        for (const double nu : values_between(low, high, slice_count)) {
+            (void)query_.extract(nu, false, surface_);
+            property_.resize(surface_.points.size());
+            interpolate(surface_.points, *data_.values, 1, property_);
+            triangles += triangles_of(surface_);
+        }
+        return triangles;
+    }
+
+private:
+    const Case& data_;
+    Query query_;
+    Surface surface_;
+    std::vector<float> property_;
+};
+
+Field distance_along(const Case& data, Vec3d normal) {
+    return field_of(data,
+                    std::make_shared<const std::vector<float>>(plane_distance(data.mesh, data.mesh.origin, normal)));
+}
+
+} // namespace
+
+Table slices_table(const Case& data) {
+    Table table{"slices", {}, {}};
+    const double part = 1 / std::sqrt(3.0);
+    const Vec3d box{1, 0, 0}, screen{part, part, part};
+    for (const auto& [engine, name] : {std::pair{Engine::naive, "naive"},
+                                       {Engine::propagation, "propagation"},
+                                       {Engine::signatures, "signatures"}}) {
+        Slices slices(data, engine);
+        // A box has six directions, kept; a camera's is new with every turn.
+        const Field kept = distance_along(data, box);
+        table.rows.push_back(measure(std::string("100 box-aligned, ") + name, [&] { return slices.draw(kept); }));
+        table.rows.push_back(measure(std::string("100 screen-aligned, ") + name, [&] {
+            const Field distance = distance_along(data, screen);
+            return slices.draw(distance);
+        }));
+    }
+    return table;
+}
+
+} // namespace ciel::bench

@@ -1,0 +1,138 @@
+#include "bench/case.hpp"
+
+#include <algorithm>
+#include <random>
+
+namespace ciel::bench {
+
+namespace {
+
+// One engine on the case's field, with a surface that keeps its buffers.
+class Surfaces {
+public:
+    Surfaces(const Case& data, Engine engine, const char* name)
+        : data_(data), engine_(engine), name_(name), field_(field_of(data, data.values)),
+          query_(*data.topology, data.mesh, engine) {
+        query_.set_field(field_);
+        low_ = field_.range()[0];
+        high_ = field_.range()[1];
+    }
+
+    std::uint64_t extract(double nu, bool normals = true) {
+        (void)query_.extract(nu, normals, surface_);
+        return triangles_of(surface_);
+    }
+
+    void add_rows(Table& table) {
+        for (const std::size_t count : {std::size_t{1}, std::size_t{50}, std::size_t{100}})
+            for (const bool normals : {false, true}) add_series(table, count, normals);
+        add_step(table);
+        add_jump(table);
+        add_changed_field(table);
+        add_moved_mesh(table);
+    }
+
+private:
+    [[nodiscard]] std::string named(const std::string& what) const { return what + ", " + name_; }
+
+    void add_series(Table& table, std::size_t count, bool normals) {
+        const std::vector<double> values = values_between(low_, high_, count);
+        // From elsewhere: what is left of the run before would be the same surface already.
+        const auto away = [&] {
+            (void)extract(low_ + 0.3 * (static_cast<double>(high_) - static_cast<double>(low_)), false);
+        };
+        table.rows.push_back(measure(
+            named(std::to_string(count) + (count == 1 ? " surface" : " surfaces") + (normals ? ", normals" : "")),
+            [&] {
+                std::uint64_t triangles = 0;
+                for (const double nu : values) triangles += extract(nu, normals);
+                return triangles;
+            },
+            away));
+    }
+
+    // So small that at most one in a hundred of the active edges changes.
+    double small_step(double nu) {
+        (void)extract(nu, false);
+        const auto edges = static_cast<double>(surface_.points.size());
+        const double span = static_cast<double>(high_) - static_cast<double>(low_);
+        for (double step = span / 100; step > span * 1e-7; step /= 2) {
+            const auto passed =
+                std::ranges::count_if(*data_.values, [&](float value) { return value >= nu && value < nu + step; });
+            // A vertex that is passed toggles the edges around it: a dozen, give or take.
+            if (12 * static_cast<double>(passed) <= edges / 100) return step;
+        }
+        return span * 1e-7;
+    }
+
+    void add_step(Table& table) {
+        double nu = (static_cast<double>(low_) + static_cast<double>(high_)) / 2;
+        const double step = small_step(nu);
+        Row row = measure(named("one small step, normals"), [&] { return extract(nu += step); });
+        row.note = "of " + std::to_string(step);
+        table.rows.push_back(row);
+    }
+
+    void add_jump(Table& table) {
+        std::mt19937 random(1);
+        std::uniform_real_distribution<double> anywhere(0.05, 0.95);
+        table.rows.push_back(measure(named("one random jump, normals"), [&] {
+            return extract(low_ + anywhere(random) * (static_cast<double>(high_) - static_cast<double>(low_)));
+        }));
+    }
+
+    void add_changed_field(Table& table) {
+        const double nu = (static_cast<double>(low_) + static_cast<double>(high_)) / 2;
+        bool other = false;
+        table.rows.push_back(measure(named("a changed field, one surface, normals"), [&] {
+            other = !other;
+            Field changed = field_of(data_, other ? data_.changed : data_.values);
+            query_.set_field(changed);
+            field_ = std::move(changed);
+            return extract(nu);
+        }));
+        query_.set_field(field_ = field_of(data_, data_.values));
+    }
+
+    // Gradients belong to positions: the field is made again, the topology is not.
+    void add_moved_mesh(Table& table) {
+        const double nu = (static_cast<double>(low_) + static_cast<double>(high_)) / 2;
+        std::vector<float> positions(data_.mesh.positions.begin(), data_.mesh.positions.end());
+        FaceMeshView moved = data_.mesh;
+        moved.positions = positions;
+        float shift = 1e-3F;
+        table.rows.push_back(measure(
+            named("a moved mesh, one surface, normals"),
+            [&] {
+                const Field field = field_of(data_, data_.values);
+                Query query(*data_.topology, moved, engine_);
+                query.set_field(field);
+                (void)query.extract(nu, true, surface_);
+                return triangles_of(surface_);
+            },
+            [&] {
+                for (std::size_t i = 0; i < positions.size(); i += 3) positions[i] += shift;
+                shift = -shift;
+            }));
+    }
+
+    const Case& data_;
+    Engine engine_;
+    const char* name_;
+    Field field_;
+    Query query_;
+    Surface surface_;
+    float low_ = 0, high_ = 0;
+};
+
+} // namespace
+
+Table surfaces_table(const Case& data) {
+    Table table{"surfaces", {}, {}};
+    Surfaces(data, Engine::naive, "naive").add_rows(table);
+    Surfaces(data, Engine::propagation, "propagation").add_rows(table);
+    Surfaces(data, Engine::signatures, "signatures").add_rows(table);
+    return table;
+}
+
+} // namespace ciel::bench
