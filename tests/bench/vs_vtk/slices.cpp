@@ -1,0 +1,85 @@
+#include "vs_vtk/duel.hpp"
+
+#include <cmath>
+#include <vtk3DLinearGridPlaneCutter.h>
+#include <vtkCutter.h>
+#include <vtkNew.h>
+#include <vtkPlane.h>
+#include <vtkPlaneCutter.h>
+#include <vtkPolyData.h>
+
+namespace ciel::vs_vtk {
+
+namespace {
+
+struct Planes {
+    Vec3d normal;
+    std::vector<double> at; // distances from the origin of the positions
+};
+
+template <class Cutter>
+Contender cutter(const char* name, vtkUnstructuredGrid* grid, const Planes& planes) {
+    auto filter = vtkSmartPointer<Cutter>::New();
+    vtkNew<vtkPlane> plane;
+    plane->SetNormal(planes.normal.data());
+    filter->SetInputData(grid);
+    if constexpr (std::is_same_v<Cutter, vtkCutter>) {
+        filter->SetCutFunction(plane);
+        return {name, [filter, planes] { // all values in one call: its best
+                    filter->SetNumberOfContours(static_cast<int>(planes.at.size()));
+                    for (int i = 0; i < static_cast<int>(planes.at.size()); ++i)
+                        filter->SetValue(i, planes.at[static_cast<std::size_t>(i)]);
+                    filter->Modified();
+                    filter->Update();
+                    return static_cast<std::uint64_t>(filter->GetOutput()->GetNumberOfCells());
+                }};
+    } else {
+        filter->SetPlane(plane);
+        return {name, [filter, planes, cut = vtkSmartPointer<vtkPlane>(plane)] {
+                    for (const double at : planes.at) {
+                        cut->SetOrigin(at * planes.normal[0], at * planes.normal[1], at * planes.normal[2]);
+                        filter->Update();
+                    }
+                    return static_cast<std::uint64_t>(planes.at.size());
+                }};
+    }
+}
+
+} // namespace
+
+void slices(const bench::Case& data, vtkUnstructuredGrid* grid) {
+    const double part = 1 / std::sqrt(3.0);
+    for (const auto& [normal, name] :
+         {std::pair{Vec3d{1, 0, 0}, "box-aligned"}, {Vec3d{part, part, part}, "screen-aligned"}}) {
+        const auto distance = [&, along = normal] {
+            return bench::field_of(
+                data, std::make_shared<const std::vector<float>>(plane_distance(data.mesh, data.mesh.origin, along)));
+        };
+        const auto [low, high] = distance().range();
+        const Planes planes{normal, bench::values_between(low, high, is_linear(data) ? 100 : 10)};
+        Query query(*data.topology, data.mesh);
+        Surface surface;
+        std::vector<float> property;
+        std::vector<Contender> vtk{cutter<vtkPlaneCutter>("vtkPlaneCutter", grid, planes),
+                                   cutter<vtkCutter>("vtkCutter", grid, planes)};
+        if (is_linear(data))
+            vtk.push_back(cutter<vtk3DLinearGridPlaneCutter>("vtk3DLinearGridPlaneCutter", grid, planes));
+        duel(std::to_string(planes.at.size()) + " slices, " + name + ", from nothing",
+             {"CIEL, property interpolated",
+              [&] {
+                  const Field field = distance();
+                  query.set_field(field);
+                  std::uint64_t triangles = 0;
+                  for (const double nu : planes.at) {
+                      (void)query.extract(nu, false, surface);
+                      property.resize(surface.points.size());
+                      interpolate(surface.points, *data.values, 1, property);
+                      triangles += bench::triangles_of(surface);
+                  }
+                  return triangles;
+              }},
+             vtk);
+    }
+}
+
+} // namespace ciel::vs_vtk

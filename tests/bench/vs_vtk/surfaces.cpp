@@ -1,0 +1,169 @@
+#include "vs_vtk/duel.hpp"
+
+#include <vtkContour3DLinearGrid.h>
+#include <vtkContourFilter.h>
+#include <vtkContourGrid.h>
+#include <vtkNew.h>
+#include <vtkPolyData.h>
+#include <vtkSimpleScalarTree.h>
+#include <vtkSpanSpace.h>
+
+namespace ciel::vs_vtk {
+
+namespace {
+
+enum class Tree { none, simple, span_space };
+
+struct Setup {
+    bool merge = false, normals = false;
+    Tree tree = Tree::none;
+    bool sequential = false;
+};
+
+std::string name_of(const char* filter, const Setup& setup) {
+    std::string name = filter;
+    if (setup.merge) name += ", merged";
+    if (setup.normals) name += " + normals";
+    if (setup.tree != Tree::none) name += setup.tree == Tree::simple ? ", scalar tree" : ", span space";
+    if (setup.sequential) name += ", sequential";
+    return name;
+}
+
+template <class Filter>
+void use_tree(Filter* filter, Tree tree) {
+    if (tree == Tree::none) return;
+    vtkSmartPointer<vtkScalarTree> made;
+    if (tree == Tree::simple)
+        made = vtkSmartPointer<vtkSimpleScalarTree>::New();
+    else
+        made = vtkSmartPointer<vtkSpanSpace>::New();
+    filter->SetScalarTree(made);
+    filter->UseScalarTreeOn();
+}
+
+std::uint64_t run(vtkAlgorithm* filter) {
+    filter->Update();
+    return static_cast<std::uint64_t>(vtkPolyData::SafeDownCast(filter->GetOutputDataObject(0))->GetNumberOfCells());
+}
+
+// One surface after another with the same filter, so that its tree is warm.
+template <class Filter>
+Contender series(const char* name, vtkSmartPointer<Filter> filter, const Setup& setup, std::vector<double> values) {
+    use_tree(filter.Get(), setup.tree);
+    return {name_of(name, setup), [filter, values = std::move(values)] {
+                std::uint64_t triangles = 0;
+                for (const double value : values) {
+                    filter->SetValue(0, value);
+                    triangles += run(filter);
+                }
+                return triangles;
+            }};
+}
+
+vtkSmartPointer<vtkContour3DLinearGrid> linear_filter(vtkUnstructuredGrid* grid, const Setup& setup) {
+    auto filter = vtkSmartPointer<vtkContour3DLinearGrid>::New();
+    filter->SetInputData(grid);
+    filter->SetMergePoints(setup.merge);
+    filter->SetComputeNormals(setup.normals);
+    filter->SetSequentialProcessing(setup.sequential);
+    return filter;
+}
+
+template <class Filter>
+vtkSmartPointer<Filter> general_filter(vtkUnstructuredGrid* grid, const Setup& setup) {
+    auto filter = vtkSmartPointer<Filter>::New();
+    filter->SetInputData(grid);
+    filter->SetComputeNormals(setup.normals);
+    filter->GenerateTrianglesOn();
+    return filter;
+}
+
+std::vector<Contender> contenders(const bench::Case& data, vtkUnstructuredGrid* grid, bool normals,
+                                  const std::vector<double>& values, bool trees) {
+    std::vector<Contender> found;
+    if (is_linear(data)) {
+        const auto add = [&](const Setup& setup) {
+            found.push_back(series("vtkContour3DLinearGrid", linear_filter(grid, setup), setup, values));
+        };
+        for (const Tree tree : {Tree::none, Tree::span_space}) {
+            if (tree != Tree::none && !trees) continue;
+            add({normals, normals, tree, false});
+            add({normals, normals, tree, true});
+        }
+        return found;
+    }
+    for (const Tree tree : {Tree::none, Tree::simple}) {
+        if (tree != Tree::none && !trees) continue;
+        const Setup setup{true, normals, tree, false};
+        found.push_back(series("vtkContourGrid", general_filter<vtkContourGrid>(grid, setup), setup, values));
+        found.push_back(series("vtkContourFilter", general_filter<vtkContourFilter>(grid, setup), setup, values));
+    }
+    return found;
+}
+
+class Own {
+public:
+    explicit Own(const bench::Case& data)
+        : data_(data), field_(bench::field_of(data, data.values)), query_(*data.topology, data.mesh) {
+        query_.set_field(field_);
+    }
+    [[nodiscard]] std::array<float, 2> range() const { return field_.range(); }
+    std::uint64_t extract(const std::vector<double>& values, bool normals) {
+        std::uint64_t triangles = 0;
+        for (const double nu : values) {
+            (void)query_.extract(nu, normals, surface_);
+            triangles += bench::triangles_of(surface_);
+        }
+        return triangles;
+    }
+    void change(const std::shared_ptr<const std::vector<float>>& values) {
+        Field changed = bench::field_of(data_, values);
+        query_.set_field(changed);
+        field_ = std::move(changed);
+    }
+
+private:
+    const bench::Case& data_;
+    Field field_;
+    Query query_;
+    Surface surface_;
+};
+
+// The scalars are exchanged while nobody looks at the clock of VTK; CIEL's block ranges are made on the clock.
+void changed_field(const bench::Case& data, vtkUnstructuredGrid* grid, Own& own, double nu) {
+    bool ours = false, theirs = false;
+    const Contender ciel{"CIEL, merged + normals", [&] {
+                             ours = !ours;
+                             own.change(ours ? data.changed : data.values);
+                             return own.extract({nu}, true);
+                         }};
+    std::vector<Contender> vtk = contenders(data, grid, true, {nu}, true);
+    for (Contender& contender : vtk)
+        contender.prepare = [&] {
+            theirs = !theirs;
+            set_values(grid, data, theirs ? *data.changed : *data.values);
+        };
+    duel("the field changed, then one surface, normals", ciel, vtk);
+    set_values(grid, data, *data.values);
+    own.change(data.values);
+}
+
+} // namespace
+
+void surfaces(const bench::Case& data, vtkUnstructuredGrid* grid) {
+    Own own(data);
+    const auto [low, high] = own.range();
+    // Arbitrary polyhedra take VTK minutes for a hundred.
+    const std::size_t many = is_linear(data) ? 100 : 3;
+    const std::vector<double> values = bench::values_between(low, high, many);
+    const std::string count = std::to_string(many) + " surfaces, warm";
+    duel(count + (is_linear(data) ? "; VTK makes a soup, CIEL shares points" : ""),
+         {"CIEL, merged", [&] { return own.extract(values, false); }}, contenders(data, grid, false, values, true));
+    duel(count + ", normals", {"CIEL, merged + normals", [&] { return own.extract(values, true); }},
+         contenders(data, grid, true, values, true));
+
+    const double middle = (static_cast<double>(low) + static_cast<double>(high)) / 2;
+    changed_field(data, grid, own, middle);
+}
+
+} // namespace ciel::vs_vtk
