@@ -24,7 +24,7 @@ bool is_ambiguous(std::span<const Index> loop, std::span<const float> values) {
 } // namespace
 
 std::uint64_t count_ambiguous_faces(const FaceMeshView& mesh, std::span<const float> values) {
-    if (values.size() != mesh.vertex_count()) throw Error("a field must hold one value per vertex");
+    if (values.size() != mesh.vertex_count()) fail("a field must hold one value per vertex");
     std::atomic<std::uint64_t> count{0};
     parallel_for(mesh.face_count(), 16384, [&](std::size_t begin, std::size_t end) {
         std::vector<Index> loop;

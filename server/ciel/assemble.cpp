@@ -16,23 +16,23 @@ constexpr std::size_t cells_per_task = 4096;
 
 void check_offsets(std::span<const std::uint64_t> offsets, std::uint64_t end, const std::string& name) {
     if (offsets.empty() || offsets.front() != 0 || !std::ranges::is_sorted(offsets) || offsets.back() != end)
-        throw Error(name + " must rise from 0 to " + std::to_string(end) + ", the length of what it divides");
+        fail(name + " must rise from 0 to " + std::to_string(end) + ", the length of what it divides");
 }
 
 void check_sizes(const PolyhedraView& input) {
-    if (input.positions.size() % 3 != 0) throw Error("positions must hold three numbers per vertex");
+    if (input.positions.size() % 3 != 0) fail("positions must hold three numbers per vertex");
     if (input.positions.size() / 3 >= none || input.cell_types.size() >= none || input.face_offset.size() > none)
-        throw Error("a mesh holds fewer than 4,294,967,295 vertices, cells and faces: split the dataset");
+        fail("a mesh holds fewer than 4,294,967,295 vertices, cells and faces: split the dataset");
     if (input.cell_offset.size() != input.cell_types.size() + 1)
-        throw Error("cell_offset must hold one number more than there are cells (" +
-                    std::to_string(input.cell_types.size()) + ")");
+        fail("cell_offset must hold one number more than there are cells (" + std::to_string(input.cell_types.size()) +
+             ")");
     check_offsets(input.cell_offset, input.face_offset.empty() ? 0 : input.face_offset.size() - 1, "cell_offset");
     check_offsets(input.face_offset, input.face_vertex.size(), "face_offset");
     for (const std::uint8_t type : input.cell_types)
         if (type != 10 && type != 12 && type != 13 && type != 14 && type != 42)
-            throw Error("cell type " + std::to_string(type) +
-                        " is not known: use 10 (tetrahedron), 12 (hexahedron), 13 (wedge), 14 (pyramid) or 42 "
-                        "(polyhedron)");
+            fail("cell type " + std::to_string(type) +
+                 " is not known: use 10 (tetrahedron), 12 (hexahedron), 13 (wedge), 14 (pyramid) or 42 "
+                 "(polyhedron)");
 }
 
 struct Judged {

@@ -221,8 +221,8 @@ void BlockBuilder::pair_inside_faces(const Block& block, BlockArrays<Local>& arr
             while (*link != none && runs_upward(block, arrays, *link) == runs_upward(block, arrays, h))
                 link = &open_next_[*link];
             if (*link == none)
-                throw Error("the mesh is damaged: cell " + std::to_string(block.cell_begin + cell) +
-                            " is not closed; import it again");
+                fail("the mesh is damaged: cell " + std::to_string(block.cell_begin + cell) +
+                     " is not closed; import it again");
             const Index mate = *link;
             *link = open_next_[mate];
             open_[edge] = open_next_[h];

@@ -62,7 +62,7 @@ void Linker::number_half_edges() {
         half_edges += b.block.with([](const auto& arrays) { return arrays.mate_face.size(); });
         vertices += b.block.vertex.size();
         if (half_edges >= none || vertices >= none)
-            throw Error("a mesh holds fewer than 4,294,967,295 half-edges: split the dataset");
+            fail("a mesh holds fewer than 4,294,967,295 half-edges: split the dataset");
     }
     out_.counts.half_edges = half_edges;
     out_.block_at.resize((half_edges >> 12) + 1);

@@ -23,7 +23,7 @@ CellFaces cell_faces(const FaceMeshView& mesh) {
 
 void check_face_mesh(const FaceMeshView& mesh) {
     const auto require = [](bool holds, const char* what) {
-        if (!holds) throw Error(std::string("the mesh is damaged: ") + what + "; import it again");
+        if (!holds) fail(std::string("the mesh is damaged: ") + what + "; import it again");
     };
     require(mesh.positions.size() % 3 == 0, "positions do not hold three numbers per vertex");
     require(mesh.neighbour.size() == mesh.owner.size(), "owner and neighbour differ in length");

@@ -13,7 +13,7 @@ public:
 
     virtual void set_field(const Field& field) = 0;
     // Brings `active` and their cuts to nu. False when stopped; the next update starts from what is known.
-    virtual bool update(double nu, const std::stop_token& stop) = 0;
+    virtual bool update(double nu, const StopToken& stop) = 0;
 
     [[nodiscard]] std::span<const Index> active() const { return active_; } // crossed blocks, ascending
     [[nodiscard]] std::span<CutBlock> cut() { return cut_; }                // by block

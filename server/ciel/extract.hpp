@@ -3,9 +3,9 @@
 #pragma once
 
 #include "ciel/field.hpp"
+#include "ciel/threads.hpp"
 
 #include <functional>
-#include <stop_token>
 
 namespace ciel {
 
@@ -64,7 +64,7 @@ public:
     // buffers are used again. `normals` asks for gradients at the ends of the active edges. Returns
     // false, leaving `out` unspecified, when `stop` was requested; the Query stays usable. Uses all threads of the
     // parallel loop.
-    bool extract(double nu, bool normals, Surface& out, const std::stop_token& stop = {});
+    bool extract(double nu, bool normals, Surface& out, const StopToken& stop = {});
 
     [[nodiscard]] std::size_t memory_bytes() const;
 
@@ -76,7 +76,7 @@ private:
 // Algorithm 1 / 3: a series is one call. `sink` gets each value's surface in the given order; it may be kept by moving.
 // False when stopped.
 bool extract_series(Query& query, std::span<const double> values, bool normals,
-                    const std::function<void(double nu, Surface&&)>& sink, const std::stop_token& stop = {});
+                    const std::function<void(double nu, Surface&&)>& sink, const StopToken& stop = {});
 
 // values: `components` per mesh vertex, interpolated at each point of the surface into `out`, interleaved too. Throws
 // Error when `out` has another size.

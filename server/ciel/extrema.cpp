@@ -31,22 +31,23 @@ void rule_out(const Block& block, std::span<const float> values, std::vector<std
 } // namespace
 
 void Field::Blocks::make_extrema() const {
-    std::call_once(extrema_made, [this] {
-        const Topology::Blocks& all = topology->blocks();
-        std::vector<std::uint8_t> not_minimum(values.size(), 0), not_maximum(values.size(), 0);
-        parallel_for(all.block.size(), 8, [&](std::size_t begin, std::size_t end) {
-            for (std::size_t b = begin; b < end; ++b)
-                rule_out(all.block[b], of_block(static_cast<Index>(b)), not_minimum, not_maximum);
-        });
-        for (Index v = 0; v < values.size(); ++v) {
-            if (!std::isfinite(values[v]) || all.first_slot[v] == none) continue;
-            if (!not_minimum[v]) minima.push_back(v);
-            if (!not_maximum[v]) maxima.push_back(v);
-        }
-        const auto below = [this](Index a, Index b) { return values[a] != values[b] ? values[a] < values[b] : a < b; };
-        std::ranges::sort(minima, below);
-        std::ranges::sort(maxima, [&](Index a, Index b) { return below(b, a); });
+    const Locked lock(extrema_mutex);
+    if (extrema_made) return;
+    extrema_made = true;
+    const Topology::Blocks& all = topology->blocks();
+    std::vector<std::uint8_t> not_minimum(values.size(), 0), not_maximum(values.size(), 0);
+    parallel_for(all.block.size(), 8, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t b = begin; b < end; ++b)
+            rule_out(all.block[b], of_block(static_cast<Index>(b)), not_minimum, not_maximum);
     });
+    for (Index v = 0; v < values.size(); ++v) {
+        if (!std::isfinite(values[v]) || all.first_slot[v] == none) continue;
+        if (!not_minimum[v]) minima.push_back(v);
+        if (!not_maximum[v]) maxima.push_back(v);
+    }
+    const auto below = [this](Index a, Index b) { return values[a] != values[b] ? values[a] < values[b] : a < b; };
+    std::ranges::sort(minima, below);
+    std::ranges::sort(maxima, [&](Index a, Index b) { return below(b, a); });
 }
 
 } // namespace ciel

@@ -39,8 +39,8 @@ void gather_block(const Block& block, Index b, Field::Blocks& out) {
 Field::Field(const Topology& topology, std::span<const float> values, std::shared_ptr<const void> keep_alive)
     : blocks_(std::make_unique<Blocks>()) {
     if (values.size() != topology.counts().vertices)
-        throw Error("a field must hold one value per vertex (" + std::to_string(topology.counts().vertices) +
-                    "), not " + std::to_string(values.size()));
+        fail("a field must hold one value per vertex (" + std::to_string(topology.counts().vertices) + "), not " +
+             std::to_string(values.size()));
     const std::vector<Block>& all = topology.blocks().block;
     Blocks& out = *blocks_;
     out.topology = &topology;

@@ -4,8 +4,6 @@
 #include "ciel/field.hpp"
 #include "ciel/gradient.hpp"
 
-#include <mutex>
-
 namespace ciel {
 
 struct Field::Blocks {
@@ -17,7 +15,8 @@ struct Field::Blocks {
     std::vector<std::uint8_t> gaps; // per block: some vertex has no value
     std::array<float, 2> range{};
 
-    mutable std::once_flag extrema_made;
+    mutable Mutex extrema_mutex;
+    mutable bool extrema_made = false;
     mutable std::vector<Index> minima, maxima; // sorted by (value, id), upwards and downwards
     mutable GradientCache gradients;
 

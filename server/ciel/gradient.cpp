@@ -164,7 +164,7 @@ void GradientCache::average(std::span<const Index> vertices, std::span<const Ind
 
 std::span<const Vec3f> GradientCache::at(const FaceMeshView& mesh, const Field::Blocks& field,
                                          std::span<const EdgePoint> points) {
-    const std::lock_guard lock(mutex_);
+    const Locked lock(mutex_);
     const Topology::Blocks& blocks = field.topology->blocks();
     gradient_.resize(blocks.counts.vertices);
     vertex_known_.resize(blocks.counts.vertices);
@@ -208,7 +208,7 @@ std::span<const Vec3f> GradientCache::at(const FaceMeshView& mesh, const Field::
 }
 
 std::size_t GradientCache::memory_bytes() const {
-    const std::lock_guard lock(mutex_);
+    const Locked lock(mutex_);
     return gradient_.capacity() * sizeof(Vec3f) + vertex_known_.capacity() + cell_.capacity() * sizeof(cell_[0]) +
            cell_state_.capacity();
 }

@@ -5,8 +5,7 @@
 
 #include "ciel/blocks.hpp"
 #include "ciel/field.hpp"
-
-#include <mutex>
+#include "ciel/threads.hpp"
 
 namespace ciel {
 
@@ -52,7 +51,7 @@ private:
     void make_cells(const FaceMeshView& mesh, const Field::Blocks& field);
     void average(std::span<const Index> vertices, std::span<const Index> cells, std::span<const Index> cell_end);
 
-    mutable std::mutex mutex_;
+    mutable Mutex mutex_;
     std::vector<Vec3f> gradient_;            // by vertex
     std::vector<std::uint8_t> vertex_known_; // by vertex
     std::vector<CellGradient::Result> cell_; // by cell

@@ -5,11 +5,11 @@ namespace ciel {
 
 void interpolate(std::span<const EdgePoint> points, std::span<const float> values, int components,
                  std::span<float> out) {
-    if (components < 1) throw Error("an array has at least one component");
+    if (components < 1) fail("an array has at least one component");
     const auto width = static_cast<std::size_t>(components);
     if (out.size() != points.size() * width)
-        throw Error("interpolation needs room for " + std::to_string(points.size() * width) + " values, not " +
-                    std::to_string(out.size()));
+        fail("interpolation needs room for " + std::to_string(points.size() * width) + " values, not " +
+             std::to_string(out.size()));
     parallel_for(points.size(), 16384, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i)
             for (std::size_t c = 0; c < width; ++c)

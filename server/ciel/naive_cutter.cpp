@@ -13,7 +13,7 @@ public:
     using Cutter::Cutter;
 
     void set_field(const Field& field) override { field_ = &field.blocks(); }
-    bool update(double nu, const std::stop_token& stop) override {
+    bool update(double nu, const StopToken& stop) override {
         const float threshold = threshold_of(nu);
         parallel_for(cut_.size(), 2, [&](std::size_t begin, std::size_t end) {
             for (std::size_t b = begin; b < end && !stop.stop_requested(); ++b) {

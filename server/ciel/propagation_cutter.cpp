@@ -22,7 +22,7 @@ public:
         field_ = &field.blocks();
         restart();
     }
-    bool update(double nu, const std::stop_token& stop) override;
+    bool update(double nu, const StopToken& stop) override;
     [[nodiscard]] std::size_t memory_bytes() const override;
 
 private:
@@ -33,14 +33,14 @@ private:
     };
 
     void restart();
-    bool sweep_up(float threshold, const std::stop_token& stop);
-    bool sweep_down(float threshold, const std::stop_token& stop);
+    bool sweep_up(float threshold, const StopToken& stop);
+    bool sweep_down(float threshold, const StopToken& stop);
     void pass_up(Index vertex);
     void pass_down(Index vertex);
     [[nodiscard]] bool below(Index a, Index b) const;
     [[nodiscard]] float value(Index vertex) const { return field_->values[vertex]; }
     template <class Keep, class Pass>
-    bool propagate(const std::stop_token& stop, Keep&& keep, Pass&& pass);
+    bool propagate(const StopToken& stop, Keep&& keep, Pass&& pass);
     void turn_around_edges();
     void cut_block(std::span<const Touch> touches);
 
@@ -94,7 +94,7 @@ void PropagationCutter::pass_down(Index vertex) {
 
 // Step 2. Appended edges are looked at in the same traversal: small cells that nu has skipped pass it on.
 template <class Keep, class Pass>
-bool PropagationCutter::propagate(const std::stop_token& stop, Keep&& keep, Pass&& pass) {
+bool PropagationCutter::propagate(const StopToken& stop, Keep&& keep, Pass&& pass) {
     std::size_t kept = 0;
     for (std::size_t i = 0; i < active_edges_.size(); ++i) {
         if (i % 4096 == 0 && stop.stop_requested()) return false;
@@ -110,7 +110,7 @@ bool PropagationCutter::propagate(const std::stop_token& stop, Keep&& keep, Pass
     return true;
 }
 
-bool PropagationCutter::sweep_up(float threshold, const std::stop_token& stop) {
+bool PropagationCutter::sweep_up(float threshold, const StopToken& stop) {
     for (const Index v : field_->minima) {
         if (value(v) >= threshold) break;
         if (!is_low_[v]) pass_up(v);
@@ -123,7 +123,7 @@ bool PropagationCutter::sweep_up(float threshold, const std::stop_token& stop) {
         });
 }
 
-bool PropagationCutter::sweep_down(float threshold, const std::stop_token& stop) {
+bool PropagationCutter::sweep_down(float threshold, const StopToken& stop) {
     for (const Index v : field_->maxima) {
         if (value(v) < threshold) break;
         if (is_low_[v]) pass_down(v);
@@ -174,7 +174,7 @@ void PropagationCutter::cut_block(std::span<const Touch> touches) {
     active_.push_back(b);
 }
 
-bool PropagationCutter::update(double nu, const std::stop_token& stop) {
+bool PropagationCutter::update(double nu, const StopToken& stop) {
     const float threshold = threshold_of(nu);
     active_.clear();
     field_->make_extrema();

@@ -31,7 +31,7 @@ void Surface::clear() { *this = Surface{}; }
 Query::Query(const Topology& topology, const FaceMeshView& mesh, Engine engine)
     : state_(std::make_unique<State>(State{&topology, mesh, make_cutter(engine, topology)})) {
     if (mesh.vertex_count() != topology.counts().vertices || mesh.cell_count() != topology.counts().cells)
-        throw Error("the mesh is not the one that the topology was built from");
+        fail("the mesh is not the one that the topology was built from");
 }
 
 Query::~Query() = default;
@@ -39,13 +39,13 @@ Query::Query(Query&&) noexcept = default;
 Query& Query::operator=(Query&&) noexcept = default;
 
 void Query::set_field(const Field& field) {
-    if (field.blocks().topology != state_->topology) throw Error("the field belongs to another topology");
+    if (field.blocks().topology != state_->topology) fail("the field belongs to another topology");
     state_->field = &field.blocks();
     state_->cutter->set_field(field);
 }
 
-bool Query::extract(double nu, bool normals, Surface& out, const std::stop_token& stop) {
-    if (state_->field == nullptr) throw Error("choose a field before extracting a surface");
+bool Query::extract(double nu, bool normals, Surface& out, const StopToken& stop) {
+    if (state_->field == nullptr) fail("choose a field before extracting a surface");
     if (!state_->cutter->update(nu, stop)) return false;
     write_surface(*state_->topology, state_->mesh, *state_->field, *state_->cutter, nu, out);
     if (stop.stop_requested()) return false;
@@ -59,7 +59,7 @@ bool Query::extract(double nu, bool normals, Surface& out, const std::stop_token
 std::size_t Query::memory_bytes() const { return sizeof(State) + state_->cutter->memory_bytes(); }
 
 bool extract_series(Query& query, std::span<const double> values, bool normals,
-                    const std::function<void(double nu, Surface&&)>& sink, const std::stop_token& stop) {
+                    const std::function<void(double nu, Surface&&)>& sink, const StopToken& stop) {
     Surface surface;
     for (const double nu : values) {
         if (!query.extract(nu, normals, surface, stop)) return false;

@@ -12,14 +12,14 @@ public:
     using Cutter::Cutter;
 
     void set_field(const Field& field) override { field_ = &field.blocks(); }
-    bool update(double nu, const std::stop_token& stop) override;
+    bool update(double nu, const StopToken& stop) override;
 
 private:
     void cut_block(Index b, float threshold);
     const Field::Blocks* field_ = nullptr;
 };
 
-bool SignatureCutter::update(double nu, const std::stop_token& stop) {
+bool SignatureCutter::update(double nu, const StopToken& stop) {
     const float threshold = threshold_of(nu);
     active_.clear();
     for (Index b = 0; b < cut_.size(); ++b)

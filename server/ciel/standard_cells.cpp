@@ -24,8 +24,7 @@ constexpr StandardCell standard_cells[] = {
 const StandardCell& standard_cell(CellType type) {
     for (const StandardCell& cell : standard_cells)
         if (cell.type == type) return cell;
-    throw Error("cell type " + std::to_string(static_cast<int>(type)) +
-                " is not a standard cell: give its faces one by one");
+    fail("cell type " + std::to_string(static_cast<int>(type)) + " is not a standard cell: give its faces one by one");
 }
 
 } // namespace
@@ -34,8 +33,8 @@ void append_standard_faces(CellType type, std::span<const Index> corners, std::v
                            std::vector<Index>& face_vertex) {
     const StandardCell& cell = standard_cell(type);
     if (corners.size() != cell.corners)
-        throw Error("a cell of type " + std::to_string(static_cast<int>(type)) + " has " +
-                    std::to_string(cell.corners) + " corners, not " + std::to_string(corners.size()));
+        fail("a cell of type " + std::to_string(static_cast<int>(type)) + " has " + std::to_string(cell.corners) +
+             " corners, not " + std::to_string(corners.size()));
     for (std::size_t face = 0; face < cell.faces; ++face) {
         for (const int corner : cell.loops[face])
             if (corner >= 0) face_vertex.push_back(corners[static_cast<std::size_t>(corner)]);

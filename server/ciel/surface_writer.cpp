@@ -58,7 +58,7 @@ void Writer::number() {
         points += cut.owned();
         polygons += cut.polygon_cell.size();
         corners += cut.polygon_point.size();
-        if (corners >= none) throw Error("the surface has more than 4,294,967,294 corners: choose another value");
+        if (corners >= none) fail("the surface has more than 4,294,967,294 corners: choose another value");
         if (!cut.polygon_cell.empty()) out_.chunks.push_back({b, cut.first_polygon, static_cast<Index>(polygons)});
     }
     out_.positions.resize(points);

@@ -24,4 +24,7 @@ public:
     using std::runtime_error::runtime_error;
 };
 
+// Throws Error; ends a program that was built without exceptions (WebAssembly).
+[[noreturn]] void fail(const std::string& sentence);
+
 } // namespace ciel
