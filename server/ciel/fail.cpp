@@ -11,7 +11,7 @@ void fail(const std::string& sentence) {
 #if defined(__cpp_exceptions)
     throw Error(sentence);
 #else
-    std::fputs(sentence.c_str(), stderr);
+    std::fputs((sentence + "\n").c_str(), stderr);
     std::abort();
 #endif
 }

@@ -1,8 +1,6 @@
 #include "ciel/parallel.hpp"
 
 #include <algorithm>
-#include <atomic>
-#include <thread>
 
 #if defined(CIEL_PARALLEL_TBB)
 #include <memory>
@@ -10,18 +8,14 @@
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #elif defined(CIEL_PARALLEL_THREADS)
+#include <atomic>
 #include <exception>
 #include <mutex>
+#include <thread>
 #include <vector>
 #endif
 
 namespace ciel {
-
-namespace {
-
-[[maybe_unused]] unsigned machine_threads() { return std::max(1U, std::thread::hardware_concurrency()); }
-
-} // namespace
 
 #if defined(CIEL_PARALLEL_TBB)
 
@@ -60,7 +54,7 @@ void set_thread_count(unsigned threads) { requested = threads; }
 
 unsigned thread_count() {
     const unsigned threads = requested;
-    return threads > 0 ? threads : machine_threads();
+    return threads > 0 ? threads : std::max(1U, std::thread::hardware_concurrency());
 }
 
 void parallel_for(std::size_t count, std::size_t grain,
