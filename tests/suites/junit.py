@@ -1,4 +1,6 @@
-"""Runs one command as one test case and appends the outcome to a JUnit file: junit.py FILE SUITE NAME COMMAND..."""
+"""Runs one command as one test case and appends the outcome to a JUnit file: junit.py FILE SUITE NAME COMMAND...
+
+A command that exits 77 was skipped; the last line it printed says why."""
 
 import pathlib
 import subprocess
@@ -6,17 +8,21 @@ import sys
 import time
 import xml.etree.ElementTree as ElementTree
 
+SKIPPED = 77
+
 
 def main(file: pathlib.Path, suite: str, name: str, command: list[str]) -> int:
     root = ElementTree.parse(file).getroot() if file.exists() else ElementTree.Element("testsuite", name=suite)
     started = time.monotonic()
     done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, errors="replace", check=False)
     case = ElementTree.SubElement(root, "testcase", classname=suite, name=name, time=f"{time.monotonic() - started:.3f}")
-    if done.returncode != 0:
+    if done.returncode == SKIPPED:
+        ElementTree.SubElement(case, "skipped", message="".join(done.stdout.splitlines()[-1:]))
+    elif done.returncode != 0:
         print(done.stdout[-8000:])
         ElementTree.SubElement(case, "failure", message=f"{name} exited {done.returncode}")
     ElementTree.ElementTree(root).write(file)
-    print(f"{'ok' if done.returncode == 0 else 'FAILED'}: {name}")
+    print(f"{ {0: 'ok', SKIPPED: 'skipped'}.get(done.returncode, 'FAILED')}: {name}")
     return done.returncode
 
 

@@ -1,0 +1,12 @@
+// The same work on every machine that the kernel is compiled for.
+#pragma once
+
+#include "wasm/bytes.hpp"
+
+namespace ciel::test {
+
+// Takes each case (cases.hpp) through all of the kernel. The results are pairs of a name, "mesh / field / engine at
+// value / array", and the array's raw bytes.
+[[nodiscard]] Bytes extract_everywhere(std::span<const std::byte> cases);
+
+} // namespace ciel::test
