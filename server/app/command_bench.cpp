@@ -5,6 +5,7 @@
 #include "store/files.hpp"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <iostream>
 #include <memory>
@@ -15,8 +16,15 @@ namespace {
 
 using nlohmann::json;
 
+const std::vector<std::pair<std::string, bench::Table (*)(const bench::Case&)>> all_tables{
+    {"memory", bench::memory_table},
+    {"preprocessing", bench::preprocessing_table},
+    {"slices", bench::slices_table},
+    {"surfaces", bench::surfaces_table}};
+
 struct BenchCommand {
     std::string dataset, array, output;
+    std::vector<std::string> tables;
     unsigned threads = 0;
 };
 
@@ -79,8 +87,8 @@ int run_command(const BenchCommand& command) {
                 {"version", CIEL_VERSION},
                 {"cells", data.mesh.cell_count()},
                 {"tables", json::array()}};
-    for (const auto make :
-         {bench::memory_table, bench::preprocessing_table, bench::slices_table, bench::surfaces_table}) {
+    for (const auto& [name, make] : all_tables) {
+        if (!command.tables.empty() && std::ranges::find(command.tables, name) == command.tables.end()) continue;
         const bench::Table table = make(data);
         print(table, cells);
         report["tables"].push_back(table_json(table, cells));
@@ -103,6 +111,11 @@ void add_bench(CLI::App& app, Run& run) {
     command->add_option("dataset", bench->dataset, "NAME.ciel")->required();
     command->add_option("--array", bench->array, "A scalar on the points; the first that varies without it.")
         ->type_name("ARRAY");
+    command
+        ->add_option("--table", bench->tables,
+                     "memory, preprocessing, slices or surfaces; may be given more than once. All of them without it.")
+        ->check(CLI::IsMember({"memory", "preprocessing", "slices", "surfaces"}))
+        ->type_name("TABLE");
     command->add_option("--threads", bench->threads, "How many threads; all of the machine's without it.")
         ->check(CLI::Range(1, 1024))
         ->type_name("N");

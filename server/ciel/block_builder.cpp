@@ -1,235 +1,205 @@
 #include "ciel/block_builder.hpp"
 
-#include "ciel/loop.hpp"
-
 #include <algorithm>
 
 namespace ciel {
 
-BlockBuilder::BlockBuilder(const FaceMeshView& mesh, const CellFaces& faces)
-    : mesh_(mesh), faces_(faces), local_vertex_(mesh.vertex_count(), none) {}
+namespace {
+
+constexpr std::array<CellType, 4> standard_types{CellType::tetrahedron, CellType::hexahedron, CellType::wedge,
+                                                 CellType::pyramid};
+
+} // namespace
 
 BuiltBlock BlockBuilder::build(Index cell_begin, Index cell_end) {
-    cell_begin_ = cell_begin;
-    cell_end_ = cell_end;
+    loops_.gather(cell_begin, cell_end);
+    anchor_.assign(loops_.loop_count(), {none, none});
     BuiltBlock built;
     built.block.cell_begin = cell_begin;
     built.block.cell_count = cell_end - cell_begin;
-    list_faces(built);
-    gather_loops(built);
-    collect_vertices(built.block);
-    if (corner_vertex_.size() + built.block.inner_corners < BlockArrays<std::uint16_t>::end_of_list)
+    built.block.vertex_count = static_cast<Index>(loops_.vertices.size());
+    built.block.edge_count = static_cast<Index>(loops_.edge_ends.size());
+    sort_cells();
+    if (fits_16_bits())
         fill<std::uint16_t>(built);
     else
         fill<std::uint32_t>(built);
-    for (const Index v : built.block.vertex) local_vertex_[v] = none;
+    built.vertices = loops_.vertices;
+    built.edge_ends = loops_.edge_ends;
+    loops_.forget();
     return built;
 }
 
-void BlockBuilder::list_faces(BuiltBlock& built) {
-    const auto first_owned = [&](Index cell) {
-        return static_cast<Index>(std::ranges::lower_bound(mesh_.owner, cell) - mesh_.owner.begin());
-    };
-    face_begin_ = first_owned(cell_begin_);
-    face_end_ = first_owned(cell_end_);
-    inner_.clear();
-    near_tail_.clear();
-    far_tail_.clear();
-    for (Index f = face_begin_; f < face_end_; ++f) (mesh_.neighbour[f] < cell_end_ ? inner_ : near_tail_).push_back(f);
-    for (Index cell = cell_begin_; cell < cell_end_; ++cell)
-        for (const Index f : faces_.of(cell))
-            if (f < face_begin_) far_tail_.push_back(f);
-    built.tail_face.clear();
-}
-
-// Faces that collapsed to a point have no half-edge and no place in the block.
-void BlockBuilder::gather_loops(BuiltBlock& built) {
-    Block& block = built.block;
-    corner_vertex_.clear();
-    local_face_.assign(face_end_ - face_begin_, none);
-    block.face_begin.assign(1, 0);
-    const auto append = [&](Index f) {
-        if (append_without_repeats(mesh_.loop(f), corner_vertex_) == 0) return false;
-        if (f >= face_begin_) local_face_[f - face_begin_] = static_cast<Index>(block.face_begin.size() - 1);
-        block.face_begin.push_back(static_cast<Index>(corner_vertex_.size()));
-        return true;
-    };
-    for (const Index f : inner_) append(f);
-    block.inner_faces = static_cast<Index>(block.face_begin.size() - 1);
-    block.inner_corners = static_cast<Index>(corner_vertex_.size());
-    for (const Index f : near_tail_)
-        if (append(f)) built.tail_face.push_back(f);
-    block.far_corner = static_cast<Index>(corner_vertex_.size());
-    for (const Index f : far_tail_)
-        if (append(f)) built.tail_face.push_back(f);
-}
-
-void BlockBuilder::collect_vertices(Block& block) {
-    for (const Index v : corner_vertex_) {
-        if (local_vertex_[v] != none) continue;
-        local_vertex_[v] = 0;
-        block.vertex.push_back(v);
+void BlockBuilder::sort_cells() {
+    for (auto& cells : standard_) cells.clear();
+    polyhedra_.clear();
+    for (Index cell = 0; cell < loops_.cell_end - loops_.cell_begin; ++cell) {
+        const auto type = static_cast<CellType>(loops_.mesh.cell_types[loops_.cell_begin + cell]);
+        StandardCell found;
+        bool fits = false;
+        with_shape(type, [&]<const StandardShape & shape>() { fits = recognise<shape>(loops_, cell, found); });
+        if (fits)
+            standard_[static_cast<std::size_t>(std::ranges::find(standard_types, type) - standard_types.begin())]
+                .push_back({cell, found});
+        else
+            polyhedra_.push_back(cell);
     }
-    std::ranges::sort(block.vertex);
-    for (Index local = 0; local < block.vertex.size(); ++local) local_vertex_[block.vertex[local]] = local;
+}
+
+// Places where a vertex occurs, half-edges of standard cells and behind them references to other blocks, faces with a
+// side: each kind has 16 bits.
+bool BlockBuilder::fits_16_bits() const {
+    constexpr std::size_t limit = StandardSection::no_mate;
+    std::vector<std::uint8_t> is_polyhedron(loops_.cell_end - loops_.cell_begin, 0);
+    for (const Index cell : polyhedra_) is_polyhedron[cell] = 1;
+    std::size_t entries = 0, half_edges = 0;
+    for (std::size_t type = 0; type < standard_types.size(); ++type)
+        with_shape(standard_types[type], [&]<const StandardShape & shape>() {
+            entries += standard_[type].size() * shape.corners;
+            half_edges += standard_[type].size() * shape.half_edges;
+        });
+    for (Index loop = 0; loop < loops_.loop_count(); ++loop)
+        for (const Index side : {0U, 1U}) {
+            const Index cell = loops_.cell_on(loop, side);
+            if (cell == none || is_polyhedron[cell] == 0) continue;
+            entries += loops_.begin[loop + 1] - loops_.begin[loop];
+            break;
+        }
+    return entries < limit && half_edges + loops_.loop_count() < limit &&
+           2 * std::size_t{loops_.loop_count()} < limit && loops_.vertices.size() < limit &&
+           loops_.edge_ends.size() < limit;
 }
 
 template <class Local>
 void BlockBuilder::fill(BuiltBlock& built) {
+    if (sizeof(Local) > sizeof(std::uint16_t)) { // standard sections are always of 16 bits
+        for (auto& cells : standard_) cells.clear();
+        polyhedra_.resize(built.block.cell_count);
+        for (Index cell = 0; cell < polyhedra_.size(); ++cell) polyhedra_[cell] = cell;
+    }
+    for (std::size_t type = 0; type < standard_types.size(); ++type)
+        if (!standard_[type].empty())
+            with_shape(standard_types[type],
+                       [&]<const StandardShape & shape>() { fill_standard<shape>(built, standard_[type]); });
+    built.block.standard_half_edges = built.block.half_edge_count;
     BlockArrays<Local> arrays;
-    fill_corners(built.block, arrays);
-    find_edges(built.block, arrays);
-    list_cell_faces(built.block, arrays);
-    pair_half_edges(built.block, arrays);
+    fill_polyhedra(loops_, polyhedra_, built, arrays.polyhedra, anchor_);
+    set_standard_mates(built, arrays);
+    list_entries(built.block, arrays);
     built.block.arrays = std::move(arrays);
 }
 
-template <class Local>
-void BlockBuilder::fill_corners(const Block& block, BlockArrays<Local>& arrays) {
-    const std::size_t corners = corner_vertex_.size();
-    arrays.vertex.resize(corners);
-    arrays.face.resize(corners);
-    for (Index f = 0; f + 1 < block.face_begin.size(); ++f)
-        for (Index k = block.face_begin[f]; k < block.face_begin[f + 1]; ++k) {
-            arrays.vertex[k] = static_cast<Local>(local_vertex_[corner_vertex_[k]]);
-            arrays.face[k] = static_cast<Local>(f);
+template <const StandardShape& shape>
+void BlockBuilder::fill_standard(BuiltBlock& built, std::span<const Recognised> cells) {
+    StandardSection& section = built.block.standard.emplace_back();
+    section.shape = &shape;
+    section.half_edge_begin = built.block.half_edge_count;
+    built.block.half_edge_count += static_cast<Index>(cells.size()) * shape.half_edges;
+    if (cells.size() != built.block.cell_count) section.cell.reserve(cells.size());
+    section.vertex.reserve(cells.size() * shape.corners);
+    section.edge.resize(cells.size() * shape.edges);
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+        const StandardCell& cell = cells[i].found;
+        if (cells.size() != built.block.cell_count) section.cell.push_back(static_cast<std::uint16_t>(cells[i].cell));
+        for (std::size_t c = 0; c < shape.corners; ++c)
+            section.vertex.push_back(static_cast<std::uint16_t>(cell.corner[c]));
+        for (std::size_t h = 0; h < shape.half_edges; ++h) {
+            const std::size_t face = shape.face[h];
+            const Index n = shape.face_size(face);
+            const auto at = static_cast<Index>((cell.turn[face] + h - shape.face_begin[face]) % n);
+            section.edge[i * shape.edges + shape.edge[h]] =
+                static_cast<std::uint16_t>(loops_.edge_at(cell.loop[face], at));
         }
-    arrays.next_corner.resize(corners);
-    arrays.first_corner.assign(block.vertex.size(), arrays.end_of_list);
-    for (std::size_t k = corners; k-- > 0;) {
-        arrays.next_corner[k] = arrays.first_corner[arrays.vertex[k]];
-        arrays.first_corner[arrays.vertex[k]] = static_cast<Local>(k);
+    }
+    set_anchors<shape>(cells, section.half_edge_begin);
+}
+
+// The half-edge at a loop's first corner: it leaves that corner on side 0, and leads to it on side 1.
+template <const StandardShape& shape>
+void BlockBuilder::set_anchors(std::span<const Recognised> cells, Index half_edge_begin) {
+    for (const Recognised& cell : cells) {
+        for (std::size_t face = 0; face < shape.faces; ++face) {
+            const LoopRef ref = cell.found.loop[face];
+            const Index n = shape.face_size(face);
+            const Index place = (ref % 2 == 0 ? n : 2 * n - 2) - cell.found.turn[face];
+            anchor_[ref / 2][ref % 2] = half_edge_begin + shape.face_begin[face] + place % n;
+        }
+        half_edge_begin += shape.half_edges;
     }
 }
 
-// Edges in order of first appearance in the mesh's faces: for the edges that the block owns, that is the mesh-wide
-// order, whatever the size of the blocks.
 template <class Local>
-void BlockBuilder::find_edges(const Block& block, BlockArrays<Local>& arrays) {
-    arrays.edge.resize(corner_vertex_.size());
-    edge_head_.assign(block.vertex.size(), none);
-    edge_next_.clear();
-    const auto visit = [&](Index face) {
-        for (Index k = block.face_begin[face]; k < block.face_begin[face + 1]; ++k) {
-            const Local a = arrays.vertex[k], b = arrays.vertex[block.next_in_loop(k, face)];
-            const Local low = std::min(a, b), high = std::max(a, b);
-            Index e = edge_head_[low];
-            while (e != none && arrays.edge_high[e] != high) e = edge_next_[e];
-            if (e == none) {
-                e = static_cast<Index>(edge_next_.size());
-                arrays.edge_low.push_back(low);
-                arrays.edge_high.push_back(high);
-                edge_next_.push_back(edge_head_[low]);
-                edge_head_[low] = e;
+void BlockBuilder::set_standard_mates(BuiltBlock& built, const BlockArrays<Local>& arrays) {
+    for (StandardSection& section : built.block.standard) {
+        const StandardShape& shape = *section.shape;
+        const auto type =
+            static_cast<std::size_t>(std::ranges::find(standard_types, shape.type) - standard_types.begin());
+        section.mate.reserve(standard_[type].size() * shape.faces);
+        Index first = section.half_edge_begin;
+        for (const Recognised& cell : standard_[type]) {
+            for (std::size_t face = 0; face < shape.faces; ++face) {
+                const Index loop = cell.found.loop[face] / 2, side = cell.found.loop[face] % 2;
+                const Index steps = anchor_[loop][side] - first - shape.face_begin[face];
+                const Index other = anchor_[loop][1 - side];
+                if (other < built.block.standard_half_edges) {
+                    section.mate.push_back(
+                        static_cast<std::uint16_t>(turn(built.block, arrays.polyhedra, other, steps)));
+                } else if (side == 0 && loops_.mesh.neighbour[loops_.mesh_face[loop]] == none) {
+                    section.mate.push_back(StandardSection::no_mate);
+                } else {
+                    section.mate.push_back(
+                        static_cast<std::uint16_t>(built.block.standard_half_edges + built.tails.size()));
+                    built.tails.push_back({loops_.mesh_face[loop], side, anchor_[loop][side], steps, other});
+                }
             }
-            arrays.edge[k] = static_cast<Local>(e);
+            first += shape.half_edges;
+        }
+    }
+}
+
+// From the last to the first, so that a vertex's list ascends.
+template <class Local>
+void BlockBuilder::list_entries(Block& block, BlockArrays<Local>& arrays) {
+    constexpr Local end = PolyhedralSection<Local>::end_of_list;
+    arrays.first_entry.assign(block.vertex_count, end);
+    const auto link = [&](const auto& vertex, auto& next_entry, Index entry_begin) {
+        next_entry.resize(vertex.size());
+        for (std::size_t k = vertex.size(); k-- > 0;) {
+            next_entry[k] = static_cast<std::decay_t<decltype(next_entry[k])>>(arrays.first_entry[vertex[k]]);
+            arrays.first_entry[vertex[k]] = static_cast<Local>(entry_begin + k);
         }
     };
-    for (const Index face : local_face_)
-        if (face != none) visit(face);
-    for (Index face = arrays.face.size() > block.far_corner ? arrays.face[block.far_corner] : none;
-         face < block.face_begin.size() - 1; ++face)
-        visit(face);
-}
-
-template <class Local>
-void BlockBuilder::list_cell_faces(Block& block, BlockArrays<Local>& arrays) {
-    const std::size_t faces = block.face_begin.size() - 1;
-    arrays.face_cell.resize(faces);
-    block.cell_face_begin.assign(1, 0);
-    Index next_far = arrays.face.size() > block.far_corner ? arrays.face[block.far_corner] : none;
-    std::vector<Index> loop;
-    for (Index cell = cell_begin_; cell < cell_end_; ++cell) {
-        for (const Index f : faces_.of(cell)) {
-            const Index side = mesh_.owner[f] == cell ? 0 : 1;
-            Index local;
-            if (f >= face_begin_) {
-                local = local_face_[f - face_begin_];
-                if (local == none) continue;
-            } else {
-                loop.clear();
-                if (append_without_repeats(mesh_.loop(f), loop) == 0) continue;
-                local = next_far++; // far tails were listed in this same order
-            }
-            arrays.cell_face.push_back(static_cast<Local>(2 * local + side));
-            const auto local_cell = static_cast<Local>(cell - cell_begin_);
-            if (local < block.inner_faces)
-                arrays.face_cell[local][side] = local_cell;
-            else
-                arrays.face_cell[local] = {local_cell, local_cell};
-        }
-        block.cell_face_begin.push_back(static_cast<Index>(arrays.cell_face.size()));
+    Index entries = 0;
+    for (StandardSection& section : block.standard) {
+        section.entry_begin = entries;
+        entries += static_cast<Index>(section.vertex.size());
     }
-    arrays.cell_face.shrink_to_fit();
+    arrays.polyhedra.entry_begin = entries;
+    link(arrays.polyhedra.vertex, arrays.polyhedra.next_entry, entries);
+    for (std::size_t i = block.standard.size(); i-- > 0;)
+        link(block.standard[i].vertex, block.standard[i].next_entry, block.standard[i].entry_begin);
 }
 
-// Inside a cell the two half-edges of an edge are mates. Where a cell touches itself along an edge there are more: any
-// pairing of opposite directions is sound, one between different faces is preferred.
 template <class Local>
-void BlockBuilder::pair_half_edges(const Block& block, BlockArrays<Local>& arrays) {
-    arrays.mate_face.resize(corner_vertex_.size() + block.inner_corners);
-    open_.assign(arrays.edge_low.size(), none);
-    open_next_.assign(arrays.mate_face.size(), none);
-    for (Index cell = 0; cell < block.cell_count; ++cell) {
-        waiting_.clear();
-        for (Index i = block.cell_face_begin[cell]; i < block.cell_face_begin[cell + 1]; ++i) {
-            const Index face = arrays.cell_face[i] / 2, side = arrays.cell_face[i] % 2;
-            for (Index k = block.face_begin[face]; k < block.face_begin[face + 1]; ++k)
-                pair_half_edge(block, arrays, block.half_edge(k, side));
-        }
-        pair_inside_faces(block, arrays, cell);
+Index turn(const Block& block, const PolyhedralSection<Local>& polyhedra, Index h, Index steps) {
+    if (const StandardSection* section = block.section_of_half_edge(h)) {
+        const StandardShape& shape = *section->shape;
+        const Index of_cell = (h - section->half_edge_begin) % shape.half_edges;
+        const Index begin = shape.face_begin[shape.face[of_cell]], n = shape.face_size(shape.face[of_cell]);
+        return h - of_cell + begin + (of_cell - begin + steps) % n;
     }
+    const Index local = h - polyhedra.half_edge_begin, corner = polyhedra.corner(local), side = polyhedra.side(local);
+    const Index face = polyhedra.face(corner), begin = polyhedra.face_begin[face];
+    const Index n = polyhedra.face_begin[face + 1] - begin;
+    const Index forward = side == 0 ? steps % n : n - steps % n;
+    return polyhedra.half_edge_begin + polyhedra.half_edge(begin + (corner - begin + forward) % n, side);
 }
 
-namespace {
+template Index turn(const Block&, const PolyhedralSection<std::uint16_t>&, Index, Index);
+template Index turn(const Block&, const PolyhedralSection<std::uint32_t>&, Index, Index);
 
-template <class Local>
-bool runs_upward(const Block& block, const BlockArrays<Local>& arrays, Index h) {
-    const Index corner = block.corner(h);
-    return (arrays.vertex[corner] == arrays.edge_low[arrays.edge[corner]]) == (block.side(h) == 0);
-}
-
-} // namespace
-
-template <class Local>
-void BlockBuilder::pair_half_edge(const Block& block, BlockArrays<Local>& arrays, Index h) {
-    const Index corner = block.corner(h), edge = arrays.edge[corner];
-    const bool upward = runs_upward(block, arrays, h);
-    Index* link = &open_[edge];
-    if (*link == none) waiting_.push_back(edge);
-    while (*link != none &&
-           (runs_upward(block, arrays, *link) == upward || arrays.face[block.corner(*link)] == arrays.face[corner]))
-        link = &open_next_[*link];
-    if (*link == none) {
-        open_next_[h] = open_[edge];
-        open_[edge] = h;
-        return;
-    }
-    const Index mate = *link;
-    *link = open_next_[mate];
-    arrays.mate_face[h] = static_cast<Local>(mate);
-    arrays.mate_face[mate] = static_cast<Local>(h);
-}
-
-// A face that collapsed to a line may have to be its own neighbour.
-template <class Local>
-void BlockBuilder::pair_inside_faces(const Block& block, BlockArrays<Local>& arrays, Index cell) {
-    for (const Index edge : waiting_) {
-        while (open_[edge] != none) {
-            const Index h = open_[edge];
-            Index* link = &open_next_[h];
-            while (*link != none && runs_upward(block, arrays, *link) == runs_upward(block, arrays, h))
-                link = &open_next_[*link];
-            if (*link == none)
-                fail("the mesh is damaged: cell " + std::to_string(block.cell_begin + cell) +
-                     " is not closed; import it again");
-            const Index mate = *link;
-            *link = open_next_[mate];
-            open_[edge] = open_next_[h];
-            arrays.mate_face[h] = static_cast<Local>(mate);
-            arrays.mate_face[mate] = static_cast<Local>(h);
-        }
-    }
+Index turn(const Block& block, Index h, Index steps) {
+    return block.with([&](const auto& arrays) { return turn(block, arrays.polyhedra, h, steps); });
 }
 
 } // namespace ciel

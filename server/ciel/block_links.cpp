@@ -25,6 +25,7 @@ public:
 
     void run() {
         number_half_edges();
+        own_vertices();
         ring_vertices();
         own_edges();
         for_blocks(built_.size(), [&](Index b) { renumber_edges(b); });
@@ -38,11 +39,14 @@ private:
     };
 
     void number_half_edges();
+    void own_vertices();
     void ring_vertices();
+    void link_border(Block& block, std::span<const Index> next);
     void own_edges();
     [[nodiscard]] std::vector<std::vector<std::pair<Index, SharedEdge>>> shared_edges() const;
     void renumber_edges(Index b);
     void join_twins();
+    [[nodiscard]] HalfEdge turn_in_mesh(HalfEdge h, Index steps) const;
 
     const FaceMeshView& mesh_;
     std::vector<BuiltBlock>& built_;
@@ -59,12 +63,13 @@ void Linker::number_half_edges() {
     for (BuiltBlock& b : built_) {
         b.block.half_edge_begin = static_cast<Index>(half_edges);
         b.block.vertex_begin = static_cast<Index>(vertices);
-        half_edges += b.block.with([](const auto& arrays) { return arrays.mate_face.size(); });
-        vertices += b.block.vertex.size();
+        half_edges += b.block.half_edge_count;
+        vertices += b.block.vertex_count;
         if (half_edges >= none || vertices >= none)
             fail("a mesh holds fewer than 4,294,967,295 half-edges: split the dataset");
     }
     out_.counts.half_edges = half_edges;
+    out_.counts.vertices = mesh_.vertex_count();
     out_.block_at.resize((half_edges >> 12) + 1);
     Index b = 0;
     for (std::size_t i = 0; i < out_.block_at.size(); ++i) {
@@ -73,18 +78,31 @@ void Linker::number_half_edges() {
     }
 }
 
+// Vertices are numbered by first use, so those that a block is the first to use are consecutive.
+void Linker::own_vertices() {
+    Index owned = 0;
+    for (BuiltBlock& b : built_) {
+        Block& block = b.block;
+        block.own_vertex_begin = owned;
+        const auto first = std::ranges::lower_bound(b.vertices, owned);
+        block.ghost_vertex.assign(b.vertices.begin(), first);
+        for (auto v = first; v != b.vertices.end(); ++v)
+            if (*v != owned++)
+                fail("the mesh is damaged: its vertices are not in the order of their first use; import it again");
+    }
+}
+
 void Linker::ring_vertices() {
-    out_.first_slot.assign(mesh_.vertex_count(), none);
-    std::vector<Index> last(mesh_.vertex_count(), none), next; // slots
+    std::vector<Index> first(mesh_.vertex_count(), none), last(mesh_.vertex_count(), none), next; // slots
     for (const BuiltBlock& b : built_) {
         Index slot = b.block.vertex_begin;
-        next.resize(slot + b.block.vertex.size(), none);
-        for (const Index v : b.block.vertex) {
+        next.resize(slot + b.vertices.size(), none);
+        for (const Index v : b.vertices) {
             if (last[v] == none) {
-                out_.first_slot[v] = slot;
+                first[v] = slot;
             } else {
                 next[last[v]] = slot;
-                next[slot] = out_.first_slot[v]; // until a later block has it too
+                next[slot] = first[v]; // until a later block has it too
             }
             last[v] = slot++;
         }
@@ -93,17 +111,45 @@ void Linker::ring_vertices() {
         Block& block = built_[b].block;
         std::visit(
             [&](auto& arrays) {
-                for (Index local = 0; local < block.vertex.size(); ++local) {
-                    if (next[block.vertex_begin + local] == none) continue;
-                    arrays.border_vertex.push_back(static_cast<std::decay_t<decltype(arrays.end_of_list)>>(local));
-                    block.border_next.push_back(next[block.vertex_begin + local]);
-                }
+                for (Index local = 0; local < block.vertex_count; ++local)
+                    if (next[block.vertex_begin + local] != none)
+                        arrays.border_vertex.push_back(
+                            static_cast<std::decay_t<decltype(arrays.border_vertex[0])>>(local));
                 arrays.border_vertex.shrink_to_fit();
             },
             block.arrays);
-        block.border_next.shrink_to_fit();
     });
-    out_.counts.vertices = mesh_.vertex_count();
+    for_blocks(built_.size(), [&](Index b) { link_border(built_[b].block, next); });
+}
+
+// `next`: by slot, the next one in the ring.
+void Linker::link_border(Block& block, std::span<const Index> next) {
+    const auto block_with = [&](Index slot) {
+        const auto after =
+            std::ranges::upper_bound(built_, slot, {}, [](const BuiltBlock& b) { return b.block.vertex_begin; });
+        return static_cast<Index>(after - built_.begin() - 1);
+    };
+    std::visit(
+        [&](auto& arrays) {
+            using Local = std::decay_t<decltype(arrays.border_vertex[0])>;
+            std::vector<Index> there;
+            for (const Index local : arrays.border_vertex)
+                there.push_back(block_with(next[block.vertex_begin + local]));
+            block.neighbour = there;
+            std::ranges::sort(block.neighbour);
+            block.neighbour.erase(std::unique(block.neighbour.begin(), block.neighbour.end()), block.neighbour.end());
+            block.neighbour.shrink_to_fit();
+            arrays.border_block.reserve(there.size());
+            arrays.border_place.reserve(there.size());
+            for (std::size_t i = 0; i < there.size(); ++i) {
+                const Block& other = built_[there[i]].block;
+                const Index local = next[block.vertex_begin + arrays.border_vertex[i]] - other.vertex_begin;
+                arrays.border_block.push_back(
+                    static_cast<Local>(std::ranges::lower_bound(block.neighbour, there[i]) - block.neighbour.begin()));
+                arrays.border_place.push_back(static_cast<Local>(other.border_place_of(local)));
+            }
+        },
+        block.arrays);
 }
 
 // Edges that may be in several blocks: both ends are. By block; each with its lower mesh vertex.
@@ -112,11 +158,12 @@ std::vector<std::vector<std::pair<Index, Linker::SharedEdge>>> Linker::shared_ed
     for_blocks(built_.size(), [&](Index b) {
         const Block& block = built_[b].block;
         block.with([&](const auto& arrays) {
-            std::vector<std::uint8_t> border(block.vertex.size(), 0);
+            std::vector<std::uint8_t> border(block.vertex_count, 0);
             for (const auto v : arrays.border_vertex) border[v] = 1;
-            for (Index e = 0; e < arrays.edge_low.size(); ++e)
-                if (border[arrays.edge_low[e]] && border[arrays.edge_high[e]])
-                    shared[b].push_back({block.vertex[arrays.edge_low[e]], {block.vertex[arrays.edge_high[e]], b, e}});
+            for (Index e = 0; e < block.edge_count; ++e) {
+                const auto [low, high] = built_[b].edge_ends[e];
+                if (border[low] && border[high]) shared[b].push_back({block.vertex(low), {block.vertex(high), b, e}});
+            }
         });
     });
     return shared;
@@ -148,7 +195,7 @@ void Linker::own_edges() {
     std::uint64_t edges = 0;
     for (Index b = 0; b < built_.size(); ++b) {
         Block& block = built_[b].block;
-        new_edge_[b].assign(block.with([](const auto& arrays) { return arrays.edge_low.size(); }), 0);
+        new_edge_[b].assign(block.edge_count, 0);
         for (const Owner& ghost : ghosts_[b]) new_edge_[b][ghost.edge] = none;
         Index owned = 0;
         for (Index& e : new_edge_[b])
@@ -176,38 +223,35 @@ void Linker::renumber_edges(Index b) {
         block.ghost_edge.push_back(id);
     }
     block.ghost_edge.shrink_to_fit();
-    std::visit(
-        [&](auto& arrays) {
-            const auto low = arrays.edge_low, high = arrays.edge_high;
-            arrays.edge_low.shrink_to_fit();
-            arrays.edge_high.shrink_to_fit();
-            for (std::size_t e = 0; e < low.size(); ++e) {
-                arrays.edge_low[renumbered[e]] = low[e];
-                arrays.edge_high[renumbered[e]] = high[e];
-            }
-            for (auto& e : arrays.edge) e = static_cast<std::decay_t<decltype(e)>>(renumbered[e]);
-        },
-        block.arrays);
+    const auto renumber = [&](auto& edges) {
+        for (auto& e : edges) e = static_cast<std::decay_t<decltype(e)>>(renumbered[e]);
+    };
+    for (StandardSection& section : block.standard) renumber(section.edge);
+    std::visit([&](auto& arrays) { renumber(arrays.polyhedra.edge); }, block.arrays);
 }
 
 void Linker::join_twins() {
-    std::vector<std::array<HalfEdge, 2>> first(mesh_.face_count(), {none, none}); // by side, at the first corner
-    const auto for_tail = [&](Index b, auto&& visit) {
-        BuiltBlock& built = built_[b];
-        for (Index i = 0; i < built.tail_face.size(); ++i) {
-            const Index corner = built.block.face_begin[built.block.inner_faces + i];
-            visit(built.tail_face[i], built.block.half_edge(corner, 0), corner >= built.block.far_corner ? 1U : 0U);
+    std::vector<std::array<HalfEdge, 2>> anchor(mesh_.face_count(), {none, none}); // by side
+    for_blocks(built_.size(), [&](Index b) {
+        for (const BuiltBlock::Tail& tail : built_[b].tails)
+            anchor[tail.face][tail.side] = built_[b].block.half_edge_begin + tail.anchor;
+    });
+    for_blocks(built_.size(), [&](Index b) {
+        std::vector<HalfEdge>& twin = built_[b].block.twin;
+        twin.reserve(built_[b].tails.size());
+        for (const BuiltBlock::Tail& tail : built_[b].tails) {
+            const HalfEdge other =
+                tail.mate != none ? built_[b].block.half_edge_begin + tail.mate : anchor[tail.face][1 - tail.side];
+            twin.push_back(other == none ? none : turn_in_mesh(other, tail.steps));
         }
-    };
-    for_blocks(built_.size(), [&](Index b) {
-        for_tail(b,
-                 [&](Index face, Index h, unsigned side) { first[face][side] = built_[b].block.half_edge_begin + h; });
     });
-    for_blocks(built_.size(), [&](Index b) {
-        for_tail(b,
-                 [&](Index face, Index, unsigned side) { built_[b].block.tail_twin.push_back(first[face][1 - side]); });
-        built_[b].block.tail_twin.shrink_to_fit();
-    });
+}
+
+HalfEdge Linker::turn_in_mesh(HalfEdge h, Index steps) const {
+    const auto after =
+        std::ranges::upper_bound(built_, h, {}, [](const BuiltBlock& b) { return b.block.half_edge_begin; });
+    const Block& block = (after - 1)->block;
+    return block.half_edge_begin + turn(block, h - block.half_edge_begin, steps);
 }
 
 } // namespace

@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <span>
+#include <cstring>
+#include <numeric>
 
 namespace ciel {
 
@@ -12,145 +13,194 @@ float threshold_of(double nu) {
     return nearest >= nu ? nearest : std::nextafter(nearest, std::numeric_limits<float>::infinity());
 }
 
+CutScratch& scratch_of_this_thread() {
+    static thread_local CutScratch scratch;
+    return scratch;
+}
+
 namespace {
 
-template <class Local>
-class Walker {
-public:
-    Walker(const Block& block, const BlockArrays<Local>& arrays, CutScratch& scratch, CutBlock& cut)
-        : block_(block), arrays_(arrays), scratch_(scratch), cut_(cut) {}
-
-    [[nodiscard]] bool walked(Index entry) const { return scratch_.walked[entry] != 0; }
-    [[nodiscard]] Index cell_of(Index half_edge) const {
-        return arrays_.face_cell[arrays_.face[block_.corner(half_edge)]][block_.side(half_edge)];
-    }
-
-    // Algorithm 4. A face is entered where its loop climbs from low to high and left at the next active edge, where it
-    // descends: the high side of every face is cut off by itself, so two cells agree on the face between them.
-    void walk(Index start) {
-        std::vector<Index>& point = scratch_.point;
-        const auto begin = static_cast<Index>(point.size());
-        Index h = start;
-        Index corner = block_.corner(h), side = block_.side(h), face = arrays_.face[corner];
-        const Index cell = arrays_.face_cell[face][side];
-        do {
-            scratch_.walked[h] = 1;
-            const Index here = slot(corner);
-            if (point.size() == begin || point.back() != here) point.push_back(here);
-            if (side == 0) do
-                    corner = block_.next_in_loop(corner, face);
-                while (slot(corner) == none);
-            else
-                do corner = block_.previous_in_loop(corner, face);
-                while (slot(corner) == none);
-            h = arrays_.mate_face[block_.half_edge(corner, side)];
-            corner = block_.corner(h);
-            side = block_.side(h);
-            face = arrays_.face[corner];
-        } while (h != start);
-        finish(cell, begin);
-    }
-
-    // Polygons into `cut`, in their order.
-    void write() {
-        std::vector<CutScratch::Polygon>& polygon = scratch_.polygon;
-        const auto points = [&](const CutScratch::Polygon& p) {
-            return std::span(scratch_.point).subspan(p.begin, p.end - p.begin);
-        };
-        std::ranges::sort(polygon, [&](const CutScratch::Polygon& a, const CutScratch::Polygon& b) {
-            return a.cell != b.cell ? a.cell < b.cell : std::ranges::lexicographical_compare(points(a), points(b));
-        });
-        for (const CutScratch::Polygon& p : polygon) {
-            cut_.polygon_cell.push_back(p.cell);
-            cut_.polygon_point.insert(cut_.polygon_point.end(), points(p).begin(), points(p).end());
-            cut_.polygon_end.push_back(static_cast<Index>(cut_.polygon_point.size()));
-        }
-    }
-
-private:
-    [[nodiscard]] Index slot(Index corner) const { return scratch_.slot[arrays_.edge[corner]]; }
-
-    // The walk has the high side on its left seen from outside: reversed, the right-hand normal points to it.
-    void finish(Index cell, Index begin) {
-        std::vector<Index>& point = scratch_.point;
-        while (point.size() > begin + 1 && point.back() == point[begin]) point.pop_back();
-        const auto first = point.begin() + static_cast<std::ptrdiff_t>(begin);
-        const auto of_two = [&](Index p) { return p == *first || p == *(first + 1); };
-        if (std::all_of(first, point.end(), of_two)) {
-            point.resize(begin);
-            cut_.wasted = true;
-            return;
-        }
-        std::reverse(first, point.end());
-        rotate_to_least(first, point.end());
-        scratch_.polygon.push_back({cell, begin, static_cast<Index>(point.size())});
-    }
-
-    // Where the loop passes its least point more than once, the rotation that compares least.
-    static void rotate_to_least(std::vector<Index>::iterator first, std::vector<Index>::iterator last) {
-        const auto least = std::min_element(first, last);
-        const bool once = std::find(least + 1, last, *least) == last;
-        std::rotate(first, least, last);
-        if (once) return;
-        std::vector<Index> best(first, last), other = best;
-        for (std::size_t turn = 1; turn < best.size(); ++turn) {
-            std::rotate(other.begin(), other.begin() + 1, other.end());
-            best = std::min(best, other);
-        }
-        std::copy(best.begin(), best.end(), first);
-    }
-
-    const Block& block_;
-    const BlockArrays<Local>& arrays_;
-    CutScratch& scratch_;
-    CutBlock& cut_;
-};
-
-// One flag per local cell: it touches a vertex without a value.
-template <class Local>
-std::vector<std::uint8_t> cells_at_gaps(const Block& block, const BlockArrays<Local>& arrays,
-                                        std::span<const float> values) {
-    std::vector<std::uint8_t> out(block.cell_count, 0);
-    for (std::size_t k = 0; k < arrays.vertex.size(); ++k)
-        if (std::isnan(values[arrays.vertex[k]]))
-            for (const Local cell : arrays.face_cell[arrays.face[k]]) out[cell] = 1;
-    return out;
+// Eight bytes of 0 or 1 to eight bits: each product bit of the top byte gets one of them.
+std::uint64_t bits_of(const std::uint8_t* bytes) {
+    std::uint64_t word;
+    std::memcpy(&word, bytes, sizeof word);
+    return word * 0x0102040810204080U >> 56;
 }
 
 } // namespace
 
-template <class Local>
-void walk_entries(const Block& block, const BlockArrays<Local>& arrays, std::span<const float> values, bool gaps,
-                  CutScratch& scratch, CutBlock& cut) {
-    if (scratch.slot.size() < arrays.edge_low.size()) scratch.slot.resize(arrays.edge_low.size(), none);
-    if (scratch.walked.size() < arrays.mate_face.size()) scratch.walked.resize(arrays.mate_face.size(), 0);
-    for (Index i = 0; i < cut.active.size(); ++i) scratch.slot[cut.active[i]] = i;
-    cut.ghosts = static_cast<Index>(std::ranges::lower_bound(cut.active, block.ghost_edge.size()) - cut.active.begin());
-    cut.polygon_cell.clear();
-    cut.polygon_end.clear();
-    cut.polygon_point.clear();
-    cut.wasted = false;
-    scratch.point.clear();
-    scratch.polygon.clear();
-
-    std::vector<std::uint8_t> passed_over;
-    if (gaps) passed_over = cells_at_gaps(block, arrays, values);
-    Walker walker(block, arrays, scratch, cut);
-    for (const Index h : scratch.entry) {
-        if (walker.walked(h)) continue;
-        if (gaps && passed_over[walker.cell_of(h)])
-            cut.wasted = true;
-        else
-            walker.walk(h);
+bool classify(std::span<const float> values, float threshold, CutScratch& scratch, CutBlock& cut) {
+    const std::size_t words = (values.size() + 63) / 64;
+    if (scratch.high.size() < 64 * words) scratch.high.resize(64 * words);
+    std::uint8_t* high = scratch.high.data();
+    for (std::size_t v = 0; v < values.size(); ++v) high[v] = values[v] >= threshold ? 1 : 0;
+    std::fill(high + values.size(), high + 64 * words, std::uint8_t{0});
+    bool same = cut.known;
+    cut.signature.resize(words);
+    for (std::size_t w = 0; w < words; ++w) {
+        std::uint64_t bits = 0;
+        for (std::size_t i = 0; i < 8; ++i) bits |= bits_of(high + 64 * w + 8 * i) << 8 * i;
+        same = same && cut.signature[w] == bits;
+        cut.signature[w] = bits;
     }
-    walker.write();
-    for (const Index h : scratch.entry) scratch.walked[h] = 0;
-    for (const Index e : cut.active) scratch.slot[e] = none;
+    return same;
 }
 
-template void walk_entries(const Block&, const BlockArrays<std::uint16_t>&, std::span<const float>, bool, CutScratch&,
-                           CutBlock&);
-template void walk_entries(const Block&, const BlockArrays<std::uint32_t>&, std::span<const float>, bool, CutScratch&,
-                           CutBlock&);
+namespace {
+
+bool crosses(const CellRanges::Range& range, float threshold) { return range[0] < threshold && range[1] >= threshold; }
+
+template <std::size_t corners>
+Index high_corners(const std::uint16_t* vertex, const std::uint8_t* high) {
+    Index bits = 0;
+    for (std::size_t c = 0; c < corners; ++c) bits |= Index{high[vertex[c]]} << c;
+    return bits;
+}
+
+// Without a branch: which cells are active is unpredictable.
+template <std::size_t corners>
+void list_active(const StandardSection& section, Index begin, Index end, CutScratch& scratch) {
+    constexpr Index all = (Index{1} << corners) - 1;
+    std::size_t count = scratch.cell.size();
+    scratch.cell.resize(count + end - begin);
+    for (Index i = begin; i < end; ++i) {
+        const Index bits = high_corners<corners>(&section.vertex[i * corners], scratch.high.data());
+        scratch.cell[count] = {i, bits};
+        count += bits != 0 && bits != all ? 1 : 0;
+    }
+    scratch.cell.resize(count);
+}
+
+void find_active(const StandardSection& section, const BlockValues& in, std::span<const CellRanges::Range> groups,
+                 CutScratch& scratch) {
+    scratch.cell.clear();
+    with_shape(section.shape->type, [&]<const StandardShape & shape>() {
+        if (groups.empty()) return list_active<shape.corners>(section, 0, section.count(), scratch);
+        for (Index g = 0; g < groups.size(); ++g)
+            if (crosses(groups[g], in.threshold))
+                list_active<shape.corners>(section, g * CellRanges::cells_per_group,
+                                           std::min<Index>((g + 1) * CellRanges::cells_per_group, section.count()),
+                                           scratch);
+    });
+}
+
+// Two cells look at each face: which kinds of corners it has is found once.
+template <class Local>
+void sort_faces(const PolyhedralSection<Local>& section, CutScratch& scratch) {
+    scratch.face_kinds.resize(section.face_count());
+    for (Index face = 0; face < section.face_count(); ++face) {
+        unsigned kinds = 0;
+        for (Index k = section.face_begin[face]; k < section.face_begin[face + 1]; ++k)
+            kinds |= 1U << scratch.high[section.vertex[k]];
+        scratch.face_kinds[face] = static_cast<std::uint8_t>(kinds);
+    }
+}
+
+template <class Local>
+bool is_active(const PolyhedralSection<Local>& section, Index cell, const CutScratch& scratch) {
+    unsigned kinds = 0;
+    for (const Index ref : section.faces_of(cell)) kinds |= scratch.face_kinds[ref / 2];
+    return kinds == 3;
+}
+
+template <class Local>
+void find_active(const PolyhedralSection<Local>& section, const BlockValues& in,
+                 std::span<const CellRanges::Range> ranges, CutScratch& scratch) {
+    scratch.cell.clear();
+    if (ranges.empty()) sort_faces(section, scratch);
+    for (Index cell = 0; cell < section.count(); ++cell)
+        if (ranges.empty() ? is_active(section, cell, scratch) : crosses(ranges[cell], in.threshold))
+            scratch.cell.push_back({cell, 0});
+}
+
+void begin_cut(const Block& block, CutScratch& scratch, CutBlock& cut) {
+    cut.active.assign((block.edge_count + 63) / 64, 0);
+    if (scratch.ends.size() < block.edge_count) scratch.ends.resize(block.edge_count);
+    cut.polygon_cell.clear();
+    cut.polygon_end.clear();
+    cut.polygon_edge.clear();
+    cut.wasted = false;
+}
+
+// The sections' polygons into the order of their cells.
+void sort_polygons(CutBlock& cut) {
+    std::vector<Index> order(cut.polygon_cell.size());
+    std::iota(order.begin(), order.end(), Index{0});
+    std::ranges::stable_sort(order, {}, [&](Index p) { return cut.polygon_cell[p]; });
+    std::vector<Index> cell, end, edge;
+    for (const Index p : order) {
+        cell.push_back(cut.polygon_cell[p]);
+        const Index begin = p == 0 ? 0 : cut.polygon_end[p - 1];
+        edge.insert(edge.end(), cut.polygon_edge.begin() + begin, cut.polygon_edge.begin() + cut.polygon_end[p]);
+        end.push_back(static_cast<Index>(edge.size()));
+    }
+    cut.polygon_cell.swap(cell);
+    cut.polygon_end.swap(end);
+    cut.polygon_edge.swap(edge);
+}
+
+void end_cut(const Block& block, const CutScratch& scratch, CutBlock& cut) {
+    if (!std::ranges::is_sorted(cut.polygon_cell)) sort_polygons(cut);
+    cut.rank.resize(cut.active.size());
+    Index count = 0;
+    for (std::size_t w = 0; w < cut.active.size(); ++w) {
+        cut.rank[w] = count;
+        count += static_cast<Index>(std::popcount(cut.active[w]));
+    }
+    cut.ends.resize(count);
+    count = 0;
+    for (std::size_t w = 0; w < cut.active.size(); ++w)
+        for (std::uint64_t bits = cut.active[w]; bits != 0; bits &= bits - 1)
+            cut.ends[count++] = scratch.ends[64 * w + static_cast<std::size_t>(std::countr_zero(bits))];
+    cut.ghosts = count == 0 || block.ghost_edge.size() == block.edge_count
+                     ? count
+                     : cut.place(static_cast<Index>(block.ghost_edge.size()));
+}
+
+} // namespace
+
+void cut_block(const Block& block, const BlockValues& in, CutScratch& scratch, CutBlock& cut) {
+    begin_cut(block, scratch, cut);
+    std::size_t first = 0;
+    for (const StandardSection& section : block.standard) {
+        const std::size_t groups = (section.count() + CellRanges::cells_per_group - 1) / CellRanges::cells_per_group;
+        find_active(section, in, in.ranges.empty() ? in.ranges : in.ranges.subspan(first, groups), scratch);
+        first += groups;
+        cut_standard(section, in, scratch, cut);
+    }
+    block.with([&](const auto& arrays) {
+        find_active(arrays.polyhedra, in, in.ranges.empty() ? in.ranges : in.ranges.subspan(first), scratch);
+        cut_polyhedra(arrays.polyhedra, in, scratch, cut);
+    });
+    end_cut(block, scratch, cut);
+}
+
+void cut_cells(const Block& block, const BlockValues& in, std::span<const Index> cells, CutScratch& scratch,
+               CutBlock& cut) {
+    begin_cut(block, scratch, cut);
+    // Calls found(index in the section) for those of the cells that are in it.
+    const auto for_each_in = [&](const auto& section, auto&& found) {
+        scratch.cell.clear();
+        for (const Index cell : cells) {
+            if (section.cell.empty()) {
+                if (section.count() > 0) found(cell);
+                continue;
+            }
+            const auto at = std::ranges::lower_bound(section.cell, cell);
+            if (at != section.cell.end() && *at == cell) found(static_cast<Index>(at - section.cell.begin()));
+        }
+    };
+    for (const StandardSection& section : block.standard) {
+        with_shape(section.shape->type, [&]<const StandardShape & shape>() {
+            for_each_in(section, [&](Index i) { list_active<shape.corners>(section, i, i + 1, scratch); });
+        });
+        cut_standard(section, in, scratch, cut);
+    }
+    block.with([&](const auto& arrays) {
+        for_each_in(arrays.polyhedra, [&](Index i) { scratch.cell.push_back({i, 0}); });
+        cut_polyhedra(arrays.polyhedra, in, scratch, cut);
+    });
+    end_cut(block, scratch, cut);
+}
 
 } // namespace ciel

@@ -1,7 +1,8 @@
-// What one query knows of one block, and Algorithm 4: intersection polygons by turning around the faces of a cell.
+// What one query knows of one block, and how a block is cut: which cells are active, and Algorithm 4 in them.
 #pragma once
 
 #include "ciel/blocks.hpp"
+#include "ciel/cell_ranges.hpp"
 
 namespace ciel {
 
@@ -12,41 +13,68 @@ namespace ciel {
 // The cut of one block at one nu. It depends on which vertices are high, not on nu, so it is kept while those are the
 // same. Buffers are kept for the next cut.
 struct CutBlock {
-    std::vector<std::uint64_t> signature; // one bit per local vertex: high
-    bool known = false;                   // the rest belongs to the signature
-    std::vector<Index> active;            // local edges, ascending
-    Index ghosts = 0;                     // how many of them, the first ones, other blocks own
-    std::vector<Index> polygon_cell;      // local cell, ascending
-    std::vector<Index> polygon_end;       // into polygon_point
-    std::vector<Index> polygon_point;     // indices into `active`
-    bool wasted = false;                  // a polygon was left out: some active edge may have none
+    std::vector<std::uint64_t> signature;   // one bit per local vertex: high
+    bool known = false;                     // the rest belongs to the signature
+    std::vector<std::uint64_t> active;      // one bit per local edge
+    std::vector<Index> rank;                // active edges before each word of `active`
+    std::vector<std::array<Index, 2>> ends; // of the active edges, ascending: local vertices, the lower one first
+    Index ghosts = 0;                       // how many of them, the first ones, other blocks own
+    std::vector<Index> polygon_cell;        // local cell, ascending
+    std::vector<Index> polygon_end;         // into polygon_edge
+    std::vector<Index> polygon_edge;        // local edges
+    bool wasted = false;                    // some active edge may have no polygon
 
-    // Where the block's part of the current surface begins; set by write_surface.
+    // Where the block's part of the current surface begins; set by the writer.
     Index first_point = 0, first_polygon = 0, first_corner = 0;
 
-    [[nodiscard]] Index owned() const { return static_cast<Index>(active.size()) - ghosts; }
+    [[nodiscard]] Index owned() const { return static_cast<Index>(ends.size()) - ghosts; }
+    // The place of an active edge among them.
+    [[nodiscard]] Index place(Index edge) const {
+        const std::uint64_t before = (std::uint64_t{1} << edge % 64) - 1;
+        return rank[edge / 64] + static_cast<Index>(std::popcount(active[edge / 64] & before));
+    }
 };
 
 // Scratch for many blocks, one per thread.
 struct CutScratch {
-    struct Polygon {
-        Index cell, begin, end; // in `point`
+    struct ActiveCell {
+        Index index; // in its section
+        Index high;  // of a standard cell: one bit per corner
     };
-    std::vector<std::uint8_t> high;   // local vertex
-    std::vector<std::uint8_t> on;     // local edge: active
-    std::vector<Index> slot;          // local edge -> index into CutBlock::active, or none
-    std::vector<Index> entry;         // half-edges from a low to a high vertex, in any order
-    std::vector<std::uint8_t> walked; // local half-edge
-    std::vector<Index> point;
-    std::vector<Polygon> polygon;
+    std::vector<std::uint8_t> high;         // per local vertex; zeros up to a multiple of 64
+    std::vector<ActiveCell> cell;           // of one section, ascending
+    std::vector<std::array<Index, 2>> ends; // per local edge, good where active
+    std::vector<std::uint8_t> face_kinds;   // per face of the polyhedra: 1 has low corners, 2 has high ones
+    // Of one polyhedron: where the face that is entered over an edge is left; good where `entered` has its stamp.
+    std::vector<Index> exit, entered;
+    Index stamp = 0;
+    std::vector<Index> entry, loop;
+    std::vector<std::array<Index, 2>> crossing;
+    std::vector<std::uint8_t> walked; // per half-edge of the polyhedra
 };
 
-// Walks the loops that lead through the entries. `cut.active` and `scratch.entry` are set, one entry at least for each
-// loop. With `gaps`, cells that touch a vertex without a value (NaN in `values`, the block's) are passed over. Polygons
-// of fewer than three distinct points are left out. A cell's polygons and their first points are in the order of edge
-// ids, so they depend on no other order.
+[[nodiscard]] CutScratch& scratch_of_this_thread();
+
+// Classifies the block's vertices into scratch.high and the signature; true when it is the one the cut was made for.
+// (It does not tell a vertex without a value from a low one: the caller never trusts it where there are such.)
+bool classify(std::span<const float> values, float threshold, CutScratch& scratch, CutBlock& cut);
+
+struct BlockValues {
+    std::span<const float> values; // NaN where there is none
+    bool gaps = false;             // some vertex has none: cells that touch one are passed over
+    float threshold = 0;
+    std::span<const CellRanges::Range> ranges; // may be empty
+};
+
+// After `classify` with the same scratch.
+void cut_block(const Block& block, const BlockValues& in, CutScratch& scratch, CutBlock& cut);
+// The same where it is known which cells may be active: local cells, ascending.
+void cut_cells(const Block& block, const BlockValues& in, std::span<const Index> cells, CutScratch& scratch,
+               CutBlock& cut);
+
+// Of one section, for the two above. The active cells are in scratch.cell.
+void cut_standard(const StandardSection& section, const BlockValues& in, CutScratch& scratch, CutBlock& cut);
 template <class Local>
-void walk_entries(const Block& block, const BlockArrays<Local>& arrays, std::span<const float> values, bool gaps,
-                  CutScratch& scratch, CutBlock& cut);
+void cut_polyhedra(const PolyhedralSection<Local>& section, const BlockValues& in, CutScratch& scratch, CutBlock& cut);
 
 } // namespace ciel

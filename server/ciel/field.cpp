@@ -18,8 +18,8 @@ void gather_block(const Block& block, Index b, Field::Blocks& out) {
     float low = infinity, high = -infinity;
     bool gaps = false;
     float* to = out.local.data() + block.vertex_begin;
-    for (const Index v : block.vertex) {
-        float value = out.values[v];
+    for (Index local = 0; local < block.vertex_count; ++local) {
+        float value = out.values[block.vertex(local)];
         if (std::isfinite(value)) {
             low = std::min(low, value);
             high = std::max(high, value);
@@ -46,10 +46,11 @@ Field::Field(const Topology& topology, std::span<const float> values, std::share
     out.topology = &topology;
     out.values = values;
     out.keep_alive = std::move(keep_alive);
-    out.local.resize(all.empty() ? 0 : all.back().vertex_begin + all.back().vertex.size());
+    out.local.resize(all.empty() ? 0 : all.back().vertex_begin + all.back().vertex_count);
     out.low.resize(all.size());
     out.high.resize(all.size());
     out.gaps.resize(all.size());
+    out.ranges.resize(all.size());
     parallel_for(all.size(), 32, [&](std::size_t begin, std::size_t end) {
         for (std::size_t b = begin; b < end; ++b) gather_block(all[b], static_cast<Index>(b), out);
     });

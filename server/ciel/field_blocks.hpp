@@ -1,6 +1,7 @@
 // The layout behind Field, for the kernel's own files.
 #pragma once
 
+#include "ciel/cell_ranges.hpp"
 #include "ciel/field.hpp"
 #include "ciel/gradient.hpp"
 
@@ -18,11 +19,12 @@ struct Field::Blocks {
     mutable Mutex extrema_mutex;
     mutable bool extrema_made = false;
     mutable std::vector<Index> minima, maxima; // sorted by (value, id), upwards and downwards
+    mutable CellRanges ranges;
     mutable GradientCache gradients;
 
     [[nodiscard]] std::span<const float> of_block(Index block) const {
         const Block& b = topology->blocks().block[block];
-        return std::span(local).subspan(b.vertex_begin, b.vertex.size());
+        return std::span(local).subspan(b.vertex_begin, b.vertex_count);
     }
     void make_extrema() const; // once
 };

@@ -1,228 +1,281 @@
 #include "ciel/gradient.hpp"
 
-#include "ciel/extract.hpp"
 #include "ciel/field_blocks.hpp"
+#include "ciel/gradient_sums.hpp"
 #include "ciel/parallel.hpp"
+#include "ciel/polyhedron_gradient.hpp"
 
-#include <algorithm>
 #include <atomic>
-#include <cmath>
 
 namespace ciel {
 
-void CellGradient::clear() {
-    samples_.clear();
-    corners_.clear();
-    loops_.clear();
-}
-
-Index CellGradient::add_vertex(const float* position, float value) {
-    samples_.push_back({position[0], position[1], position[2], value});
-    return static_cast<Index>(samples_.size() - 1);
-}
-
-void CellGradient::end_loop(bool reversed) { loops_.push_back({corners_.size(), reversed}); }
-
-// Samples are relative to their mean by now. Each face is a fan of cones to the mean.
-double CellGradient::volume() const {
-    double six_volumes = 0;
-    std::size_t begin = 0;
-    for (const Loop& loop : loops_) {
-        double x = 0, y = 0, z = 0; // twice the area vector of the loop about the mean
-        const Sample* a = &samples_[corners_[loop.end - 1]];
-        for (std::size_t i = begin; i < loop.end; ++i) {
-            const Sample* b = &samples_[corners_[i]];
-            x += a->y * b->z - a->z * b->y;
-            y += a->z * b->x - a->x * b->z;
-            z += a->x * b->y - a->y * b->x;
-            a = b;
-        }
-        const Sample& apex = samples_[corners_[begin]];
-        const double cones = apex.x * x + apex.y * y + apex.z * z;
-        six_volumes += loop.reversed ? -cones : cones;
-        begin = loop.end;
-    }
-    return std::abs(six_volumes) / 6;
-}
-
-CellGradient::Result CellGradient::solve() {
-    Sample mean{0, 0, 0, 0};
-    for (const Sample& s : samples_) {
-        mean.x += s.x;
-        mean.y += s.y;
-        mean.z += s.z;
-        mean.value += s.value;
-    }
-    if (samples_.size() < 4 || !std::isfinite(mean.value)) return {};
-    const double share = 1.0 / static_cast<double>(samples_.size());
-    double xx = 0, xy = 0, xz = 0, yy = 0, yz = 0, zz = 0, xv = 0, yv = 0, zv = 0;
-    for (Sample& s : samples_) {
-        s.x -= mean.x * share;
-        s.y -= mean.y * share;
-        s.z -= mean.z * share;
-        s.value -= mean.value * share;
-        xx += s.x * s.x;
-        xy += s.x * s.y;
-        xz += s.x * s.z;
-        yy += s.y * s.y;
-        yz += s.y * s.z;
-        zz += s.z * s.z;
-        xv += s.x * s.value;
-        yv += s.y * s.value;
-        zv += s.z * s.value;
-    }
-    const double cx = yy * zz - yz * yz, cy = xz * yz - xy * zz, cz = xy * yz - xz * yy;
-    const double determinant = xx * cx + xy * cy + xz * cz;
-    const double size = (xx + yy + zz) / 3;
-    if (!(determinant > 1e-15 * size * size * size)) return {}; // flat, a line, a point
-    const double dx = xx * zz - xz * xz, dy = xy * xz - xx * yz, dz = xx * yy - xy * xy;
-    return {{static_cast<float>((cx * xv + cy * yv + cz * zv) / determinant),
-             static_cast<float>((cy * xv + dx * yv + dy * zv) / determinant),
-             static_cast<float>((cz * xv + dy * yv + dz * zv) / determinant)},
-            static_cast<float>(volume())};
-}
-
 namespace {
 
-template <class Local>
-class BlockSampler {
-public:
-    BlockSampler(const FaceMeshView& mesh, const Block& block, const BlockArrays<Local>& arrays,
-                 std::span<const float> values)
-        : mesh_(mesh), block_(block), arrays_(arrays), values_(values), sample_of_(block.vertex.size(), none) {}
+constexpr std::size_t blocks_per_task = 2;
+// So few vertices that the cells around them are found one by one rather than by looking at all of the block.
+constexpr std::size_t few = 12;
 
-    CellGradient::Result operator()(Index cell) {
-        gradient_.clear();
-        touched_.clear();
-        for (Index i = block_.cell_face_begin[cell]; i < block_.cell_face_begin[cell + 1]; ++i) {
-            const Index face = arrays_.cell_face[i] / 2;
-            for (Index k = block_.face_begin[face]; k < block_.face_begin[face + 1]; ++k)
-                gradient_.add_corner(sample(arrays_.vertex[k]));
-            gradient_.end_loop(arrays_.cell_face[i] % 2 != 0);
-        }
-        for (const Index v : touched_) sample_of_[v] = none;
-        return gradient_.solve();
+enum State : std::uint8_t { wanted = 1, asked_by_neighbour = 2, known = 4 };
+
+struct Scratch {
+    std::vector<Sample> sample; // by local vertex
+    std::vector<GradientSum> sum;
+    std::vector<Index> wanted, cells;
+    std::vector<BlockVertex> ring;
+    std::vector<std::uint8_t> face_asked;
+    PolyhedronSolver polyhedron;
+};
+
+Scratch& scratch_of_this_thread() {
+    static thread_local Scratch scratch;
+    return scratch;
+}
+
+// For a few vertices: each cell around is solved anew.
+struct AddSolved {
+    const FaceMeshView& mesh;
+    const Field::Blocks& field;
+    Scratch& scratch;
+    GradientSum sum;
+
+    [[nodiscard]] BlockSampler sampler(Index b) const {
+        return {mesh, field.topology->blocks().block[b], field.of_block(b)};
+    }
+    template <const StandardShape& shape>
+    void standard(Index b, const StandardSection& section, Index i, Index) {
+        sum.add(cell_gradient<shape>(&section.vertex[i * shape.corners], sampler(b)));
+    }
+    void polyhedron(Index b, Index i, Index) {
+        field.topology->blocks().block[b].with([&](const auto& arrays) {
+            scratch.polyhedron.begin(field.topology->blocks().block[b], arrays.polyhedra);
+            sum.add(scratch.polyhedron.solve(arrays.polyhedra, i, sampler(b)));
+        });
+    }
+};
+
+struct AddStored {
+    std::span<const std::unique_ptr<CellGradient[]>> cell;
+    GradientSum sum;
+
+    template <const StandardShape& shape>
+    void standard(Index b, const StandardSection&, Index, Index place) {
+        sum.add(cell[b][place]);
+    }
+    void polyhedron(Index b, Index, Index place) { sum.add(cell[b][place]); }
+};
+
+// The vertices that are wanted now. Where they are many, the blocks around them solve each of their cells once; then
+// the vertices that several blocks share are summed up.
+class Pass {
+public:
+    Pass(const FaceMeshView& mesh, const Field::Blocks& field, std::span<std::uint8_t> state,
+         std::span<std::unique_ptr<Vec3f[]>> gradient)
+        : mesh_(mesh), field_(field), blocks_(field.topology->blocks()), state_(state), gradient_(gradient),
+          busy_(blocks_.block.size(), 0), cell_(blocks_.block.size()) {}
+
+    void run(std::span<const Index> active, std::span<const CutBlock> cut) {
+        for_each(active, [&](Index b) { want(b, cut[b]); });
+        std::vector<Index> busy;
+        for (Index b = 0; b < busy_.size(); ++b)
+            if (busy_[b] != 0) busy.push_back(b);
+        if (busy.empty()) return;
+        for_each(busy, [this](Index b) { sum_inside(b); });
+        for_each(active, [this](Index b) { sum_at_border(b); });
+        for_each(busy, [this](Index b) { settle(b); });
     }
 
 private:
-    Index sample(Index local) {
-        if (sample_of_[local] == none) {
-            sample_of_[local] =
-                gradient_.add_vertex(&mesh_.positions[3 * std::size_t{block_.vertex[local]}], values_[local]);
-            touched_.push_back(local);
-        }
-        return sample_of_[local];
+    template <class F>
+    void for_each(std::span<const Index> blocks, F&& body) {
+        parallel_for(blocks.size(), blocks_per_task, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end; ++i) body(blocks[i]);
+        });
     }
+    [[nodiscard]] std::span<std::uint8_t> states(const Block& block) const {
+        return state_.subspan(block.vertex_begin, block.vertex_count);
+    }
+    void mark_busy(Index b) { std::atomic_ref(busy_[b]).store(1, std::memory_order_relaxed); }
+
+    void want(Index b, const CutBlock& cut);
+    void solve_one_by_one(Index b, std::span<const Index> vertices);
+    void ask_neighbours(Index b);
+    void sum_inside(Index b);
+    template <const StandardShape& shape>
+    void add_standard(const StandardSection& section, std::span<const std::uint8_t> state, CellGradient* cell);
+    template <class Local>
+    void add_polyhedra(const PolyhedralSection<Local>& section, std::span<const std::uint8_t> state,
+                       CellGradient* cell);
+    void sum_at_border(Index b);
+    void settle(Index b);
 
     const FaceMeshView& mesh_;
-    const Block& block_;
-    const BlockArrays<Local>& arrays_;
-    std::span<const float> values_;
-    CellGradient gradient_;
-    std::vector<Index> sample_of_, touched_;
+    const Field::Blocks& field_;
+    const Topology::Blocks& blocks_;
+    std::span<std::uint8_t> state_;
+    std::span<std::unique_ptr<Vec3f[]>> gradient_;
+    std::vector<std::uint8_t> busy_;
+    std::vector<std::unique_ptr<CellGradient[]>> cell_; // by block; sections one after another
 };
+
+void Pass::want(Index b, const CutBlock& cut) {
+    const Block& block = blocks_.block[b];
+    if (gradient_[b] == nullptr) gradient_[b] = std::make_unique_for_overwrite<Vec3f[]>(block.vertex_count);
+    const std::span<std::uint8_t> state = states(block);
+    std::vector<Index>& found = scratch_of_this_thread().wanted;
+    found.clear();
+    for (const auto& ends : std::span(cut.ends).subspan(cut.ghosts))
+        for (const Index v : ends) {
+            // A neighbour may be asking at the same time.
+            std::atomic_ref here(state[v]);
+            if ((here.load(std::memory_order_relaxed) & (known | wanted)) != 0) continue;
+            here.fetch_or(wanted, std::memory_order_relaxed);
+            found.push_back(v);
+        }
+    if (found.empty()) return;
+    if (found.size() <= few) return solve_one_by_one(b, found);
+    mark_busy(b);
+    ask_neighbours(b);
+}
+
+void Pass::solve_one_by_one(Index b, std::span<const Index> vertices) {
+    const Block& block = blocks_.block[b];
+    Scratch& scratch = scratch_of_this_thread();
+    for (const Index v : vertices) {
+        const Index place = block.border_place_of(v);
+        if (place == none)
+            scratch.ring.assign(1, {b, v});
+        else
+            list_ring(blocks_, {b, place}, scratch.ring);
+        AddSolved add{mesh_, field_, scratch, {}};
+        for_cells_around(blocks_, scratch.ring, scratch.cells, add);
+        gradient_[b][v] = add.sum.mean();
+        std::atomic_ref state(states(block)[v]);
+        state.fetch_xor(wanted | known, std::memory_order_relaxed);
+    }
+}
+
+void Pass::ask_neighbours(Index b) {
+    const Block& block = blocks_.block[b];
+    const std::span<std::uint8_t> state = states(block);
+    block.with([&](const auto& arrays) {
+        for (Index place = 0; place < arrays.border_vertex.size(); ++place) {
+            if ((std::atomic_ref(state[arrays.border_vertex[place]]).load(std::memory_order_relaxed) & wanted) == 0)
+                continue;
+            for (BorderVertex at = blocks_.next_in_ring({b, place}); at.block != b; at = blocks_.next_in_ring(at)) {
+                std::atomic_ref(states(blocks_.block[at.block])[blocks_.vertex_at(at)])
+                    .fetch_or(asked_by_neighbour, std::memory_order_relaxed);
+                mark_busy(at.block);
+            }
+        }
+    });
+}
+
+void Pass::sum_inside(Index b) {
+    const Block& block = blocks_.block[b];
+    Scratch& scratch = scratch_of_this_thread();
+    const BlockSampler sampler(mesh_, block, field_.of_block(b));
+    scratch.sample.resize(block.vertex_count);
+    for (Index v = 0; v < block.vertex_count; ++v) scratch.sample[v] = sampler(v);
+    scratch.sum.assign(block.vertex_count, {});
+    cell_[b] = std::make_unique_for_overwrite<CellGradient[]>(block.cell_count);
+    const std::span<const std::uint8_t> state = states(block);
+    CellGradient* cell = cell_[b].get();
+    for (const StandardSection& section : block.standard) {
+        with_shape(section.shape->type,
+                   [&]<const StandardShape & shape>() { add_standard<shape>(section, state, cell); });
+        cell += section.count();
+    }
+    block.with([&](const auto& arrays) {
+        scratch.polyhedron.begin(block, arrays.polyhedra);
+        add_polyhedra(arrays.polyhedra, state, cell);
+    });
+    for (Index v = 0; v < block.vertex_count; ++v)
+        if ((state[v] & wanted) != 0) gradient_[b][v] = scratch.sum[v].mean();
+}
+
+template <const StandardShape& shape>
+void Pass::add_standard(const StandardSection& section, std::span<const std::uint8_t> state, CellGradient* cell) {
+    Scratch& scratch = scratch_of_this_thread();
+    for (std::size_t begin = 0; begin < section.vertex.size(); begin += shape.corners, ++cell) {
+        const std::uint16_t* vertex = &section.vertex[begin];
+        unsigned states = 0;
+        for (std::size_t c = 0; c < shape.corners; ++c) states |= state[vertex[c]];
+        if ((states & (wanted | asked_by_neighbour)) == 0) continue;
+        *cell = cell_gradient<shape>(vertex, [&](Index v) { return scratch.sample[v]; });
+        GradientSum weighted;
+        weighted.add(*cell);
+        for (std::size_t c = 0; c < shape.corners; ++c) scratch.sum[vertex[c]].add(weighted);
+    }
+}
+
+template <class Local>
+void Pass::add_polyhedra(const PolyhedralSection<Local>& section, std::span<const std::uint8_t> state,
+                         CellGradient* cell) {
+    Scratch& scratch = scratch_of_this_thread();
+    // Two cells look at each face.
+    scratch.face_asked.resize(section.face_count());
+    for (Index face = 0; face < section.face_count(); ++face) {
+        unsigned states = 0;
+        for (Index k = section.face_begin[face]; k < section.face_begin[face + 1]; ++k)
+            states |= state[section.vertex[k]];
+        scratch.face_asked[face] = (states & (wanted | asked_by_neighbour)) != 0 ? 1 : 0;
+    }
+    for (Index i = 0; i < section.count(); ++i, ++cell) {
+        if (std::ranges::none_of(section.faces_of(i), [&](Index ref) { return scratch.face_asked[ref / 2] != 0; }))
+            continue;
+        *cell = scratch.polyhedron.solve(section, i, [&](Index v) { return scratch.sample[v]; });
+        GradientSum weighted;
+        weighted.add(*cell);
+        for (const Index v : scratch.polyhedron.vertices()) scratch.sum[v].add(weighted);
+    }
+}
+
+void Pass::sum_at_border(Index b) {
+    if (busy_[b] == 0) return;
+    const Block& block = blocks_.block[b];
+    Scratch& scratch = scratch_of_this_thread();
+    const std::span<const std::uint8_t> state = states(block);
+    block.with([&](const auto& arrays) {
+        for (Index place = 0; place < arrays.border_vertex.size(); ++place) {
+            const Index v = arrays.border_vertex[place];
+            if ((state[v] & wanted) == 0) continue;
+            list_ring(blocks_, {b, place}, scratch.ring);
+            AddStored add{cell_, {}};
+            for_cells_around(blocks_, scratch.ring, scratch.cells, add);
+            gradient_[b][v] = add.sum.mean();
+        }
+    });
+}
+
+void Pass::settle(Index b) {
+    for (std::uint8_t& state : states(blocks_.block[b]))
+        state = static_cast<std::uint8_t>((state & (wanted | known)) != 0 ? known : 0);
+}
 
 } // namespace
 
-void GradientCache::make_cells(const FaceMeshView& mesh, const Field::Blocks& field) {
-    const std::vector<Block>& blocks = field.topology->blocks().block;
-    parallel_for(blocks.size(), 4, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t b = begin; b < end; ++b) {
-            const Block& block = blocks[b];
-            const std::span<std::uint8_t> state = std::span(cell_state_).subspan(block.cell_begin, block.cell_count);
-            if (std::ranges::find(state, 1) == state.end()) continue;
-            block.with([&](const auto& arrays) {
-                BlockSampler sampler(mesh, block, arrays, field.of_block(static_cast<Index>(b)));
-                for (Index cell = 0; cell < block.cell_count; ++cell) {
-                    if (state[cell] != 1) continue;
-                    cell_[block.cell_begin + cell] = sampler(cell);
-                    state[cell] = 2;
-                }
-            });
-        }
-    });
-}
-
-// Cells come in ascending order, so the sum has the same bits whatever the blocks and threads.
-void GradientCache::average(std::span<const Index> vertices, std::span<const Index> cells,
-                            std::span<const Index> cell_end) {
-    Index begin = 0;
-    for (std::size_t i = 0; i < vertices.size(); ++i) {
-        double sum[3] = {0, 0, 0}, volume = 0;
-        for (Index c = begin; c < cell_end[i]; ++c) {
-            const CellGradient::Result& cell = cell_[cells[c]];
-            for (std::size_t axis = 0; axis < 3; ++axis)
-                sum[axis] += static_cast<double>(cell.volume) * cell.gradient[axis];
-            volume += cell.volume;
-        }
-        Vec3f& out = gradient_[vertices[i]];
-        for (std::size_t axis = 0; axis < 3; ++axis)
-            out[axis] = volume > 0 ? static_cast<float>(sum[axis] / volume) : 0.0F;
-        begin = cell_end[i];
-    }
-}
-
-std::span<const Vec3f> GradientCache::at(const FaceMeshView& mesh, const Field::Blocks& field,
-                                         std::span<const EdgePoint> points) {
+void GradientCache::make_at(const FaceMeshView& mesh, const Field::Blocks& field, std::span<const Index> blocks,
+                            std::span<const CutBlock> cut) {
+    if (blocks.empty()) return;
     const Locked lock(mutex_);
-    const Topology::Blocks& blocks = field.topology->blocks();
-    gradient_.resize(blocks.counts.vertices);
-    vertex_known_.resize(blocks.counts.vertices);
-    cell_.resize(blocks.counts.cells);
-    cell_state_.resize(blocks.counts.cells);
-    std::vector<Index> wanted;
-    for (const EdgePoint& point : points)
-        for (const Index v : {point.a, point.b})
-            if (!vertex_known_[v]) {
-                vertex_known_[v] = 1;
-                wanted.push_back(v);
-            }
-    if (wanted.empty()) return gradient_;
+    const Block& last = field.topology->blocks().block.back();
+    state_.resize(std::size_t{last.vertex_begin} + last.vertex_count);
+    vertex_.resize(field.topology->blocks().block.size());
+    Pass(mesh, field, state_, vertex_).run(blocks, cut);
+}
 
-    constexpr std::size_t chunk = 1024;
-    struct Around {
-        std::vector<Index> cells, end;
-    };
-    std::vector<Around> around((wanted.size() + chunk - 1) / chunk);
-    const auto for_chunks = [&](auto&& body) {
-        parallel_for(around.size(), 1, [&](std::size_t begin, std::size_t end) {
-            for (std::size_t i = begin; i < end; ++i)
-                body(std::span(wanted).subspan(i * chunk, std::min(chunk, wanted.size() - i * chunk)), around[i]);
-        });
-    };
-    for_chunks([&](std::span<const Index> vertices, Around& out) {
-        std::vector<Index> cells;
-        for (const Index v : vertices) {
-            blocks.cells_around(v, cells);
-            for (const Index c : cells) {
-                std::atomic_ref state(cell_state_[c]);
-                if (state.load(std::memory_order_relaxed) == 0) state.store(1, std::memory_order_relaxed);
-            }
-            out.cells.insert(out.cells.end(), cells.begin(), cells.end());
-            out.end.push_back(static_cast<Index>(out.cells.size()));
-        }
-    });
-    make_cells(mesh, field);
-    for_chunks([&](std::span<const Index> vertices, const Around& in) { average(vertices, in.cells, in.end); });
-    return gradient_;
+void GradientCache::forget() {
+    const Locked lock(mutex_);
+    state_.clear();
+    vertex_.clear();
 }
 
 std::size_t GradientCache::memory_bytes() const {
     const Locked lock(mutex_);
-    return gradient_.capacity() * sizeof(Vec3f) + vertex_known_.capacity() + cell_.capacity() * sizeof(cell_[0]) +
-           cell_state_.capacity();
-}
-
-std::vector<Vec3f> vertex_gradients(const FaceMeshView& mesh, std::span<const float> values) {
-    return vertex_gradients(Topology(mesh), mesh, values);
-}
-
-std::vector<Vec3f> vertex_gradients(const Topology& topology, const FaceMeshView& mesh, std::span<const float> values) {
-    const Field field(topology, values, nullptr);
-    std::vector<EdgePoint> all;
-    for (Index v = 0; v < mesh.vertex_count(); ++v) all.push_back({v, v, 0});
-    const auto gradients = field.blocks().gradients.at(mesh, field.blocks(), all);
-    return {gradients.begin(), gradients.end()};
+    std::size_t made = 0;
+    for (const auto& block : vertex_) made += block != nullptr ? 1 : 0;
+    const std::size_t mean_slots = state_.size() / std::max<std::size_t>(1, vertex_.size());
+    return state_.capacity() + made * mean_slots * sizeof(Vec3f);
 }
 
 } // namespace ciel

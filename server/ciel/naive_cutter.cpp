@@ -1,5 +1,4 @@
-// The paper's own baseline: no list of active edges, every edge of the mesh is looked at for every value.
-#include "ciel/block_scan.hpp"
+// The paper's own baseline: no list of active edges, every cell of the mesh is looked at for every value.
 #include "ciel/cutter.hpp"
 #include "ciel/field_blocks.hpp"
 #include "ciel/parallel.hpp"
@@ -19,13 +18,13 @@ public:
             for (std::size_t b = begin; b < end && !stop.stop_requested(); ++b) {
                 const std::span<const float> values = field_->of_block(static_cast<Index>(b));
                 CutScratch& scratch = scratch_of_this_thread();
-                classify(values, threshold, scratch, cut_[b]);
-                cut_classified(topology_.blocks().block[b], values, field_->gaps[b] != 0, scratch, cut_[b]);
+                (void)classify(values, threshold, scratch, cut_[b]);
+                cut_block(topology_.blocks().block[b], {values, field_->gaps[b] != 0, threshold, {}}, scratch, cut_[b]);
             }
         });
         active_.clear();
         for (Index b = 0; b < cut_.size(); ++b)
-            if (!cut_[b].active.empty()) active_.push_back(b);
+            if (!cut_[b].ends.empty()) active_.push_back(b);
         return !stop.stop_requested();
     }
 

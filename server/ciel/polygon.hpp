@@ -1,7 +1,9 @@
-// Polygons of a surface: their corners and their area.
+// Polygons of a surface: their corners, directions and area.
 #pragma once
 
 #include "ciel/extract.hpp"
+
+#include <cmath>
 
 namespace ciel {
 
@@ -17,6 +19,13 @@ namespace ciel {
 
 [[nodiscard]] inline Vec3d cross(const Vec3d& a, const Vec3d& b) {
     return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+// Zero stays zero. In double: the squares of small vectors vanish in float.
+[[nodiscard]] inline Vec3f unit(const Vec3d& v) {
+    const double length = std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+    if (!(length > 0) || !std::isfinite(length)) return {};
+    return {static_cast<float>(v[0] / length), static_cast<float>(v[1] / length), static_cast<float>(v[2] / length)};
 }
 
 // Twice the area, along the right-hand normal; taken about the first corner, so it does not suffer far from the origin.

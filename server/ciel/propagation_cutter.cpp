@@ -26,9 +26,9 @@ public:
     [[nodiscard]] std::size_t memory_bytes() const override;
 
 private:
-    // One half-edge around an active edge: it enters a face of one cell.
+    // A cell around an active edge.
     struct Touch {
-        Index block, edge, half_edge;                   // the last two are local
+        Index block, cell;                              // the last is local
         auto operator<=>(const Touch&) const = default; // NOLINT(modernize-use-nullptr): takes <=> for a 0
     };
 
@@ -42,7 +42,7 @@ private:
     template <class Keep, class Pass>
     bool propagate(const StopToken& stop, Keep&& keep, Pass&& pass);
     void turn_around_edges();
-    void cut_block(std::span<const Touch> touches);
+    void update_block(std::span<const Touch> touches);
 
     const Field::Blocks* field_ = nullptr;
     float threshold_ = -std::numeric_limits<float>::infinity();
@@ -50,7 +50,7 @@ private:
     std::vector<std::uint8_t> is_active_; // by edge
     std::vector<std::uint8_t> is_low_;    // by vertex
     std::vector<Touch> touches_;
-    CutScratch scratch_;
+    std::vector<Index> cells_;
 };
 
 void PropagationCutter::restart() {
@@ -136,9 +136,8 @@ bool PropagationCutter::sweep_down(float threshold, const StopToken& stop) {
         });
 }
 
-// The half-edges that climb an active edge, in all cells around it. Rotating by mate_face and mate_polyhedron would
-// miss cells where an edge has several fans (non-manifold) or a fan starts at the boundary; the list of its origin
-// holds them all.
+// Rotating by mate_face and mate_polyhedron would miss cells where an edge has several fans (non-manifold) or a fan
+// starts at the boundary; the list of its origin holds them all.
 void PropagationCutter::turn_around_edges() {
     const Topology::Blocks& blocks = topology_.blocks();
     touches_.clear();
@@ -147,30 +146,24 @@ void PropagationCutter::turn_around_edges() {
         HalfEdge h = start;
         do {
             if (topology_.edge(h) == edge) {
-                const Index b = blocks.block_of(h), local = h - blocks.block[b].half_edge_begin;
-                const Index corner = blocks.block[b].corner(local);
-                touches_.push_back(
-                    {b, blocks.block[b].with([&](const auto& arrays) { return Index{arrays.edge[corner]}; }), local});
+                const Index b = blocks.block_of(h);
+                touches_.push_back({b, topology_.cell(h) - blocks.block[b].cell_begin});
             }
             h = topology_.next_around_vertex(h);
         } while (h != start);
     }
     std::ranges::sort(touches_);
+    touches_.erase(std::unique(touches_.begin(), touches_.end()), touches_.end());
 }
 
-void PropagationCutter::cut_block(std::span<const Touch> touches) {
+void PropagationCutter::update_block(std::span<const Touch> touches) {
     const Index b = touches.front().block;
-    CutBlock& cut = cut_[b];
-    cut.active.clear();
-    scratch_.entry.clear();
-    for (const Touch& touch : touches) {
-        if (cut.active.empty() || cut.active.back() != touch.edge) cut.active.push_back(touch.edge);
-        scratch_.entry.push_back(touch.half_edge);
-    }
-    const Block& block = topology_.blocks().block[b];
-    block.with([&](const auto& arrays) {
-        walk_entries(block, arrays, field_->of_block(b), field_->gaps[b] != 0, scratch_, cut);
-    });
+    cells_.clear();
+    for (const Touch& touch : touches) cells_.push_back(touch.cell);
+    const std::span<const float> values = field_->of_block(b);
+    CutScratch& scratch = scratch_of_this_thread();
+    (void)classify(values, threshold_, scratch, cut_[b]);
+    cut_cells(topology_.blocks().block[b], {values, field_->gaps[b] != 0, threshold_, {}}, cells_, scratch, cut_[b]);
     active_.push_back(b);
 }
 
@@ -188,14 +181,14 @@ bool PropagationCutter::update(double nu, const StopToken& stop) {
     for (std::size_t begin = 0, end; begin < touches_.size(); begin = end) {
         if (stop.stop_requested()) return false;
         for (end = begin; end < touches_.size() && touches_[end].block == touches_[begin].block;) ++end;
-        cut_block(std::span(touches_).subspan(begin, end - begin));
+        update_block(std::span(touches_).subspan(begin, end - begin));
     }
     return true;
 }
 
 std::size_t PropagationCutter::memory_bytes() const {
     return Cutter::memory_bytes() + active_edges_.capacity() * sizeof(HalfEdge) + is_active_.capacity() +
-           is_low_.capacity() + touches_.capacity() * sizeof(Touch);
+           is_low_.capacity() + touches_.capacity() * sizeof(Touch) + cells_.capacity() * sizeof(Index);
 }
 
 } // namespace

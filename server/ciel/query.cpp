@@ -47,12 +47,7 @@ void Query::set_field(const Field& field) {
 bool Query::extract(double nu, bool normals, Surface& out, const StopToken& stop) {
     if (state_->field == nullptr) fail("choose a field before extracting a surface");
     if (!state_->cutter->update(nu, stop)) return false;
-    write_surface(*state_->topology, state_->mesh, *state_->field, *state_->cutter, nu, out);
-    if (stop.stop_requested()) return false;
-    if (normals)
-        write_normals(state_->mesh, *state_->field, out);
-    else
-        out.normals.clear();
+    write_surface(*state_->topology, state_->mesh, *state_->field, *state_->cutter, nu, normals, out);
     return !stop.stop_requested();
 }
 

@@ -4,18 +4,10 @@
 
 #include <algorithm>
 #include <atomic>
-#include <cmath>
 
 namespace ciel {
 
 namespace {
-
-// Zero stays zero. In double: the squares of small gradients vanish in float.
-Vec3f normalised(const Vec3d& v) {
-    const double length = std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
-    if (!(length > 0) || !std::isfinite(length)) return {};
-    return {static_cast<float>(v[0] / length), static_cast<float>(v[1] / length), static_cast<float>(v[2] / length)};
-}
 
 bool is_zero(const Vec3f& v) { return v == Vec3f{}; }
 
@@ -37,8 +29,9 @@ std::vector<std::uint8_t> doubtful_points(const Surface& surface) {
     return doubtful;
 }
 
-// The polygons' own direction where the gradient's is none, or the opposite of theirs taken together.
-void mend_from_polygons(Surface& surface) {
+} // namespace
+
+void mend_normals(Surface& surface) {
     const std::vector<std::uint8_t> doubtful = doubtful_points(surface);
     if (std::ranges::none_of(doubtful, [](std::uint8_t flag) { return flag != 0; })) return;
     std::vector<Vec3d> sum(surface.points.size());
@@ -51,25 +44,7 @@ void mend_from_polygons(Surface& surface) {
     }
     for (std::size_t p = 0; p < sum.size(); ++p)
         if (doubtful[p] != 0 && (is_zero(surface.normals[p]) || dot(surface.normals[p], sum[p]) < 0))
-            surface.normals[p] = normalised(sum[p]);
-}
-
-} // namespace
-
-void write_normals(const FaceMeshView& mesh, const Field::Blocks& field, Surface& out) {
-    const std::span<const Vec3f> gradients = field.gradients.at(mesh, field, out.points);
-    out.normals.resize(out.points.size());
-    parallel_for(out.points.size(), 8192, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) {
-            const EdgePoint& point = out.points[i];
-            const Vec3f &a = gradients[point.a], &b = gradients[point.b];
-            Vec3d between{};
-            for (std::size_t axis = 0; axis < 3; ++axis)
-                between[axis] = a[axis] + static_cast<double>(point.t) * (static_cast<double>(b[axis]) - a[axis]);
-            out.normals[i] = normalised(between);
-        }
-    });
-    mend_from_polygons(out);
+            surface.normals[p] = unit(sum[p]);
 }
 
 } // namespace ciel

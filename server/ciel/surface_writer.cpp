@@ -1,6 +1,7 @@
 #include "ciel/surface_writer.hpp"
 
 #include "ciel/parallel.hpp"
+#include "ciel/polygon.hpp"
 
 #include <algorithm>
 
@@ -13,27 +14,30 @@ constexpr std::size_t blocks_per_task = 4;
 class Writer {
 public:
     Writer(const Topology& topology, const FaceMeshView& mesh, const Field::Blocks& field, Cutter& cutter, double nu,
-           Surface& out)
+           bool normals, Surface& out)
         : blocks_(topology.blocks()), mesh_(mesh), field_(field), active_(cutter.active()), cut_(cutter.cut()), nu_(nu),
-          out_(out) {}
+          normals_(normals), out_(out) {}
 
     void run() {
         number();
+        if (normals_) field_.gradients.make_at(mesh_, field_, active_, cut_);
         parallel_for(active_.size(), blocks_per_task, [this](std::size_t begin, std::size_t end) {
             std::vector<Index> point;
             for (std::size_t i = begin; i < end; ++i) {
                 const Block& block = blocks_.block[active_[i]];
-                block.with([&](const auto& arrays) { write_points(active_[i], block, arrays); });
+                write_points(active_[i], block);
+                if (normals_) write_normals(active_[i]);
                 write_polygons(active_[i], block, point);
             }
         });
         if (std::ranges::any_of(active_, [this](Index b) { return cut_[b].wasted; })) drop_unused_points();
+        if (normals_) mend_normals(out_);
     }
 
 private:
     void number();
-    template <class Local>
-    void write_points(Index b, const Block& block, const BlockArrays<Local>& arrays);
+    void write_points(Index b, const Block& block);
+    void write_normals(Index b);
     void write_polygons(Index b, const Block& block, std::vector<Index>& point);
     [[nodiscard]] Index point_of_ghost(Index edge, Index& owner) const;
     void drop_unused_points();
@@ -44,6 +48,7 @@ private:
     std::span<const Index> active_;
     std::span<CutBlock> cut_;
     double nu_;
+    bool normals_;
     Surface& out_;
 };
 
@@ -57,31 +62,44 @@ void Writer::number() {
         cut.first_corner = static_cast<Index>(corners);
         points += cut.owned();
         polygons += cut.polygon_cell.size();
-        corners += cut.polygon_point.size();
+        corners += cut.polygon_edge.size();
         if (corners >= none) fail("the surface has more than 4,294,967,294 corners: choose another value");
         if (!cut.polygon_cell.empty()) out_.chunks.push_back({b, cut.first_polygon, static_cast<Index>(polygons)});
     }
     out_.positions.resize(points);
     out_.points.resize(points);
+    out_.normals.resize(normals_ ? points : 0);
     out_.polygon_offset.resize(polygons + 1);
     out_.polygon_offset[0] = 0;
     out_.polygon_cell.resize(polygons);
     out_.polygon_vertex.resize(corners);
 }
 
-template <class Local>
-void Writer::write_points(Index b, const Block& block, const BlockArrays<Local>& arrays) {
+void Writer::write_points(Index b, const Block& block) {
     const CutBlock& cut = cut_[b];
     const std::span<const float> values = field_.of_block(b);
     for (Index i = 0; i < cut.owned(); ++i) {
-        const Index edge = cut.active[cut.ghosts + i];
-        const Local low = arrays.edge_low[edge], high = arrays.edge_high[edge];
+        const auto [low, high] = cut.ends[cut.ghosts + i];
         const double from = values[low], to = values[high];
         const auto t = static_cast<float>(std::clamp((nu_ - from) / (to - from), 0.0, 1.0));
-        const EdgePoint point{block.vertex[low], block.vertex[high], t};
+        const EdgePoint point{block.vertex(low), block.vertex(high), t};
         const float *a = &mesh_.positions[3 * std::size_t{point.a}], *c = &mesh_.positions[3 * std::size_t{point.b}];
         out_.points[cut.first_point + i] = point;
         out_.positions[cut.first_point + i] = {lerp(a[0], c[0], t), lerp(a[1], c[1], t), lerp(a[2], c[2], t)};
+    }
+}
+
+void Writer::write_normals(Index b) {
+    const CutBlock& cut = cut_[b];
+    const Vec3f* gradient = field_.gradients.of_block(b);
+    for (Index i = 0; i < cut.owned(); ++i) {
+        const auto [low, high] = cut.ends[cut.ghosts + i];
+        const Vec3f &from = gradient[low], &to = gradient[high];
+        const double t = out_.points[cut.first_point + i].t;
+        Vec3d between{};
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            between[axis] = from[axis] + t * (static_cast<double>(to[axis]) - from[axis]);
+        out_.normals[cut.first_point + i] = unit(between);
     }
 }
 
@@ -90,22 +108,26 @@ Index Writer::point_of_ghost(Index edge, Index& owner) const {
     if (blocks_.edge_begin[owner + 1] <= edge)
         owner = static_cast<Index>(std::ranges::upper_bound(blocks_.edge_begin, edge) - blocks_.edge_begin.begin() - 1);
     const CutBlock& cut = cut_[owner];
-    const auto owned = std::span(cut.active).subspan(cut.ghosts);
     const auto local = edge - blocks_.edge_begin[owner] + static_cast<Index>(blocks_.block[owner].ghost_edge.size());
-    return cut.first_point + static_cast<Index>(std::ranges::lower_bound(owned, local) - owned.begin());
+    return cut.first_point + cut.place(local) - cut.ghosts;
 }
 
+// `point`: by local edge, scratch.
 void Writer::write_polygons(Index b, const Block& block, std::vector<Index>& point) {
     const CutBlock& cut = cut_[b];
-    point.resize(cut.active.size());
-    Index owner = 0;
-    for (Index i = 0; i < cut.ghosts; ++i) point[i] = point_of_ghost(block.ghost_edge[cut.active[i]], owner);
-    for (Index i = cut.ghosts; i < point.size(); ++i) point[i] = cut.first_point + i - cut.ghosts;
-    for (std::size_t i = 0; i < cut.polygon_point.size(); ++i)
-        out_.polygon_vertex[cut.first_corner + i] = point[cut.polygon_point[i]];
-    for (std::size_t i = 0; i < cut.polygon_cell.size(); ++i) {
-        out_.polygon_offset[cut.first_polygon + i + 1] = cut.first_corner + cut.polygon_end[i];
-        out_.polygon_cell[cut.first_polygon + i] = block.cell_begin + cut.polygon_cell[i];
+    point.resize(64 * cut.active.size());
+    Index owner = 0, i = 0;
+    for (std::size_t w = 0; w < cut.active.size(); ++w)
+        for (std::uint64_t bits = cut.active[w]; bits != 0; bits &= bits - 1, ++i) {
+            const auto edge = static_cast<Index>(64 * w) + static_cast<Index>(std::countr_zero(bits));
+            point[edge] =
+                i < cut.ghosts ? point_of_ghost(block.ghost_edge[edge], owner) : cut.first_point + i - cut.ghosts;
+        }
+    for (std::size_t k = 0; k < cut.polygon_edge.size(); ++k)
+        out_.polygon_vertex[cut.first_corner + k] = point[cut.polygon_edge[k]];
+    for (std::size_t k = 0; k < cut.polygon_cell.size(); ++k) {
+        out_.polygon_offset[cut.first_polygon + k + 1] = cut.first_corner + cut.polygon_end[k];
+        out_.polygon_cell[cut.first_polygon + k] = block.cell_begin + cut.polygon_cell[k];
     }
 }
 
@@ -118,8 +140,11 @@ void Writer::drop_unused_points() {
         if (renumbered[p] == none) continue;
         renumbered[p] = kept;
         out_.points[kept] = out_.points[p];
-        out_.positions[kept++] = out_.positions[p];
+        out_.positions[kept] = out_.positions[p];
+        if (normals_) out_.normals[kept] = out_.normals[p];
+        ++kept;
     }
+    if (normals_) out_.normals.resize(kept);
     out_.points.resize(kept);
     out_.positions.resize(kept);
     for (Index& p : out_.polygon_vertex) p = renumbered[p];
@@ -128,8 +153,8 @@ void Writer::drop_unused_points() {
 } // namespace
 
 void write_surface(const Topology& topology, const FaceMeshView& mesh, const Field::Blocks& field, Cutter& cutter,
-                   double nu, Surface& out) {
-    Writer(topology, mesh, field, cutter, nu, out).run();
+                   double nu, bool normals, Surface& out) {
+    Writer(topology, mesh, field, cutter, nu, normals, out).run();
 }
 
 } // namespace ciel

@@ -6,11 +6,11 @@
 
 namespace ciel {
 
-// Everything of `out` but the normals.
+// `normals` makes the gradients at the ends of the active edges.
 void write_surface(const Topology& topology, const FaceMeshView& mesh, const Field::Blocks& field, Cutter& cutter,
-                   double nu, Surface& out);
+                   double nu, bool normals, Surface& out);
 
-// Along the field's gradient; where that is zero, the mean normal of the polygons around the point.
-void write_normals(const FaceMeshView& mesh, const Field::Blocks& field, Surface& out);
+// The polygons' own direction where the gradient's is none, or the opposite of theirs taken together.
+void mend_normals(Surface& surface);
 
 } // namespace ciel

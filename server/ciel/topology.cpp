@@ -9,18 +9,20 @@ namespace ciel {
 
 namespace {
 
-// Block boundaries (cells), so that each block but a giant cell's has local ids of 16 bits.
+// Block boundaries (cells), so that each block but a giant cell's has local ids of 16 bits: a standard cell's
+// half-edges have such ids, a polyhedron's corners, which most often serve two cells.
 std::vector<Index> divide(const FaceMeshView& mesh, const CellFaces& faces, Index cells_per_block) {
-    constexpr std::uint64_t half_edges_per_block = 65000;
+    constexpr std::uint64_t room = 96000;
     std::vector<Index> begin{0};
-    std::uint64_t half_edges = 0;
+    std::uint64_t used = 0;
     for (Index cell = 0; cell < mesh.cell_count(); ++cell) {
+        const bool standard = static_cast<CellType>(mesh.cell_types[cell]) != CellType::polyhedron;
         std::uint64_t of_cell = 0;
-        for (const Index f : faces.of(cell)) of_cell += mesh.loop(f).size();
-        half_edges += of_cell;
-        if (cell > begin.back() && (cell - begin.back() == cells_per_block || half_edges > half_edges_per_block)) {
+        for (const Index f : faces.of(cell)) of_cell += mesh.loop(f).size() * (standard ? 2 : 1);
+        used += of_cell;
+        if (cell > begin.back() && (cell - begin.back() == cells_per_block || used > room)) {
             begin.push_back(cell);
-            half_edges = of_cell;
+            used = of_cell;
         }
     }
     if (mesh.cell_count() > 0) begin.push_back(mesh.cell_count());
@@ -51,21 +53,46 @@ std::size_t bytes(const std::vector<T>& v) {
     return v.capacity() * sizeof(T);
 }
 
-std::size_t bytes_of(const Block& block) {
-    return sizeof(Block) + bytes(block.vertex) + bytes(block.face_begin) + bytes(block.cell_face_begin) +
-           bytes(block.ghost_edge) + bytes(block.tail_twin) + bytes(block.border_next) + block.with([](const auto& a) {
-               return bytes(a.vertex) + bytes(a.face) + bytes(a.edge) + bytes(a.next_corner) + bytes(a.mate_face) +
-                      bytes(a.first_corner) + bytes(a.edge_low) + bytes(a.edge_high) + bytes(a.cell_face) +
-                      bytes(a.face_cell) + bytes(a.border_vertex);
-           });
+std::size_t bytes_of(const StandardSection& section) {
+    return bytes(section.cell) + bytes(section.vertex) + bytes(section.edge) + bytes(section.mate) +
+           bytes(section.next_entry);
 }
 
-// The half-edge that leaves a corner's vertex along its loop, or the only one there is in another block's tail.
-HalfEdge first_at_corner(const Topology::Blocks& blocks, Index b, Index corner) {
-    const Block& block = blocks.block[b];
-    if (corner < block.far_corner) return block.half_edge_begin + block.half_edge(corner, 0);
-    const Index face = block.with([&](const auto& arrays) { return Index{arrays.face[corner]}; });
-    return block.half_edge_begin + block.half_edge(block.previous_in_loop(corner, face), 1);
+template <class Local>
+std::size_t bytes_of(const PolyhedralSection<Local>& section) {
+    return bytes(section.cell) + bytes(section.vertex) + bytes(section.edge) + bytes(section.next_entry) +
+           bytes(section.mate_face) + bytes(section.mate_escapes) + bytes(section.face_begin) +
+           bytes(section.face_cell) + bytes(section.face_start) + bytes(section.face_rank) +
+           bytes(section.cell_face_begin) + bytes(section.cell_face);
+}
+
+std::size_t bytes_of(const Block& block) {
+    std::size_t sum = sizeof(Block) + bytes(block.ghost_vertex) + bytes(block.ghost_edge) + bytes(block.twin) +
+                      bytes(block.neighbour) + bytes(block.standard);
+    for (const StandardSection& section : block.standard) sum += bytes_of(section);
+    return sum + block.with([](const auto& arrays) {
+        return bytes(arrays.first_entry) + bytes(arrays.border_vertex) + bytes(arrays.border_block) +
+               bytes(arrays.border_place) + bytes_of(arrays.polyhedra);
+    });
+}
+
+// The first half-edge that leaves the vertex of an entry, in the entry's cell or, of a face that two cells share,
+// along the loop or else, in a tail, whichever there is.
+HalfEdge first_at_entry(const Block& block, Index entry) {
+    if (const StandardSection* section = block.section_of_entry(entry)) {
+        const StandardShape& shape = *section->shape;
+        const Index i = (entry - section->entry_begin) / shape.corners;
+        return block.half_edge_begin + section->half_edge_begin + i * shape.half_edges +
+               shape.first_at_corner[(entry - section->entry_begin) % shape.corners];
+    }
+    return block.with([&](const auto& arrays) {
+        const auto& polyhedra = arrays.polyhedra;
+        const Index corner = entry - polyhedra.entry_begin;
+        const bool far = corner >= polyhedra.far_corner;
+        return block.half_edge_begin + polyhedra.half_edge_begin +
+               polyhedra.half_edge(far ? polyhedra.previous_in_loop(corner, polyhedra.face(corner)) : corner,
+                                   far ? 1 : 0);
+    });
 }
 
 } // namespace
@@ -95,77 +122,123 @@ Topology& Topology::operator=(Topology&&) noexcept = default;
 
 Index Topology::vertex(HalfEdge h) const {
     const Block& block = blocks_->block[blocks_->block_of(h)];
-    const Index local = h - block.half_edge_begin, corner = block.corner(local);
+    const Index local = h - block.half_edge_begin;
+    if (const StandardSection* section = block.section_of_half_edge(local)) {
+        const Index i = (local - section->half_edge_begin) / section->shape->half_edges;
+        const Index k = (local - section->half_edge_begin) % section->shape->half_edges;
+        return block.vertex(section->vertex[i * section->shape->corners + section->shape->target(k)]);
+    }
     return block.with([&](const auto& arrays) {
-        return block
-            .vertex[arrays.vertex[block.side(local) == 1 ? corner : block.next_in_loop(corner, arrays.face[corner])]];
+        const auto& polyhedra = arrays.polyhedra;
+        const Index of_section = local - polyhedra.half_edge_begin, corner = polyhedra.corner(of_section);
+        return block.vertex(
+            polyhedra.vertex[polyhedra.side(of_section) == 1 ? corner
+                                                             : polyhedra.next_in_loop(corner, polyhedra.face(corner))]);
     });
 }
 
 Index Topology::edge(HalfEdge h) const {
     const Block& block = blocks_->block[blocks_->block_of(h)];
-    const Index corner = block.corner(h - block.half_edge_begin);
-    return block.edge_id(block.with([&](const auto& arrays) { return Index{arrays.edge[corner]}; }));
+    const Index local = h - block.half_edge_begin;
+    if (const StandardSection* section = block.section_of_half_edge(local)) {
+        const Index i = (local - section->half_edge_begin) / section->shape->half_edges;
+        const Index k = (local - section->half_edge_begin) % section->shape->half_edges;
+        return block.edge_id(section->edge[i * section->shape->edges + section->shape->edge[k]]);
+    }
+    return block.edge_id(block.with([&](const auto& arrays) {
+        return Index{arrays.polyhedra.edge[arrays.polyhedra.corner(local - arrays.polyhedra.half_edge_begin)]};
+    }));
 }
 
 HalfEdge Topology::next_around_face(HalfEdge h) const {
     const Block& block = blocks_->block[blocks_->block_of(h)];
-    const Index local = h - block.half_edge_begin, corner = block.corner(local), side = block.side(local);
-    return block.with([&](const auto& arrays) {
-        const Index face = arrays.face[corner];
-        const Index next = side == 0 ? block.next_in_loop(corner, face) : block.previous_in_loop(corner, face);
-        return block.half_edge_begin + block.half_edge(next, side);
-    });
+    return block.half_edge_begin + turn(block, h - block.half_edge_begin, 1);
 }
 
 HalfEdge Topology::mate_face(HalfEdge h) const {
     const Block& block = blocks_->block[blocks_->block_of(h)];
-    return block.half_edge_begin +
-           block.with([&](const auto& arrays) { return Index{arrays.mate_face[h - block.half_edge_begin]}; });
+    const Index local = h - block.half_edge_begin;
+    if (const StandardSection* section = block.section_of_half_edge(local)) {
+        const Index k = (local - section->half_edge_begin) % section->shape->half_edges;
+        return h - k + section->shape->mate[k];
+    }
+    return block.half_edge_begin + block.with([&](const auto& arrays) {
+        return arrays.polyhedra.half_edge_begin + arrays.polyhedra.mate(local - arrays.polyhedra.half_edge_begin);
+    });
 }
 
+// The mate of a face's first half-edge is stored; around the other side the order is reversed.
 HalfEdge Topology::mate_polyhedron(HalfEdge h) const {
     const Block& block = blocks_->block[blocks_->block_of(h)];
     const Index local = h - block.half_edge_begin;
-    if (local < 2 * block.inner_corners) return block.half_edge_begin + (local ^ 1U);
-    const Index corner = block.corner(local);
-    const Index face = block.with([&](const auto& arrays) { return Index{arrays.face[corner]}; });
-    const HalfEdge twin = block.tail_twin[face - block.inner_faces];
-    return twin == none ? none : twin + (corner - block.face_begin[face]); // both tails keep the loop's corners
+    if (const StandardSection* section = block.section_of_half_edge(local)) {
+        const StandardShape& shape = *section->shape;
+        const Index i = (local - section->half_edge_begin) / shape.half_edges;
+        const Index k = (local - section->half_edge_begin) % shape.half_edges;
+        const std::uint16_t mate = section->mate[i * shape.faces + shape.face[k]];
+        if (mate == StandardSection::no_mate) return none;
+        const HalfEdge first = mate < block.standard_half_edges ? block.half_edge_begin + mate
+                                                                : block.twin[mate - block.standard_half_edges];
+        const Index steps = k - shape.face_begin[shape.face[k]], n = shape.face_size(shape.face[k]);
+        return blocks_->turn_back(first, steps, n);
+    }
+    return block.with([&](const auto& arrays) {
+        const auto& polyhedra = arrays.polyhedra;
+        const Index of_section = local - polyhedra.half_edge_begin;
+        if (of_section < 2 * polyhedra.inner_corners)
+            return block.half_edge_begin + polyhedra.half_edge_begin + (of_section ^ 1U);
+        const Index corner = polyhedra.corner(of_section), face = polyhedra.face(corner);
+        const HalfEdge first = block.twin[polyhedra.twin_begin + face - polyhedra.inner_faces];
+        const Index n = polyhedra.face_begin[face + 1] - polyhedra.face_begin[face];
+        const Index along = corner - polyhedra.face_begin[face]; // against the way of side 1
+        return first == none ? none : blocks_->turn_back(first, polyhedra.side(of_section) == 0 ? along : n - along, n);
+    });
 }
 
-// At each corner of the vertex: the half-edge that leaves along the loop, then the one that leaves against it.
+// In a standard cell, its half-edges that leave the corner. At each corner of a stored loop: the half-edge that leaves
+// along the loop, then the one that leaves against it.
 HalfEdge Topology::next_around_vertex(HalfEdge h) const {
     const Index b = blocks_->block_of(h);
     const Block& block = blocks_->block[b];
-    const Index local = h - block.half_edge_begin, segment = block.corner(local), side = block.side(local);
-    const BlockVertex next = block.with([&](const auto& arrays) -> BlockVertex {
-        const Index face = arrays.face[segment];
-        const Index corner = side == 0 ? segment : block.next_in_loop(segment, face);
-        if (side == 0 && segment < block.inner_corners)
-            return {none, block.half_edge(block.previous_in_loop(corner, face), 1)};
-        if (arrays.next_corner[corner] != arrays.end_of_list) return {b, arrays.next_corner[corner]};
-        const BlockVertex ring = blocks_->next_in_ring({b, arrays.vertex[corner]});
-        return {ring.block, blocks_->block[ring.block].with(
-                                [&](const auto& other) { return Index{other.first_corner[ring.vertex]}; })};
+    const Index local = h - block.half_edge_begin;
+    if (const StandardSection* section = block.section_of_half_edge(local)) {
+        const StandardShape& shape = *section->shape;
+        const Index i = (local - section->half_edge_begin) / shape.half_edges;
+        const Index k = (local - section->half_edge_begin) % shape.half_edges;
+        if (shape.next_at_corner[k] != StandardShape::end_of_list) return h - k + shape.next_at_corner[k];
+        const Index corner = i * shape.corners + shape.origin[k];
+        return blocks_->first_after(b, section->next_entry[corner], section->vertex[corner]);
+    }
+    return block.with([&](const auto& arrays) {
+        const auto& polyhedra = arrays.polyhedra;
+        const Index of_section = local - polyhedra.half_edge_begin;
+        const Index segment = polyhedra.corner(of_section), side = polyhedra.side(of_section);
+        const Index face = polyhedra.face(segment);
+        const Index corner = side == 0 ? segment : polyhedra.next_in_loop(segment, face);
+        if (side == 0 && segment < polyhedra.inner_corners)
+            return block.half_edge_begin + polyhedra.half_edge_begin +
+                   polyhedra.half_edge(polyhedra.previous_in_loop(corner, face), 1);
+        return blocks_->first_after(b, polyhedra.next_entry[corner], polyhedra.vertex[corner]);
     });
-    if (next.block == none) return block.half_edge_begin + next.vertex;
-    return first_at_corner(*blocks_, next.block, next.vertex);
 }
 
 HalfEdge Topology::half_edge_of_vertex(Index vertex) const {
-    if (blocks_->first_slot[vertex] == none) return none;
-    const BlockVertex first = blocks_->at_slot(blocks_->first_slot[vertex]);
-    const Index corner =
-        blocks_->block[first.block].with([&](const auto& arrays) { return Index{arrays.first_corner[first.vertex]}; });
-    return first_at_corner(*blocks_, first.block, corner);
+    const BlockVertex first = blocks_->first_with(vertex);
+    if (first.block == none) return none;
+    const HalfEdge h = blocks_->first_at(first);
+    return h != none ? h : blocks_->first_after_block(first);
 }
 
 Index Topology::cell(HalfEdge h) const {
     const Block& block = blocks_->block[blocks_->block_of(h)];
     const Index local = h - block.half_edge_begin;
+    if (const StandardSection* section = block.section_of_half_edge(local))
+        return block.cell_begin + section->local_cell((local - section->half_edge_begin) / section->shape->half_edges);
     return block.cell_begin + block.with([&](const auto& arrays) {
-        return Index{arrays.face_cell[arrays.face[block.corner(local)]][block.side(local)]};
+        const auto& polyhedra = arrays.polyhedra;
+        const Index of_section = local - polyhedra.half_edge_begin;
+        const Index face = polyhedra.face(polyhedra.corner(of_section));
+        return polyhedra.local_cell(polyhedra.face_cell[face][polyhedra.side(of_section)]);
     });
 }
 
@@ -176,13 +249,25 @@ HalfEdge Topology::half_edge_begin(Index cell) const {
 
 std::vector<HalfEdge> Topology::half_edges(Index cell) const {
     const Block& block = blocks_->block[blocks_->block_of_cell(cell)];
-    const Index local = cell - block.cell_begin;
     std::vector<HalfEdge> out;
+    const auto place = [local = cell - block.cell_begin](const auto& section) {
+        if (section.cell.empty()) return local < section.count() ? local : none;
+        const auto found = std::ranges::lower_bound(section.cell, local);
+        return found != section.cell.end() && *found == local ? static_cast<Index>(found - section.cell.begin()) : none;
+    };
+    for (const StandardSection& section : block.standard) {
+        const Index i = place(section), n = section.shape->half_edges;
+        if (i == none) continue;
+        for (Index k = 0; k < n; ++k) out.push_back(block.half_edge_begin + section.half_edge_begin + i * n + k);
+        return out;
+    }
     block.with([&](const auto& arrays) {
-        for (Index i = block.cell_face_begin[local]; i < block.cell_face_begin[local + 1]; ++i)
-            for (Index k = block.face_begin[arrays.cell_face[i] / 2]; k < block.face_begin[arrays.cell_face[i] / 2 + 1];
-                 ++k)
-                out.push_back(block.half_edge_begin + block.half_edge(k, arrays.cell_face[i] % 2));
+        const auto& polyhedra = arrays.polyhedra;
+        const Index i = place(polyhedra);
+        if (i == none) return;
+        for (const Index ref : polyhedra.faces_of(i))
+            for (Index k = polyhedra.face_begin[ref / 2]; k < polyhedra.face_begin[ref / 2 + 1]; ++k)
+                out.push_back(block.half_edge_begin + polyhedra.half_edge_begin + polyhedra.half_edge(k, ref % 2));
     });
     return out;
 }
@@ -191,8 +276,7 @@ const TopologyCounts& Topology::counts() const { return blocks_->counts; }
 Index Topology::block_count() const { return static_cast<Index>(blocks_->block.size()); }
 
 std::size_t Topology::memory_bytes() const {
-    std::size_t sum =
-        sizeof(Blocks) + bytes(blocks_->first_slot) + bytes(blocks_->block_at) + bytes(blocks_->edge_begin);
+    std::size_t sum = sizeof(Blocks) + bytes(blocks_->block_at) + bytes(blocks_->edge_begin);
     for (const Block& block : blocks_->block) sum += bytes_of(block);
     return sum;
 }
@@ -202,36 +286,77 @@ Index Topology::Blocks::block_of_cell(Index cell) const {
     return static_cast<Index>(after - block.begin() - 1);
 }
 
-BlockVertex Topology::Blocks::at_slot(Index slot) const {
-    const auto after = std::ranges::upper_bound(block, slot, {}, &Block::vertex_begin);
-    return {static_cast<Index>(after - block.begin() - 1), slot - (after - 1)->vertex_begin};
+BlockVertex Topology::Blocks::first_with(Index vertex) const {
+    const auto after = std::ranges::upper_bound(block, vertex, {}, &Block::own_vertex_begin);
+    if (after == block.begin()) return {none, none};
+    const Block& owner = *(after - 1);
+    const auto ghosts = static_cast<Index>(owner.ghost_vertex.size());
+    const Index local = ghosts + vertex - owner.own_vertex_begin;
+    if (local >= owner.vertex_count) return {none, none};
+    return {static_cast<Index>(after - 1 - block.begin()), local};
 }
 
-BlockVertex Topology::Blocks::next_in_ring(BlockVertex at) const {
-    const Block& from = block[at.block];
-    return from.with([&](const auto& arrays) {
-        const auto found = std::ranges::lower_bound(arrays.border_vertex, at.vertex);
-        if (found == arrays.border_vertex.end() || *found != at.vertex) return at;
-        return at_slot(from.border_next[static_cast<std::size_t>(found - arrays.border_vertex.begin())]);
+HalfEdge Topology::Blocks::first_at(BlockVertex at) const {
+    const Block& here = block[at.block];
+    const Index entry = here.with([&](const auto& arrays) {
+        const auto first = arrays.first_entry[at.vertex];
+        return first == arrays.polyhedra.end_of_list ? none : Index{first};
+    });
+    return entry == none ? none : first_at_entry(here, entry);
+}
+
+HalfEdge Topology::Blocks::first_after(Index b, Index entry, Index local_vertex) const {
+    const bool at_end = block[b].with([&](const auto& arrays) { return entry == Index{arrays.polyhedra.end_of_list}; });
+    return at_end ? first_after_block({b, local_vertex}) : first_at_entry(block[b], entry);
+}
+
+HalfEdge Topology::Blocks::first_after_block(BlockVertex start) const {
+    const Index place = block[start.block].border_place_of(start.vertex);
+    if (place == none) return first_at(start);
+    BorderVertex at{start.block, place};
+    do {
+        at = next_in_ring(at);
+        const HalfEdge h = first_at({at.block, vertex_at(at)});
+        if (h != none) return h;
+    } while (at.block != start.block);
+    return none;
+}
+
+HalfEdge Topology::Blocks::turn_back(HalfEdge h, Index steps, Index face_size) const {
+    const Block& there = block[block_of(h)];
+    return there.half_edge_begin + turn(there, h - there.half_edge_begin, face_size - steps);
+}
+
+const StandardSection* Block::section_of_half_edge(Index h) const {
+    for (const StandardSection& section : standard)
+        if (h < section.half_edge_begin + section.count() * section.shape->half_edges) return &section;
+    return nullptr;
+}
+
+const StandardSection* Block::section_of_entry(Index entry) const {
+    for (const StandardSection& section : standard)
+        if (entry < section.entry_begin + section.vertex.size()) return &section;
+    return nullptr;
+}
+
+Index Block::border_place_of(Index local_vertex) const {
+    return with([&](const auto& all) {
+        const auto found = std::ranges::lower_bound(all.border_vertex, local_vertex);
+        return found != all.border_vertex.end() && *found == local_vertex
+                   ? static_cast<Index>(found - all.border_vertex.begin())
+                   : none;
     });
 }
 
-void Topology::Blocks::cells_around(Index vertex, std::vector<Index>& cells) const {
-    cells.clear();
-    if (first_slot[vertex] == none) return;
-    const BlockVertex first = at_slot(first_slot[vertex]);
-    BlockVertex at = first;
-    do {
-        const Block& here = block[at.block];
-        const auto begin = static_cast<std::ptrdiff_t>(cells.size());
-        here.with([&](const auto& arrays) {
-            for (auto k = arrays.first_corner[at.vertex]; k != arrays.end_of_list; k = arrays.next_corner[k])
-                for (const auto cell : arrays.face_cell[arrays.face[k]]) cells.push_back(here.cell_begin + cell);
-        });
-        std::sort(cells.begin() + begin, cells.end());
-        cells.erase(std::unique(cells.begin() + begin, cells.end()), cells.end());
-        at = next_in_ring(at);
-    } while (at.block != first.block);
+Index Block::first_entry_from(Index local_vertex, Index begin) const {
+    return with([&](const auto& all) {
+        Index entry = all.first_entry[local_vertex];
+        while (entry < begin) { // of a standard section: the polyhedra's are the last
+            const StandardSection& section = *section_of_entry(entry);
+            entry = section.next_entry[entry - section.entry_begin];
+        }
+        return entry;
+    });
 }
 
 } // namespace ciel

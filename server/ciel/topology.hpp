@@ -20,7 +20,7 @@ struct TopologyCounts {
 class Topology {
 public:
     struct Options {
-        Index cells_per_block = 512; // fewer where their half-edges would not fit 16 bits
+        Index cells_per_block = 4096; // fewer where their half-edges would not fit 16 bits
     };
     // Throws Error when the mesh breaks the contract of FaceMeshView.
     explicit Topology(const FaceMeshView& mesh, Options options);

@@ -1,0 +1,200 @@
+// Algorithm 4 of the paper: intersection polygons by turning around the faces of a polyhedron.
+//
+// A face is entered where its loop, seen from outside, climbs from low to high, and left at the next active edge, where
+// it descends: the high side of every face is cut off by itself, so two cells agree on the face between them. Over that
+// edge the polygon goes on in another face of the cell. Where every active edge of the cell is entered once, it is
+// enough to note for each where the face behind it is left; where the cell touches itself, mate_face tells the ways
+// apart.
+#include "ciel/cut_block.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ciel {
+
+namespace {
+
+template <class Local>
+class PolyhedronCutter {
+public:
+    PolyhedronCutter(const PolyhedralSection<Local>& section, const BlockValues& in, CutScratch& scratch, CutBlock& cut)
+        : section_(section), in_(in), scratch_(scratch), cut_(cut) {}
+
+    void run() {
+        const std::size_t edges = 64 * cut_.active.size();
+        if (scratch_.entered.size() < edges) {
+            scratch_.entered.resize(edges, 0);
+            scratch_.exit.resize(edges);
+        }
+        for (const auto& cell : scratch_.cell) cut_cell(cell.index);
+    }
+
+private:
+    void cut_cell(Index cell);
+    bool has_gap(Index cell) const;
+    void find_crossings(Index face);
+    bool link_face(Index side);
+    void follow(Index cell);
+    void walk_all(Index cell);
+    void walk(Index cell, Index start);
+    void finish(Index cell, std::size_t begin);
+
+    [[nodiscard]] bool is_high(Index corner) const { return scratch_.high[section_.vertex[corner]] != 0; }
+    [[nodiscard]] bool is_active(Index corner, Index face) const {
+        return is_high(corner) != is_high(section_.next_in_loop(corner, face));
+    }
+    void activate(Index corner, Index next) {
+        const Index edge = section_.edge[corner], a = section_.vertex[corner], b = section_.vertex[next];
+        cut_.active[edge / 64] |= std::uint64_t{1} << edge % 64;
+        scratch_.ends[edge] = {std::min(a, b), std::max(a, b)};
+    }
+
+    const PolyhedralSection<Local>& section_;
+    const BlockValues& in_;
+    CutScratch& scratch_;
+    CutBlock& cut_;
+};
+
+template <class Local>
+bool PolyhedronCutter<Local>::has_gap(Index cell) const {
+    for (const Index ref : section_.faces_of(cell))
+        for (Index k = section_.face_begin[ref / 2]; k < section_.face_begin[ref / 2 + 1]; ++k)
+            if (std::isnan(in_.values[section_.vertex[k]])) return true;
+    return false;
+}
+
+// The active edges of a face along its stored loop; climbing and descending ones alternate, and a climbing one is
+// first.
+template <class Local>
+void PolyhedronCutter<Local>::find_crossings(Index face) {
+    scratch_.crossing.clear();
+    const Index begin = section_.face_begin[face], end = section_.face_begin[face + 1];
+    bool high = is_high(begin);
+    for (Index k = begin; k < end; ++k) {
+        const Index next = k + 1 == end ? begin : k + 1;
+        const bool next_high = is_high(next);
+        if (high != next_high) scratch_.crossing.push_back({k, next});
+        high = next_high;
+    }
+    if (!scratch_.crossing.empty() && is_high(scratch_.crossing.front()[0]))
+        std::rotate(scratch_.crossing.begin(), scratch_.crossing.begin() + 1, scratch_.crossing.end());
+}
+
+// From each entry to its exit. False where an edge is entered a second time in this cell.
+template <class Local>
+bool PolyhedronCutter<Local>::link_face(Index side) {
+    const auto& crossing = scratch_.crossing;
+    for (std::size_t i = 0; i < crossing.size(); i += 2) {
+        // Against the loop, what descends along it climbs, and the next active edge is the one before.
+        const Index in = section_.edge[crossing[side == 0 ? i : i + 1][0]];
+        const Index out = section_.edge[crossing[side == 0 ? i + 1 : i][0]];
+        if (scratch_.entered[in] == scratch_.stamp) return false;
+        scratch_.entered[in] = scratch_.stamp;
+        scratch_.exit[in] = out;
+        scratch_.entry.push_back(in);
+    }
+    return true;
+}
+
+template <class Local>
+void PolyhedronCutter<Local>::cut_cell(Index cell) {
+    const bool gap = in_.gaps && has_gap(cell);
+    scratch_.entry.clear();
+    if (++scratch_.stamp == 0) { // after four thousand million cells old stamps would come round
+        std::ranges::fill(scratch_.entered, 0);
+        scratch_.stamp = 1;
+    }
+    bool simple = true;
+    for (const Index ref : section_.faces_of(cell)) {
+        find_crossings(ref / 2);
+        for (const auto& [corner, next] : scratch_.crossing)
+            if (!gap ||
+                (!std::isnan(in_.values[section_.vertex[corner]]) && !std::isnan(in_.values[section_.vertex[next]])))
+                activate(corner, next);
+        // A face that collapsed to a line leads from an edge to itself.
+        const bool line = section_.face_begin[ref / 2 + 1] - section_.face_begin[ref / 2] == 2;
+        if (!line && !gap) simple = simple && link_face(ref % 2);
+    }
+    if (gap)
+        cut_.wasted = true;
+    else if (simple)
+        follow(cell);
+    else
+        walk_all(cell);
+}
+
+template <class Local>
+void PolyhedronCutter<Local>::follow(Index cell) {
+    std::vector<Index>& loop = cut_.polygon_edge;
+    for (const Index start : scratch_.entry) {
+        if (scratch_.entered[start] != scratch_.stamp) continue; // part of a polygon by now
+        const std::size_t begin = loop.size();
+        Index edge = start;
+        do {
+            loop.push_back(edge);
+            scratch_.entered[edge] = 0;
+            edge = scratch_.exit[edge];
+        } while (edge != start);
+        finish(cell, begin);
+    }
+}
+
+template <class Local>
+void PolyhedronCutter<Local>::walk_all(Index cell) {
+    if (scratch_.walked.size() < 2 * section_.mate_face.size())
+        scratch_.walked.resize(2 * section_.mate_face.size(), 0);
+    std::vector<Index> entries;
+    for (const Index ref : section_.faces_of(cell)) {
+        const Index face = ref / 2, side = ref % 2;
+        for (Index k = section_.face_begin[face]; k < section_.face_begin[face + 1]; ++k)
+            if (is_active(k, face) && is_high(k) == (side == 1)) entries.push_back(section_.half_edge(k, side));
+    }
+    for (const Index h : entries)
+        if (scratch_.walked[h] == 0) walk(cell, h);
+    for (const Index h : entries) scratch_.walked[h] = 0;
+}
+
+template <class Local>
+void PolyhedronCutter<Local>::walk(Index cell, Index start) {
+    std::vector<Index>& loop = cut_.polygon_edge;
+    const std::size_t begin = loop.size();
+    Index h = start;
+    do {
+        scratch_.walked[h] = 1;
+        Index corner = section_.corner(h);
+        const Index side = section_.side(h), face = section_.face(corner), here = section_.edge[corner];
+        if (loop.size() == begin || loop.back() != here) loop.push_back(here);
+        do corner = side == 0 ? section_.next_in_loop(corner, face) : section_.previous_in_loop(corner, face);
+        while (!is_active(corner, face));
+        h = section_.mate(section_.half_edge(corner, side));
+    } while (h != start);
+    finish(cell, begin);
+}
+
+// The walk has the high side on its left seen from outside: reversed, the right-hand normal points to it.
+template <class Local>
+void PolyhedronCutter<Local>::finish(Index cell, std::size_t begin) {
+    std::vector<Index>& loop = cut_.polygon_edge;
+    while (loop.size() > begin + 1 && loop.back() == loop[begin]) loop.pop_back();
+    const auto first = loop.begin() + static_cast<std::ptrdiff_t>(begin);
+    if (std::all_of(first, loop.end(), [&](Index e) { return e == *first || e == *(first + 1); })) {
+        loop.resize(begin);
+        cut_.wasted = true;
+        return;
+    }
+    std::reverse(first, loop.end());
+    cut_.polygon_cell.push_back(section_.local_cell(cell));
+    cut_.polygon_end.push_back(static_cast<Index>(loop.size()));
+}
+
+} // namespace
+
+template <class Local>
+void cut_polyhedra(const PolyhedralSection<Local>& section, const BlockValues& in, CutScratch& scratch, CutBlock& cut) {
+    PolyhedronCutter<Local>(section, in, scratch, cut).run();
+}
+
+template void cut_polyhedra(const PolyhedralSection<std::uint16_t>&, const BlockValues&, CutScratch&, CutBlock&);
+template void cut_polyhedra(const PolyhedralSection<std::uint32_t>&, const BlockValues&, CutScratch&, CutBlock&);
+
+} // namespace ciel

@@ -1,0 +1,91 @@
+// Algorithm 4 in standard cells: the polygons of each case are known, only their edges' names differ from cell to cell.
+#include "ciel/cut_block.hpp"
+#include "ciel/standard_cases.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ciel {
+
+namespace {
+
+template <const StandardShape& shape>
+class StandardCutter {
+public:
+    StandardCutter(const StandardSection& section, const BlockValues& in, CutScratch& scratch, CutBlock& cut)
+        : section_(section), in_(in), scratch_(scratch), cut_(cut), cases_(standard_cases<shape>()) {}
+
+    void run() {
+        if (in_.gaps) std::erase_if(scratch_.cell, [this](const auto& cell) { return passed_over(cell); });
+        std::size_t polygons = cut_.polygon_cell.size(), corners = cut_.polygon_edge.size();
+        const std::size_t first_polygon = polygons, first_corner = corners;
+        for (const auto& cell : scratch_.cell) {
+            polygons += cases_[cell.high].polygons;
+            corners += cases_[cell.high].edges;
+        }
+        cut_.polygon_cell.resize(polygons);
+        cut_.polygon_end.resize(polygons);
+        cut_.polygon_edge.resize(corners);
+        polygon_cell_ = cut_.polygon_cell.data() + first_polygon;
+        polygon_end_ = cut_.polygon_end.data() + first_polygon;
+        polygon_edge_ = cut_.polygon_edge.data() + first_corner;
+        corner_ = static_cast<Index>(first_corner);
+        for (const auto& cell : scratch_.cell) cut_cell(cell);
+    }
+
+private:
+    void activate(Index edge, Index a, Index b) {
+        cut_.active[edge / 64] |= std::uint64_t{1} << edge % 64;
+        scratch_.ends[edge] = {std::min(a, b), std::max(a, b)};
+    }
+
+    void cut_cell(const CutScratch::ActiveCell& cell) {
+        const StandardCase& found = cases_[cell.high];
+        const std::uint16_t* vertex = &section_.vertex[cell.index * shape.corners];
+        const std::uint16_t* edge = &section_.edge[cell.index * shape.edges];
+        for (std::size_t i = 0; i < found.edges; ++i) {
+            const std::size_t e = found.edge[i];
+            polygon_edge_[i] = edge[e];
+            activate(edge[e], vertex[shape.edge_ends[e][0]], vertex[shape.edge_ends[e][1]]);
+        }
+        for (std::size_t i = 0; i < found.polygons; ++i) {
+            *polygon_cell_++ = section_.local_cell(cell.index);
+            *polygon_end_++ = corner_ + found.end[i];
+        }
+        polygon_edge_ += found.edges;
+        corner_ += found.edges;
+    }
+
+    // The edges that have values at both ends stay active: a neighbour in another block may cut them.
+    bool passed_over(const CutScratch::ActiveCell& cell) {
+        const std::uint16_t* vertex = &section_.vertex[cell.index * shape.corners];
+        const auto has_value = [&](std::size_t corner) { return !std::isnan(in_.values[vertex[corner]]); };
+        bool whole = true;
+        for (std::size_t c = 0; c < shape.corners; ++c) whole = whole && has_value(c);
+        if (whole) return false;
+        for (std::size_t e = 0; e < shape.edges; ++e) {
+            const auto [a, b] = shape.edge_ends[e];
+            if (has_value(a) && has_value(b) && (cell.high >> a & 1) != (cell.high >> b & 1))
+                activate(section_.edge[cell.index * shape.edges + e], vertex[a], vertex[b]);
+        }
+        cut_.wasted = true;
+        return true;
+    }
+
+    const StandardSection& section_;
+    const BlockValues& in_;
+    CutScratch& scratch_;
+    CutBlock& cut_;
+    const std::vector<StandardCase>& cases_;
+    Index *polygon_cell_ = nullptr, *polygon_end_ = nullptr, *polygon_edge_ = nullptr;
+    Index corner_ = 0;
+};
+
+} // namespace
+
+void cut_standard(const StandardSection& section, const BlockValues& in, CutScratch& scratch, CutBlock& cut) {
+    with_shape(section.shape->type,
+               [&]<const StandardShape & shape>() { StandardCutter<shape>(section, in, scratch, cut).run(); });
+}
+
+} // namespace ciel

@@ -1,0 +1,110 @@
+// The half-edges of the four standard cell types, as tables made when compiled: what all cells of a type have in common
+// need not be stored with each of them.
+#pragma once
+
+#include "ciel/types.hpp"
+
+namespace ciel {
+
+// Corners in VTK's order. A half-edge is numbered by its place in the loops of the faces, which are wound outwards.
+struct StandardShape {
+    static constexpr std::uint8_t end_of_list = 255;
+
+    CellType type{};
+    std::uint8_t corners = 0, faces = 0, edges = 0, half_edges = 0;
+    std::array<std::uint8_t, 7> face_begin{}; // face -> its first half-edge; one more at the end
+    // Per half-edge: the corner it leaves, its face, its neighbours in the loop, the other half-edge of the same edge.
+    std::array<std::uint8_t, 24> origin{}, face{}, next{}, previous{}, mate{}, edge{};
+    std::array<std::array<std::uint8_t, 2>, 12> edge_ends{}; // corners
+    // The half-edges that leave a corner, as a list.
+    std::array<std::uint8_t, 8> first_at_corner{};
+    std::array<std::uint8_t, 24> next_at_corner{};
+
+    [[nodiscard]] constexpr std::uint8_t target(std::size_t h) const { return origin[next[h]]; }
+    [[nodiscard]] constexpr std::uint8_t face_size(std::size_t f) const {
+        return static_cast<std::uint8_t>(face_begin[f + 1] - face_begin[f]);
+    }
+};
+
+using ShapeLoops = std::array<std::array<int, 4>, 6>; // -1 ends a loop of three
+
+constexpr void put_loops(StandardShape& shape, const ShapeLoops& loops) {
+    std::uint8_t h = 0;
+    for (std::size_t f = 0; f < shape.faces; ++f) {
+        shape.face_begin[f] = h;
+        for (const int corner : loops[f]) {
+            if (corner < 0) continue;
+            shape.origin[h] = static_cast<std::uint8_t>(corner);
+            shape.face[h] = static_cast<std::uint8_t>(f);
+            shape.previous[h] = static_cast<std::uint8_t>(h - 1);
+            shape.next[h] = static_cast<std::uint8_t>(h + 1);
+            ++h;
+        }
+        shape.next[h - 1U] = shape.face_begin[f];
+        shape.previous[shape.face_begin[f]] = static_cast<std::uint8_t>(h - 1);
+    }
+    shape.face_begin[shape.faces] = h;
+    shape.half_edges = h;
+}
+
+constexpr void pair_half_edges(StandardShape& shape) {
+    for (std::uint8_t h = 0; h < shape.half_edges; ++h) {
+        std::uint8_t mate = 0;
+        while (shape.origin[mate] != shape.target(h) || shape.target(mate) != shape.origin[h]) ++mate;
+        shape.mate[h] = mate;
+        if (mate < h) {
+            shape.edge[h] = shape.edge[mate];
+            continue;
+        }
+        shape.edge_ends[shape.edges] = {shape.origin[h], shape.target(h)};
+        shape.edge[h] = shape.edges++;
+    }
+}
+
+constexpr StandardShape make_shape(CellType type, std::uint8_t corners, std::uint8_t faces, const ShapeLoops& loops) {
+    StandardShape shape;
+    shape.type = type;
+    shape.corners = corners;
+    shape.faces = faces;
+    put_loops(shape, loops);
+    pair_half_edges(shape);
+    shape.first_at_corner.fill(StandardShape::end_of_list);
+    for (std::uint8_t h = shape.half_edges; h-- > 0;) {
+        shape.next_at_corner[h] = shape.first_at_corner[shape.origin[h]];
+        shape.first_at_corner[shape.origin[h]] = h;
+    }
+    return shape;
+}
+
+inline constexpr StandardShape tetrahedron_shape =
+    make_shape(CellType::tetrahedron, 4, 4, {{{0, 1, 3, -1}, {1, 2, 3, -1}, {2, 0, 3, -1}, {0, 2, 1, -1}}});
+inline constexpr StandardShape hexahedron_shape = make_shape(
+    CellType::hexahedron, 8, 6, {{{0, 4, 7, 3}, {1, 2, 6, 5}, {0, 1, 5, 4}, {3, 7, 6, 2}, {0, 3, 2, 1}, {4, 5, 6, 7}}});
+inline constexpr StandardShape wedge_shape =
+    make_shape(CellType::wedge, 6, 5, {{{0, 1, 2, -1}, {3, 5, 4, -1}, {0, 3, 4, 1}, {1, 4, 5, 2}, {2, 5, 3, 0}}});
+inline constexpr StandardShape pyramid_shape =
+    make_shape(CellType::pyramid, 5, 5, {{{0, 3, 2, 1}, {0, 1, 4, -1}, {1, 2, 4, -1}, {2, 3, 4, -1}, {3, 0, 4, -1}}});
+
+// Calls f.template operator()<shape>() for a standard type; false for polyhedra.
+template <class F>
+bool with_shape(CellType type, F&& f) {
+    switch (type) {
+    case CellType::tetrahedron:
+        f.template operator()<tetrahedron_shape>();
+        return true;
+    case CellType::hexahedron:
+        f.template operator()<hexahedron_shape>();
+        return true;
+    case CellType::wedge:
+        f.template operator()<wedge_shape>();
+        return true;
+    case CellType::pyramid:
+        f.template operator()<pyramid_shape>();
+        return true;
+    case CellType::polyhedron:
+        break;
+    }
+    return false;
+}
+
+} // namespace ciel
