@@ -84,15 +84,24 @@ void find_active(const StandardSection& section, const BlockValues& in, std::spa
     });
 }
 
-// Two cells look at each face: which kinds of corners it has is found once.
+enum FaceKind : std::uint8_t { low_face = 1, high_face = 2, mixed_face = 3 };
+
+// Two cells look at each face: what it has of high and low corners is found once. Pointers, because a byte that is
+// written might be part of anything.
 template <class Local>
 void sort_faces(const PolyhedralSection<Local>& section, CutScratch& scratch) {
     scratch.face_kinds.resize(section.face_count());
-    for (Index face = 0; face < section.face_count(); ++face) {
-        unsigned kinds = 0;
-        for (Index k = section.face_begin[face]; k < section.face_begin[face + 1]; ++k)
-            kinds |= 1U << scratch.high[section.vertex[k]];
-        scratch.face_kinds[face] = static_cast<std::uint8_t>(kinds);
+    std::uint8_t* kind = scratch.face_kinds.data();
+    const std::uint8_t* is_high = scratch.high.data();
+    const Local *vertex = section.vertex.data(), *begin = section.face_begin.data();
+    for (std::size_t face = 0, faces = section.face_count(), k = 0; face < faces; ++face) {
+        unsigned any = 0, all = 1;
+        for (const std::size_t end = begin[face + 1]; k < end; ++k) {
+            const unsigned high = is_high[vertex[k]];
+            any |= high;
+            all &= high;
+        }
+        kind[face] = any != all ? mixed_face : any != 0 ? high_face : low_face;
     }
 }
 
@@ -100,7 +109,7 @@ template <class Local>
 bool is_active(const PolyhedralSection<Local>& section, Index cell, const CutScratch& scratch) {
     unsigned kinds = 0;
     for (const Index ref : section.faces_of(cell)) kinds |= scratch.face_kinds[ref / 2];
-    return kinds == 3;
+    return kinds == mixed_face;
 }
 
 template <class Local>
@@ -120,6 +129,7 @@ void begin_cut(const Block& block, CutScratch& scratch, CutBlock& cut) {
     cut.polygon_end.clear();
     cut.polygon_edge.clear();
     cut.wasted = false;
+    cut.decided = false;
 }
 
 // The sections' polygons into the order of their cells.

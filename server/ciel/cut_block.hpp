@@ -3,6 +3,7 @@
 
 #include "ciel/blocks.hpp"
 #include "ciel/cell_ranges.hpp"
+#include "ciel/decider.hpp"
 
 namespace ciel {
 
@@ -23,6 +24,7 @@ struct CutBlock {
     std::vector<Index> polygon_end;         // into polygon_edge
     std::vector<Index> polygon_edge;        // local edges
     bool wasted = false;                    // some active edge may have no polygon
+    bool decided = false;                   // by nu, how to join the points of some face
 
     // Where the block's part of the current surface begins; set by the writer.
     Index first_point = 0, first_polygon = 0, first_corner = 0;
@@ -63,6 +65,8 @@ struct BlockValues {
     std::span<const float> values; // NaN where there is none
     bool gaps = false;             // some vertex has none: cells that touch one are passed over
     float threshold = 0;
+    double nu = 0;
+    Decider decider = Decider::isolate_high;
     std::span<const CellRanges::Range> ranges; // may be empty
 };
 

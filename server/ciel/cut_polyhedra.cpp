@@ -4,7 +4,7 @@
 // it descends: the high side of every face is cut off by itself, so two cells agree on the face between them. Over that
 // edge the polygon goes on in another face of the cell. Where every active edge of the cell is entered once, it is
 // enough to note for each where the face behind it is left; where the cell touches itself, mate_face tells the ways
-// apart.
+// apart. A decider may join the high sides of a face instead: then it is left at the active edge before.
 #include "ciel/cut_block.hpp"
 
 #include <algorithm>
@@ -33,7 +33,8 @@ private:
     void cut_cell(Index cell);
     bool has_gap(Index cell) const;
     void find_crossings(Index face);
-    bool link_face(Index side);
+    bool is_joined(Index face);
+    bool link_face(Index side, bool joined);
     void follow(Index cell);
     void walk_all(Index cell);
     void walk(Index cell, Index start);
@@ -80,14 +81,26 @@ void PolyhedronCutter<Local>::find_crossings(Index face) {
         std::rotate(scratch_.crossing.begin(), scratch_.crossing.begin() + 1, scratch_.crossing.end());
 }
 
+template <class Local>
+bool PolyhedronCutter<Local>::is_joined(Index face) {
+    if (in_.decider == Decider::isolate_high || scratch_.crossing.size() < 4) return false;
+    cut_.decided = true;
+    const Index begin = section_.face_begin[face];
+    return joins_high(section_.face_begin[face + 1] - begin, in_.nu,
+                      [&](std::size_t i) { return double{in_.values[section_.vertex[begin + i]]}; });
+}
+
 // From each entry to its exit. False where an edge is entered a second time in this cell.
 template <class Local>
-bool PolyhedronCutter<Local>::link_face(Index side) {
+bool PolyhedronCutter<Local>::link_face(Index side, bool joined) {
     const auto& crossing = scratch_.crossing;
-    for (std::size_t i = 0; i < crossing.size(); i += 2) {
+    const std::size_t n = crossing.size();
+    for (std::size_t i = 0; i < n; i += 2) {
         // Against the loop, what descends along it climbs, and the next active edge is the one before.
-        const Index in = section_.edge[crossing[side == 0 ? i : i + 1][0]];
-        const Index out = section_.edge[crossing[side == 0 ? i + 1 : i][0]];
+        const std::size_t entry = side == 0 ? i : i + 1;
+        const bool forward = (side == 0) != joined;
+        const Index in = section_.edge[crossing[entry][0]];
+        const Index out = section_.edge[crossing[forward ? (entry + 1) % n : (entry + n - 1) % n][0]];
         if (scratch_.entered[in] == scratch_.stamp) return false;
         scratch_.entered[in] = scratch_.stamp;
         scratch_.exit[in] = out;
@@ -113,7 +126,7 @@ void PolyhedronCutter<Local>::cut_cell(Index cell) {
                 activate(corner, next);
         // A face that collapsed to a line leads from an edge to itself.
         const bool line = section_.face_begin[ref / 2 + 1] - section_.face_begin[ref / 2] == 2;
-        if (!line && !gap) simple = simple && link_face(ref % 2);
+        if (!line && !gap) simple = simple && link_face(ref % 2, is_joined(ref / 2));
     }
     if (gap)
         cut_.wasted = true;
@@ -159,12 +172,18 @@ void PolyhedronCutter<Local>::walk(Index cell, Index start) {
     std::vector<Index>& loop = cut_.polygon_edge;
     const std::size_t begin = loop.size();
     Index h = start;
+    const auto joined = [this](Index face) {
+        if (in_.decider == Decider::isolate_high) return false;
+        find_crossings(face);
+        return is_joined(face);
+    };
     do {
         scratch_.walked[h] = 1;
         Index corner = section_.corner(h);
         const Index side = section_.side(h), face = section_.face(corner), here = section_.edge[corner];
         if (loop.size() == begin || loop.back() != here) loop.push_back(here);
-        do corner = side == 0 ? section_.next_in_loop(corner, face) : section_.previous_in_loop(corner, face);
+        const bool forward = (side == 0) != joined(face);
+        do corner = forward ? section_.next_in_loop(corner, face) : section_.previous_in_loop(corner, face);
         while (!is_active(corner, face));
         h = section_.mate(section_.half_edge(corner, side));
     } while (h != start);

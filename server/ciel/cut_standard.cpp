@@ -17,10 +17,11 @@ public:
 
     void run() {
         if (in_.gaps) std::erase_if(scratch_.cell, [this](const auto& cell) { return passed_over(cell); });
+        // A cell's active edges are each in one polygon, however faces are joined; there are at most four polygons.
         std::size_t polygons = cut_.polygon_cell.size(), corners = cut_.polygon_edge.size();
         const std::size_t first_polygon = polygons, first_corner = corners;
         for (const auto& cell : scratch_.cell) {
-            polygons += cases_[cell.high].polygons;
+            polygons += in_.decider == Decider::isolate_high ? cases_[cell.high].polygons : most_polygons;
             corners += cases_[cell.high].edges;
         }
         cut_.polygon_cell.resize(polygons);
@@ -31,16 +32,40 @@ public:
         polygon_edge_ = cut_.polygon_edge.data() + first_corner;
         corner_ = static_cast<Index>(first_corner);
         for (const auto& cell : scratch_.cell) cut_cell(cell);
+        const auto made = static_cast<std::size_t>(polygon_cell_ - cut_.polygon_cell.data());
+        cut_.polygon_cell.resize(made);
+        cut_.polygon_end.resize(made);
     }
 
 private:
+    static constexpr std::size_t most_polygons = 4;
+
     void activate(Index edge, Index a, Index b) {
         cut_.active[edge / 64] |= std::uint64_t{1} << edge % 64;
         scratch_.ends[edge] = {std::min(a, b), std::max(a, b)};
     }
 
     void cut_cell(const CutScratch::ActiveCell& cell) {
-        const StandardCase& found = cases_[cell.high];
+        const StandardCase& plain = cases_[cell.high];
+        if (in_.decider == Decider::isolate_high || plain.ambiguous == 0) return append(cell, plain);
+        cut_.decided = true;
+        append(cell, joined_case(shape, cell.high, joined_faces(cell, plain.ambiguous)));
+    }
+
+    [[nodiscard]] Index joined_faces(const CutScratch::ActiveCell& cell, Index ambiguous) const {
+        const std::uint16_t* vertex = &section_.vertex[cell.index * shape.corners];
+        Index joined = 0;
+        for (std::size_t face = 0; face < shape.faces; ++face) {
+            if ((ambiguous >> face & 1) == 0) continue;
+            const auto value = [&](std::size_t i) {
+                return double{in_.values[vertex[shape.origin[shape.face_begin[face] + i]]]};
+            };
+            if (joins_high(shape.face_size(face), in_.nu, value)) joined |= 1U << face;
+        }
+        return joined;
+    }
+
+    void append(const CutScratch::ActiveCell& cell, const StandardCase& found) {
         const std::uint16_t* vertex = &section_.vertex[cell.index * shape.corners];
         const std::uint16_t* edge = &section_.edge[cell.index * shape.edges];
         for (std::size_t i = 0; i < found.edges; ++i) {

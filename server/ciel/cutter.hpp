@@ -12,6 +12,10 @@ public:
     virtual ~Cutter() = default;
 
     virtual void set_field(const Field& field) = 0;
+    void set_decider(Decider decider) {
+        decider_ = decider;
+        for (CutBlock& cut : cut_) cut.known = false;
+    }
     // Brings `active` and their cuts to nu. False when stopped; the next update starts from what is known.
     virtual bool update(double nu, const StopToken& stop) = 0;
 
@@ -21,6 +25,7 @@ public:
 
 protected:
     const Topology& topology_;
+    Decider decider_ = Decider::isolate_high;
     std::vector<CutBlock> cut_;
     std::vector<Index> active_;
 };

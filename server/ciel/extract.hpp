@@ -2,6 +2,7 @@
 // next.
 #pragma once
 
+#include "ciel/decider.hpp"
 #include "ciel/field.hpp"
 #include "ciel/threads.hpp"
 
@@ -59,6 +60,12 @@ public:
     // Changes the field (another array, a new time step); the topology is untouched. The field must outlive the next
     // call of set_field.
     void set_field(const Field& field);
+
+    // How ambiguous faces are joined from the next extraction on; isolate_high without it.
+    void set_decider(Decider decider);
+    // The vertices have moved: `mesh` is the one that the topology was built from but for its positions. Gradients
+    // belong to positions: Field::vertices_moved.
+    void set_mesh(const FaceMeshView& mesh);
 
     // High means value >= nu; cells that touch a vertex without a value are not cut (field.hpp). Replaces `out`; its
     // buffers are used again. `normals` asks for gradients at the ends of the active edges. Returns

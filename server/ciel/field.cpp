@@ -66,6 +66,8 @@ Field& Field::operator=(Field&&) noexcept = default;
 std::span<const float> Field::values() const { return blocks_->values; }
 std::array<float, 2> Field::range() const { return blocks_->range; }
 
+void Field::vertices_moved() { blocks_->gradients.forget(); }
+
 std::span<const Index> Field::sorted_minima() const {
     blocks_->make_extrema();
     return blocks_->minima;

@@ -11,8 +11,8 @@
 namespace ciel {
 
 // Shared by sessions; immutable but for what is made on demand under locks of its own: the sorted extrema and the
-// gradients (so a field is used with one set of positions). Keeps the values alive through `keep_alive` and the
-// topology by reference: it must not outlive the topology. Any thread may use it.
+// gradients (so a field is used with one set of positions at a time). Keeps the values alive through `keep_alive` and
+// the topology by reference: it must not outlive the topology. Any thread may use it.
 class Field {
 public:
     // values: one per stored vertex; throws Error on another length. NaN and infinities mean "no value here": a cell
@@ -28,6 +28,9 @@ public:
     // Strict local minima under the order (value, vertex id), sorted by it (paper, section 2.2). Vertices without a
     // value are neither minima nor neighbours.
     [[nodiscard]] std::span<const Index> sorted_minima() const;
+
+    // Forgets the gradients, which belong to positions. Not while anybody extracts from it.
+    void vertices_moved();
 
     struct Blocks;
     [[nodiscard]] const Blocks& blocks() const { return *blocks_; }

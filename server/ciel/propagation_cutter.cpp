@@ -42,7 +42,7 @@ private:
     template <class Keep, class Pass>
     bool propagate(const StopToken& stop, Keep&& keep, Pass&& pass);
     void turn_around_edges();
-    void update_block(std::span<const Touch> touches);
+    void update_block(std::span<const Touch> touches, double nu);
 
     const Field::Blocks* field_ = nullptr;
     float threshold_ = -std::numeric_limits<float>::infinity();
@@ -156,14 +156,15 @@ void PropagationCutter::turn_around_edges() {
     touches_.erase(std::unique(touches_.begin(), touches_.end()), touches_.end());
 }
 
-void PropagationCutter::update_block(std::span<const Touch> touches) {
+void PropagationCutter::update_block(std::span<const Touch> touches, double nu) {
     const Index b = touches.front().block;
     cells_.clear();
     for (const Touch& touch : touches) cells_.push_back(touch.cell);
     const std::span<const float> values = field_->of_block(b);
     CutScratch& scratch = scratch_of_this_thread();
     (void)classify(values, threshold_, scratch, cut_[b]);
-    cut_cells(topology_.blocks().block[b], {values, field_->gaps[b] != 0, threshold_, {}}, cells_, scratch, cut_[b]);
+    cut_cells(topology_.blocks().block[b], {values, field_->gaps[b] != 0, threshold_, nu, decider_, {}}, cells_,
+              scratch, cut_[b]);
     active_.push_back(b);
 }
 
@@ -181,7 +182,7 @@ bool PropagationCutter::update(double nu, const StopToken& stop) {
     for (std::size_t begin = 0, end; begin < touches_.size(); begin = end) {
         if (stop.stop_requested()) return false;
         for (end = begin; end < touches_.size() && touches_[end].block == touches_[begin].block;) ++end;
-        update_block(std::span(touches_).subspan(begin, end - begin));
+        update_block(std::span(touches_).subspan(begin, end - begin), nu);
     }
     return true;
 }

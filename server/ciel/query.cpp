@@ -30,9 +30,17 @@ void Surface::clear() { *this = Surface{}; }
 
 Query::Query(const Topology& topology, const FaceMeshView& mesh, Engine engine)
     : state_(std::make_unique<State>(State{&topology, mesh, make_cutter(engine, topology)})) {
-    if (mesh.vertex_count() != topology.counts().vertices || mesh.cell_count() != topology.counts().cells)
-        fail("the mesh is not the one that the topology was built from");
+    set_mesh(mesh);
 }
+
+void Query::set_mesh(const FaceMeshView& mesh) {
+    const TopologyCounts& counts = state_->topology->counts();
+    if (mesh.vertex_count() != counts.vertices || mesh.cell_count() != counts.cells)
+        fail("the mesh is not the one that the topology was built from");
+    state_->mesh = mesh;
+}
+
+void Query::set_decider(Decider decider) { state_->cutter->set_decider(decider); }
 
 Query::~Query() = default;
 Query::Query(Query&&) noexcept = default;

@@ -14,7 +14,7 @@ public:
     bool update(double nu, const StopToken& stop) override;
 
 private:
-    void update_block(Index b, float threshold);
+    void update_block(Index b, float threshold, double nu);
     const Field::Blocks* field_ = nullptr;
 };
 
@@ -24,20 +24,20 @@ bool SignatureCutter::update(double nu, const StopToken& stop) {
     for (Index b = 0; b < cut_.size(); ++b)
         if (field_->low[b] < threshold && field_->high[b] >= threshold) active_.push_back(b);
     parallel_for(active_.size(), 2, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end && !stop.stop_requested(); ++i) update_block(active_[i], threshold);
+        for (std::size_t i = begin; i < end && !stop.stop_requested(); ++i) update_block(active_[i], threshold, nu);
     });
     return !stop.stop_requested();
 }
 
-void SignatureCutter::update_block(Index b, float threshold) {
+void SignatureCutter::update_block(Index b, float threshold, double nu) {
     const Block& block = topology_.blocks().block[b];
     CutBlock& cut = cut_[b];
     CutScratch& scratch = scratch_of_this_thread();
     const std::span<const float> values = field_->of_block(b);
     const bool gaps = field_->gaps[b] != 0;
     if (classify(values, threshold, scratch, cut) && !gaps) return;
-    cut_block(block, {values, gaps, threshold, field_->ranges.of(block, b, values)}, scratch, cut);
-    cut.known = !gaps;
+    cut_block(block, {values, gaps, threshold, nu, decider_, field_->ranges.of(block, b, values)}, scratch, cut);
+    cut.known = !gaps && !cut.decided;
 }
 
 } // namespace

@@ -17,14 +17,30 @@ struct Segment {
     bool used = false;
 };
 
-void append_segments(std::span<const Id> loop, std::span<const float> values, double nu,
+bool joins_runs(std::span<const Id> loop, std::span<const float> values, double nu) {
+    std::vector<double> v;
+    for (const Id id : loop) v.push_back(values[id]);
+    if (v.size() == 4) // where the bilinear interpolation has its saddle
+        return (v[0] * v[2] - v[1] * v[3]) / (v[0] + v[2] - v[1] - v[3]) >= nu;
+    double mean = 0;
+    for (const double value : v) mean += value / static_cast<double>(v.size());
+    return mean >= nu;
+}
+
+void append_segments(std::span<const Id> loop, std::span<const float> values, double nu, Joined joined,
                      std::vector<Segment>& segments) {
     const std::size_t size = loop.size();
     const auto high = [&](std::size_t i) { return values[loop[i % size]] >= nu; };
+    std::vector<std::pair<std::size_t, std::size_t>> runs; // entry, last
     for (std::size_t entry = 0; entry < size; ++entry) {
         if (high(entry) || !high(entry + 1)) continue;
         std::size_t last = entry + 1;
         while (high(last + 1)) ++last;
+        runs.emplace_back(entry, last);
+    }
+    const bool join = joined == Joined::asymptotic && runs.size() > 1 && joins_runs(loop, values, nu);
+    for (std::size_t i = 0; i < runs.size(); ++i) {
+        const std::size_t last = runs[i].second, entry = runs[join ? (i + 1) % runs.size() : i].first;
         segments.push_back({loop[last % size], loop[(last + 1) % size], loop[entry], loop[(entry + 1) % size]});
     }
 }
@@ -84,13 +100,13 @@ bool make_canonical(CutPolygon& polygon) {
     return true;
 }
 
-Cut cut_every_cell(const Polyhedra& mesh, std::span<const float> values, double nu) {
+Cut cut_every_cell(const Polyhedra& mesh, std::span<const float> values, double nu, Joined joined) {
     Cut cut;
     for (Id cell = 0; cell < mesh.cell_count(); ++cell) {
         if (!is_cut(mesh, values, cell)) continue;
         std::vector<Segment> segments;
         for (auto f = mesh.cell_offset[cell]; f < mesh.cell_offset[cell + 1]; ++f) {
-            append_segments(mesh.face(f), values, nu, segments);
+            append_segments(mesh.face(f), values, nu, joined, segments);
         }
         Beginnings beginnings = beginnings_of(segments);
         for (std::size_t i = 0; i < segments.size(); ++i) {
@@ -141,13 +157,14 @@ Segments polygon_segments(const std::vector<CutPolygon>& polygons) {
     return segments;
 }
 
-void add_face_segments(std::span<const Id> loop, std::span<const float> values, double nu, Segments& segments) {
+void add_face_segments(std::span<const Id> loop, std::span<const float> values, double nu, Segments& segments,
+                       Joined joined) {
     std::vector<Segment> found;
-    append_segments(loop, values, nu, found);
+    append_segments(loop, values, nu, joined, found);
     for (const Segment& s : found) ++segments[{edge_of(s.from_high, s.from_low), edge_of(s.to_low, s.to_high)}];
 }
 
-Segments boundary_segments(const Polyhedra& mesh, std::span<const float> values, double nu) {
+Segments boundary_segments(const Polyhedra& mesh, std::span<const float> values, double nu, Joined joined) {
     std::map<Loop, std::vector<Loop>> claims;
     for (Id cell = 0; cell < mesh.cell_count(); ++cell) {
         if (!is_cut(mesh, values, cell)) continue;
@@ -161,7 +178,7 @@ Segments boundary_segments(const Polyhedra& mesh, std::span<const float> values,
     Segments segments;
     for (const auto& [key, loops] : claims) {
         if (loops.size() == 2) continue;
-        for (const Loop& loop : loops) add_face_segments(loop, values, nu, segments);
+        for (const Loop& loop : loops) add_face_segments(loop, values, nu, segments, joined);
     }
     return segments;
 }

@@ -30,9 +30,13 @@ struct Cut {
     friend bool operator==(const Cut&, const Cut&) = default;
 };
 
-// Faces must be wound outwards. High means value >= nu. On every face the high side is isolated. A cell that touches a
-// vertex without a finite value is not cut.
-[[nodiscard]] Cut cut_every_cell(const Polyhedra& mesh, std::span<const float> values, double nu);
+// How the high runs of an ambiguous face are joined: not at all; or where the bilinear interpolation of a quadrangle is
+// high at its saddle, the mean of the corners of a face with more.
+enum class Joined { never, asymptotic };
+
+// Faces must be wound outwards. High means value >= nu. A cell that touches a vertex without a finite value is not cut.
+[[nodiscard]] Cut cut_every_cell(const Polyhedra& mesh, std::span<const float> values, double nu,
+                                 Joined joined = Joined::never);
 
 // Empty when equal; otherwise one line that names the first difference.
 [[nodiscard]] std::string difference(const Cut& expected, const Cut& actual);
@@ -41,9 +45,11 @@ struct Cut {
 using Segments = std::map<std::pair<CutEdge, CutEdge>, int>;
 [[nodiscard]] Segments polygon_segments(const std::vector<CutPolygon>& polygons);
 // Adds the segments that the surface leaves on one face, wound outwards.
-void add_face_segments(std::span<const Id> loop, std::span<const float> values, double nu, Segments& segments);
+void add_face_segments(std::span<const Id> loop, std::span<const float> values, double nu, Segments& segments,
+                       Joined joined = Joined::never);
 // The segments that the surface leaves on faces which not exactly two of the cells that are cut claim.
-[[nodiscard]] Segments boundary_segments(const Polyhedra& mesh, std::span<const float> values, double nu);
+[[nodiscard]] Segments boundary_segments(const Polyhedra& mesh, std::span<const float> values, double nu,
+                                         Joined joined = Joined::never);
 
 // Empty when every polygon edge that does not lie on the boundary is matched by one in the opposite direction.
 [[nodiscard]] std::string open_segment(const Segments& polygons, const Segments& boundary);
