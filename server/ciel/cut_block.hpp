@@ -47,6 +47,11 @@ struct CutScratch {
     std::vector<ActiveCell> cell;           // of one section, ascending
     std::vector<std::array<Index, 2>> ends; // per local edge, good where active
     std::vector<std::uint8_t> face_kinds;   // per face of the polyhedra: 1 has low corners, 2 has high ones
+    struct Pair {
+        Index climbing, descending; // local edges
+    };
+    std::vector<Pair> pair;        // of one face after another: their number, then they
+    std::vector<Index> face_pairs; // per face of the polyhedra: where its pairs begin, or none
     // Of one polyhedron: where the face that is entered over an edge is left; good where `entered` has its stamp.
     std::vector<Index> exit, entered;
     Index stamp = 0;

@@ -21,20 +21,26 @@ public:
         : section_(section), in_(in), scratch_(scratch), cut_(cut) {}
 
     void run() {
+        if (scratch_.cell.empty()) return;
         const std::size_t edges = 64 * cut_.active.size();
         if (scratch_.entered.size() < edges) {
             scratch_.entered.resize(edges, 0);
             scratch_.exit.resize(edges);
         }
+        scratch_.face_pairs.assign(section_.face_count(), none);
+        scratch_.pair.clear();
         for (const auto& cell : scratch_.cell) cut_cell(cell.index);
     }
 
 private:
+    using Pair = CutScratch::Pair;
+
     void cut_cell(Index cell);
     bool has_gap(Index cell) const;
+    std::span<const Pair> pairs_of(Index face);
     void find_crossings(Index face);
     bool is_joined(Index face);
-    bool link_face(Index side, bool joined);
+    bool link_face(std::span<const Pair> pairs, Index side);
     void follow(Index cell);
     void walk_all(Index cell);
     void walk(Index cell, Index start);
@@ -46,6 +52,7 @@ private:
     }
     void activate(Index corner, Index next) {
         const Index edge = section_.edge[corner], a = section_.vertex[corner], b = section_.vertex[next];
+        if (in_.gaps && (std::isnan(in_.values[a]) || std::isnan(in_.values[b]))) return;
         cut_.active[edge / 64] |= std::uint64_t{1} << edge % 64;
         scratch_.ends[edge] = {std::min(a, b), std::max(a, b)};
     }
@@ -90,20 +97,36 @@ bool PolyhedronCutter<Local>::is_joined(Index face) {
                       [&](std::size_t i) { return double{in_.values[section_.vertex[begin + i]]}; });
 }
 
-// From each entry to its exit. False where an edge is entered a second time in this cell.
+// What two cells see of a face, found once: which climbing edge and which descending edge, along the stored loop, the
+// surface joins.
 template <class Local>
-bool PolyhedronCutter<Local>::link_face(Index side, bool joined) {
-    const auto& crossing = scratch_.crossing;
-    const std::size_t n = crossing.size();
-    for (std::size_t i = 0; i < n; i += 2) {
-        // Against the loop, what descends along it climbs, and the next active edge is the one before.
-        const std::size_t entry = side == 0 ? i : i + 1;
-        const bool forward = (side == 0) != joined;
-        const Index in = section_.edge[crossing[entry][0]];
-        const Index out = section_.edge[crossing[forward ? (entry + 1) % n : (entry + n - 1) % n][0]];
+std::span<const CutScratch::Pair> PolyhedronCutter<Local>::pairs_of(Index face) {
+    std::vector<Pair>& all = scratch_.pair;
+    if (scratch_.face_pairs[face] == none) {
+        scratch_.face_pairs[face] = static_cast<Index>(all.size());
+        find_crossings(face);
+        const auto& crossing = scratch_.crossing;
+        const std::size_t n = crossing.size();
+        all.push_back({static_cast<Index>(n / 2), 0}); // how many follow
+        const bool joined = is_joined(face);
+        for (std::size_t i = 0; i < n; i += 2)
+            all.push_back(
+                {section_.edge[crossing[i][0]], section_.edge[crossing[joined ? (i + n - 1) % n : i + 1][0]]});
+        for (const auto& [corner, next] : crossing) activate(corner, next);
+    }
+    const std::size_t begin = scratch_.face_pairs[face];
+    return std::span(all).subspan(begin + 1, all[begin].climbing);
+}
+
+// From each entry to its exit: against the loop, what descends along it climbs. False where an edge is entered a second
+// time in this cell.
+template <class Local>
+bool PolyhedronCutter<Local>::link_face(std::span<const Pair> pairs, Index side) {
+    for (const Pair& pair : pairs) {
+        const Index in = side == 0 ? pair.climbing : pair.descending;
         if (scratch_.entered[in] == scratch_.stamp) return false;
         scratch_.entered[in] = scratch_.stamp;
-        scratch_.exit[in] = out;
+        scratch_.exit[in] = side == 0 ? pair.descending : pair.climbing;
         scratch_.entry.push_back(in);
     }
     return true;
@@ -119,14 +142,10 @@ void PolyhedronCutter<Local>::cut_cell(Index cell) {
     }
     bool simple = true;
     for (const Index ref : section_.faces_of(cell)) {
-        find_crossings(ref / 2);
-        for (const auto& [corner, next] : scratch_.crossing)
-            if (!gap ||
-                (!std::isnan(in_.values[section_.vertex[corner]]) && !std::isnan(in_.values[section_.vertex[next]])))
-                activate(corner, next);
+        const std::span<const Pair> pairs = pairs_of(ref / 2);
         // A face that collapsed to a line leads from an edge to itself.
         const bool line = section_.face_begin[ref / 2 + 1] - section_.face_begin[ref / 2] == 2;
-        if (!line && !gap) simple = simple && link_face(ref % 2, is_joined(ref / 2));
+        if (!line && !gap) simple = simple && link_face(pairs, ref % 2);
     }
     if (gap)
         cut_.wasted = true;

@@ -28,8 +28,7 @@ struct EdgePoint {
 // count, engine and history of calls (`chunks` alone tells the blocks).
 struct Surface {
     std::vector<Vec3f> positions; // offsets from the mesh's origin
-    // Unit, along the field's gradient (towards higher values), or along the polygons around the point where that is
-    // zero or points against them; empty if not asked for.
+    // Unit, towards higher values: see Normals; empty if not asked for.
     std::vector<Vec3f> normals;
     std::vector<EdgePoint> points;
     std::vector<Index> polygon_offset{0}; // polygons + 1
@@ -43,6 +42,12 @@ struct Surface {
     std::vector<Chunk> chunks;
 
     void clear();
+};
+
+enum class Normals {
+    gradient, // along the field's gradient, or along the polygons around the point where it is zero or points against
+              // them
+    polygons  // along the polygons around the point, by area: nothing to make when the field has changed
 };
 
 // Block signatures; the paper's Algorithm 2; the paper's baseline without a list of active edges.
@@ -63,12 +68,13 @@ public:
 
     // How ambiguous faces are joined from the next extraction on; isolate_high without it.
     void set_decider(Decider decider);
+    void set_normals(Normals normals); // which ones `extract` makes where it is asked to; gradient without it
     // The vertices have moved: `mesh` is the one that the topology was built from but for its positions. Gradients
     // belong to positions: Field::vertices_moved.
     void set_mesh(const FaceMeshView& mesh);
 
     // High means value >= nu; cells that touch a vertex without a value are not cut (field.hpp). Replaces `out`; its
-    // buffers are used again. `normals` asks for gradients at the ends of the active edges. Returns
+    // buffers are used again. `normals` asks for them: set_normals. Returns
     // false, leaving `out` unspecified, when `stop` was requested; the Query stays usable. Uses all threads of the
     // parallel loop.
     bool extract(double nu, bool normals, Surface& out, const StopToken& stop = {});

@@ -24,6 +24,7 @@ struct Query::State {
     FaceMeshView mesh;
     std::unique_ptr<Cutter> cutter;
     const Field::Blocks* field = nullptr;
+    Normals normals = Normals::gradient;
 };
 
 void Surface::clear() { *this = Surface{}; }
@@ -40,6 +41,8 @@ void Query::set_mesh(const FaceMeshView& mesh) {
     state_->mesh = mesh;
 }
 
+void Query::set_normals(Normals normals) { state_->normals = normals; }
+
 void Query::set_decider(Decider decider) { state_->cutter->set_decider(decider); }
 
 Query::~Query() = default;
@@ -55,7 +58,8 @@ void Query::set_field(const Field& field) {
 bool Query::extract(double nu, bool normals, Surface& out, const StopToken& stop) {
     if (state_->field == nullptr) fail("choose a field before extracting a surface");
     if (!state_->cutter->update(nu, stop)) return false;
-    write_surface(*state_->topology, state_->mesh, *state_->field, *state_->cutter, nu, normals, out);
+    write_surface(*state_->topology, state_->mesh, *state_->field, *state_->cutter, nu,
+                  normals ? std::optional(state_->normals) : std::nullopt, out);
     return !stop.stop_requested();
 }
 

@@ -29,7 +29,41 @@ std::vector<std::uint8_t> doubtful_points(const Surface& surface) {
     return doubtful;
 }
 
+struct Share {
+    Index point;
+    Vec3d area;
+};
+
 } // namespace
+
+// A point's sum is made in the order of its polygons, whatever the chunks: first those of its own chunk, then what the
+// others have noted for it.
+void write_polygon_normals(std::span<const PointRange> chunks, Surface& surface) {
+    std::vector<Vec3d> sum(surface.points.size());
+    const auto add = [&](Index point, const Vec3d& area) {
+        for (std::size_t axis = 0; axis < 3; ++axis) sum[point][axis] += area[axis];
+    };
+    std::vector<std::vector<Share>> elsewhere(chunks.size());
+    parallel_for(chunks.size(), 4, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t c = begin; c < end; ++c)
+            for (Index i = chunks[c].polygon_begin; i < chunks[c].polygon_end; ++i) {
+                const std::span<const Index> loop = polygon(surface, i);
+                const Vec3d area = area_vector(surface.positions, loop);
+                for (const Index p : loop)
+                    if (p >= chunks[c].point_begin && p < chunks[c].point_end)
+                        add(p, area);
+                    else
+                        elsewhere[c].push_back({p, area});
+            }
+    });
+    constexpr std::size_t points_per_task = 65536;
+    parallel_for(sum.size(), points_per_task, [&](std::size_t begin, std::size_t end) {
+        for (const std::vector<Share>& shares : elsewhere)
+            for (const Share& share : shares)
+                if (share.point >= begin && share.point < end) add(share.point, share.area);
+        for (std::size_t p = begin; p < end; ++p) surface.normals[p] = unit(sum[p]);
+    });
+}
 
 void mend_normals(Surface& surface) {
     const std::vector<std::uint8_t> doubtful = doubtful_points(surface);

@@ -14,24 +14,25 @@ constexpr std::size_t blocks_per_task = 4;
 class Writer {
 public:
     Writer(const Topology& topology, const FaceMeshView& mesh, const Field::Blocks& field, Cutter& cutter, double nu,
-           bool normals, Surface& out)
+           std::optional<Normals> normals, Surface& out)
         : blocks_(topology.blocks()), mesh_(mesh), field_(field), active_(cutter.active()), cut_(cutter.cut()), nu_(nu),
           normals_(normals), out_(out) {}
 
     void run() {
         number();
-        if (normals_) field_.gradients.make_at(mesh_, field_, active_, cut_);
+        if (normals_ == Normals::gradient) field_.gradients.make_at(mesh_, field_, active_, cut_);
         parallel_for(active_.size(), blocks_per_task, [this](std::size_t begin, std::size_t end) {
             std::vector<Index> point;
             for (std::size_t i = begin; i < end; ++i) {
                 const Block& block = blocks_.block[active_[i]];
                 write_points(active_[i], block);
-                if (normals_) write_normals(active_[i]);
+                if (normals_ == Normals::gradient) write_normals(active_[i]);
                 write_polygons(active_[i], block, point);
             }
         });
+        if (normals_ == Normals::polygons) write_polygon_normals(ranges(), out_);
         if (std::ranges::any_of(active_, [this](Index b) { return cut_[b].wasted; })) drop_unused_points();
-        if (normals_) mend_normals(out_);
+        if (normals_ == Normals::gradient) mend_normals(out_);
     }
 
 private:
@@ -40,6 +41,7 @@ private:
     void write_normals(Index b);
     void write_polygons(Index b, const Block& block, std::vector<Index>& point);
     [[nodiscard]] Index point_of_ghost(Index edge, Index& owner) const;
+    [[nodiscard]] std::vector<PointRange> ranges() const;
     void drop_unused_points();
 
     const Topology::Blocks& blocks_;
@@ -48,7 +50,7 @@ private:
     std::span<const Index> active_;
     std::span<CutBlock> cut_;
     double nu_;
-    bool normals_;
+    std::optional<Normals> normals_;
     Surface& out_;
 };
 
@@ -131,6 +133,16 @@ void Writer::write_polygons(Index b, const Block& block, std::vector<Index>& poi
     }
 }
 
+std::vector<PointRange> Writer::ranges() const {
+    std::vector<PointRange> out;
+    for (const Index b : active_) {
+        const CutBlock& cut = cut_[b];
+        out.push_back({cut.first_polygon, cut.first_polygon + static_cast<Index>(cut.polygon_cell.size()),
+                       cut.first_point, cut.first_point + cut.owned()});
+    }
+    return out;
+}
+
 // Where cells were passed over, an active edge may have no polygon.
 void Writer::drop_unused_points() {
     std::vector<Index> renumbered(out_.points.size(), none);
@@ -153,7 +165,7 @@ void Writer::drop_unused_points() {
 } // namespace
 
 void write_surface(const Topology& topology, const FaceMeshView& mesh, const Field::Blocks& field, Cutter& cutter,
-                   double nu, bool normals, Surface& out) {
+                   double nu, std::optional<Normals> normals, Surface& out) {
     Writer(topology, mesh, field, cutter, nu, normals, out).run();
 }
 

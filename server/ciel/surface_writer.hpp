@@ -4,11 +4,19 @@
 #include "ciel/cutter.hpp"
 #include "ciel/field_blocks.hpp"
 
+#include <optional>
+
 namespace ciel {
 
-// `normals` makes the gradients at the ends of the active edges.
 void write_surface(const Topology& topology, const FaceMeshView& mesh, const Field::Blocks& field, Cutter& cutter,
-                   double nu, bool normals, Surface& out);
+                   double nu, std::optional<Normals> normals, Surface& out);
+
+// Sums up what polygons have around each of the surface's points. `chunks`: consecutive polygons and points that are
+// made together, in order; a point's owner comes first of those that use it.
+struct PointRange {
+    Index polygon_begin, polygon_end, point_begin, point_end;
+};
+void write_polygon_normals(std::span<const PointRange> chunks, Surface& surface);
 
 // The polygons' own direction where the gradient's is none, or the opposite of theirs taken together.
 void mend_normals(Surface& surface);
