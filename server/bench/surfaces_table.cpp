@@ -94,7 +94,6 @@ private:
         query_.set_field(field_ = field_of(data_, data_.values));
     }
 
-    // Gradients belong to positions: the field is made again, the topology is not.
     void add_moved_mesh(Table& table) {
         const double nu = (static_cast<double>(low_) + static_cast<double>(high_)) / 2;
         std::vector<float> positions(data_.mesh.positions.begin(), data_.mesh.positions.end());
@@ -104,16 +103,16 @@ private:
         table.rows.push_back(measure(
             named("a moved mesh, one surface, normals"),
             [&] {
-                const Field field = field_of(data_, data_.values);
-                Query query(*data_.topology, moved, engine_);
-                query.set_field(field);
-                (void)query.extract(nu, true, surface_);
-                return triangles_of(surface_);
+                query_.set_mesh(moved);
+                field_.vertices_moved();
+                return extract(nu);
             },
             [&] {
                 for (std::size_t i = 0; i < positions.size(); i += 3) positions[i] += shift;
                 shift = -shift;
             }));
+        query_.set_mesh(data_.mesh);
+        field_.vertices_moved();
     }
 
     const Case& data_;

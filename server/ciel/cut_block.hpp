@@ -47,15 +47,26 @@ struct CutScratch {
     std::vector<ActiveCell> cell;           // of one section, ascending
     std::vector<std::array<Index, 2>> ends; // per local edge, good where active
     std::vector<std::uint8_t> face_kinds;   // per face of the polyhedra: 1 has low corners, 2 has high ones
+    // Which active edges of a face the surface joins, along the stored loop.
     struct Pair {
         Index climbing, descending; // local edges
     };
-    std::vector<Pair> pair;        // of one face after another: their number, then they
-    std::vector<Index> face_pairs; // per face of the polyhedra: where its pairs begin, or none
-    // Of one polyhedron: where the face that is entered over an edge is left; good where `entered` has its stamp.
-    std::vector<Index> exit, entered;
-    Index stamp = 0;
-    std::vector<Index> entry, loop;
+    struct CutFace {
+        Index stamp = 0; // of the cut that it is good for
+        Index pairs = 0;
+        Pair pair{}; // where there is one; else descending counts from where they are in `pair`
+    };
+    std::vector<CutFace> face; // per face of the polyhedra
+    std::vector<Pair> pair;
+    Index cut_stamp = 0;
+    // Of one polyhedron: where the face that is entered over an edge is left.
+    struct Way {
+        Index stamp = 0; // of the cell that it is good for
+        Index exit = 0;
+    };
+    std::vector<Way> way; // per local edge
+    Index cell_stamp = 0;
+    std::vector<Index> entry;
     std::vector<std::array<Index, 2>> crossing;
     std::vector<std::uint8_t> walked; // per half-edge of the polyhedra
 };

@@ -14,61 +14,124 @@ namespace ciel {
 
 namespace {
 
+// Stamps tell what is left of cells and cuts before. Zero is nobody's.
+template <class Marks>
+Index next_stamp(Index& stamp, std::vector<Marks>& marks) {
+    if (++stamp == 0) { // after four thousand million of them old ones would come round
+        for (Marks& mark : marks) mark.stamp = 0;
+        stamp = 1;
+    }
+    return stamp;
+}
+
 template <class Local>
 class PolyhedronCutter {
 public:
     PolyhedronCutter(const PolyhedralSection<Local>& section, const BlockValues& in, CutScratch& scratch, CutBlock& cut)
-        : section_(section), in_(in), scratch_(scratch), cut_(cut) {}
+        : section_(section), vertex_(section.vertex.data()), edge_(section.edge.data()), high_(scratch.high.data()),
+          in_(in), scratch_(scratch), cut_(cut) {}
 
     void run() {
         if (scratch_.cell.empty()) return;
-        const std::size_t edges = 64 * cut_.active.size();
-        if (scratch_.entered.size() < edges) {
-            scratch_.entered.resize(edges, 0);
-            scratch_.exit.resize(edges);
-        }
-        scratch_.face_pairs.assign(section_.face_count(), none);
+        if (scratch_.way.size() < 64 * cut_.active.size()) scratch_.way.resize(64 * cut_.active.size());
+        if (scratch_.face.size() < section_.face_count()) scratch_.face.resize(section_.face_count());
+        (void)next_stamp(scratch_.cut_stamp, scratch_.face);
         scratch_.pair.clear();
-        for (const auto& cell : scratch_.cell) cut_cell(cell.index);
+        for (std::size_t i = 0; i < scratch_.cell.size(); ++i) {
+            if (i + 1 < scratch_.cell.size()) fetch(scratch_.cell[i + 1].index);
+            cut_cell(scratch_.cell[i].index);
+        }
     }
 
 private:
     using Pair = CutScratch::Pair;
+    using CutFace = CutScratch::CutFace;
 
+    void fetch(Index cell) const;
     void cut_cell(Index cell);
     bool has_gap(Index cell) const;
-    std::span<const Pair> pairs_of(Index face);
+    void cut_face(Index face, CutFace& out);
+    void cut_face_often(Index face, CutFace& out);
     void find_crossings(Index face);
     bool is_joined(Index face);
-    bool link_face(std::span<const Pair> pairs, Index side);
+    bool link(const Pair& pair, Index side);
+    bool link_face(const CutFace& face, Index side);
     void follow(Index cell);
     void walk_all(Index cell);
     void walk(Index cell, Index start);
+    void finish_walk(Index cell, std::size_t begin);
     void finish(Index cell, std::size_t begin);
 
-    [[nodiscard]] bool is_high(Index corner) const { return scratch_.high[section_.vertex[corner]] != 0; }
+    [[nodiscard]] bool is_high(Index corner) const { return high_[vertex_[corner]] != 0; }
     [[nodiscard]] bool is_active(Index corner, Index face) const {
         return is_high(corner) != is_high(section_.next_in_loop(corner, face));
     }
     void activate(Index corner, Index next) {
-        const Index edge = section_.edge[corner], a = section_.vertex[corner], b = section_.vertex[next];
+        const Index edge = edge_[corner], a = vertex_[corner], b = vertex_[next];
         if (in_.gaps && (std::isnan(in_.values[a]) || std::isnan(in_.values[b]))) return;
         cut_.active[edge / 64] |= std::uint64_t{1} << edge % 64;
         scratch_.ends[edge] = {std::min(a, b), std::max(a, b)};
     }
 
     const PolyhedralSection<Local>& section_;
+    const Local *vertex_, *edge_;
+    const std::uint8_t* high_;
     const BlockValues& in_;
     CutScratch& scratch_;
     CutBlock& cut_;
 };
 
+// A cell's faces lie apart in memory, and waiting for them was half of the time: they are asked for one cell ahead.
+template <class Local>
+void PolyhedronCutter<Local>::fetch(Index cell) const {
+    for (const Index ref : section_.faces_of(cell)) {
+        const std::size_t first = section_.face_begin[ref / 2];
+        __builtin_prefetch(vertex_ + first);
+        __builtin_prefetch(edge_ + first);
+    }
+}
+
 template <class Local>
 bool PolyhedronCutter<Local>::has_gap(Index cell) const {
     for (const Index ref : section_.faces_of(cell))
         for (Index k = section_.face_begin[ref / 2]; k < section_.face_begin[ref / 2 + 1]; ++k)
-            if (std::isnan(in_.values[section_.vertex[k]])) return true;
+            if (std::isnan(in_.values[vertex_[k]])) return true;
     return false;
+}
+
+// Most faces are not crossed, most others once: both are told from one bit per corner, without a branch on what is
+// high.
+template <class Local>
+void PolyhedronCutter<Local>::cut_face(Index face, CutFace& out) {
+    const Index begin = section_.face_begin[face], n = section_.face_begin[face + 1] - begin;
+    out.stamp = scratch_.cut_stamp;
+    out.pairs = 0;
+    if (n > 64) return cut_face_often(face, out);
+    std::uint64_t here = 0;
+    for (Index i = 0; i < n; ++i) here |= std::uint64_t{high_[vertex_[begin + i]]} << i;
+    const std::uint64_t next = here >> 1 | (here & 1) << (n - 1);
+    const std::uint64_t climbs = ~here & next, descends = here & ~next;
+    if (climbs == 0) return;
+    if ((climbs & (climbs - 1)) != 0) return cut_face_often(face, out);
+    const auto up = static_cast<Index>(std::countr_zero(climbs)), down = static_cast<Index>(std::countr_zero(descends));
+    activate(begin + up, begin + (up + 1 == n ? 0 : up + 1));
+    activate(begin + down, begin + (down + 1 == n ? 0 : down + 1));
+    out.pairs = 1;
+    out.pair = {edge_[begin + up], edge_[begin + down]};
+}
+
+template <class Local>
+void PolyhedronCutter<Local>::cut_face_often(Index face, CutFace& out) {
+    find_crossings(face);
+    const auto& crossing = scratch_.crossing;
+    const std::size_t n = crossing.size();
+    const bool joined = is_joined(face);
+    out.pairs = static_cast<Index>(n / 2);
+    const auto first = static_cast<Index>(scratch_.pair.size());
+    for (std::size_t i = 0; i < n; i += 2)
+        scratch_.pair.push_back({edge_[crossing[i][0]], edge_[crossing[joined ? (i + n - 1) % n : i + 1][0]]});
+    for (const auto& [corner, following] : crossing) activate(corner, following);
+    out.pair = out.pairs == 1 ? scratch_.pair.back() : Pair{none, first};
 }
 
 // The active edges of a face along its stored loop; climbing and descending ones alternate, and a climbing one is
@@ -94,41 +157,26 @@ bool PolyhedronCutter<Local>::is_joined(Index face) {
     cut_.decided = true;
     const Index begin = section_.face_begin[face];
     return joins_high(section_.face_begin[face + 1] - begin, in_.nu,
-                      [&](std::size_t i) { return double{in_.values[section_.vertex[begin + i]]}; });
+                      [&](std::size_t i) { return double{in_.values[vertex_[begin + i]]}; });
 }
 
-// What two cells see of a face, found once: which climbing edge and which descending edge, along the stored loop, the
-// surface joins.
-template <class Local>
-std::span<const CutScratch::Pair> PolyhedronCutter<Local>::pairs_of(Index face) {
-    std::vector<Pair>& all = scratch_.pair;
-    if (scratch_.face_pairs[face] == none) {
-        scratch_.face_pairs[face] = static_cast<Index>(all.size());
-        find_crossings(face);
-        const auto& crossing = scratch_.crossing;
-        const std::size_t n = crossing.size();
-        all.push_back({static_cast<Index>(n / 2), 0}); // how many follow
-        const bool joined = is_joined(face);
-        for (std::size_t i = 0; i < n; i += 2)
-            all.push_back(
-                {section_.edge[crossing[i][0]], section_.edge[crossing[joined ? (i + n - 1) % n : i + 1][0]]});
-        for (const auto& [corner, next] : crossing) activate(corner, next);
-    }
-    const std::size_t begin = scratch_.face_pairs[face];
-    return std::span(all).subspan(begin + 1, all[begin].climbing);
-}
-
-// From each entry to its exit: against the loop, what descends along it climbs. False where an edge is entered a second
+// From an entry to its exit: against the loop, what descends along it climbs. False where the edge is entered a second
 // time in this cell.
 template <class Local>
-bool PolyhedronCutter<Local>::link_face(std::span<const Pair> pairs, Index side) {
-    for (const Pair& pair : pairs) {
-        const Index in = side == 0 ? pair.climbing : pair.descending;
-        if (scratch_.entered[in] == scratch_.stamp) return false;
-        scratch_.entered[in] = scratch_.stamp;
-        scratch_.exit[in] = side == 0 ? pair.descending : pair.climbing;
-        scratch_.entry.push_back(in);
-    }
+bool PolyhedronCutter<Local>::link(const Pair& pair, Index side) {
+    const Index in = side == 0 ? pair.climbing : pair.descending;
+    CutScratch::Way& way = scratch_.way[in];
+    if (way.stamp == scratch_.cell_stamp) return false;
+    way = {scratch_.cell_stamp, side == 0 ? pair.descending : pair.climbing};
+    scratch_.entry.push_back(in);
+    return true;
+}
+
+template <class Local>
+bool PolyhedronCutter<Local>::link_face(const CutFace& face, Index side) {
+    if (face.pairs == 1) return link(face.pair, side);
+    for (Index i = 0; i < face.pairs; ++i)
+        if (!link(scratch_.pair[face.pair.descending + i], side)) return false;
     return true;
 }
 
@@ -136,16 +184,15 @@ template <class Local>
 void PolyhedronCutter<Local>::cut_cell(Index cell) {
     const bool gap = in_.gaps && has_gap(cell);
     scratch_.entry.clear();
-    if (++scratch_.stamp == 0) { // after four thousand million cells old stamps would come round
-        std::ranges::fill(scratch_.entered, 0);
-        scratch_.stamp = 1;
-    }
+    (void)next_stamp(scratch_.cell_stamp, scratch_.way);
     bool simple = true;
     for (const Index ref : section_.faces_of(cell)) {
-        const std::span<const Pair> pairs = pairs_of(ref / 2);
+        CutFace& face = scratch_.face[ref / 2];
+        if (face.stamp != scratch_.cut_stamp) cut_face(ref / 2, face);
+        if (face.pairs == 0 || gap) continue;
         // A face that collapsed to a line leads from an edge to itself.
-        const bool line = section_.face_begin[ref / 2 + 1] - section_.face_begin[ref / 2] == 2;
-        if (!line && !gap) simple = simple && link_face(pairs, ref % 2);
+        if (face.pairs == 1 && face.pair.climbing == face.pair.descending) continue;
+        simple = simple && link_face(face, ref % 2);
     }
     if (gap)
         cut_.wasted = true;
@@ -159,13 +206,13 @@ template <class Local>
 void PolyhedronCutter<Local>::follow(Index cell) {
     std::vector<Index>& loop = cut_.polygon_edge;
     for (const Index start : scratch_.entry) {
-        if (scratch_.entered[start] != scratch_.stamp) continue; // part of a polygon by now
+        if (scratch_.way[start].stamp != scratch_.cell_stamp) continue; // part of a polygon by now
         const std::size_t begin = loop.size();
         Index edge = start;
         do {
             loop.push_back(edge);
-            scratch_.entered[edge] = 0;
-            edge = scratch_.exit[edge];
+            scratch_.way[edge].stamp = 0;
+            edge = scratch_.way[edge].exit;
         } while (edge != start);
         finish(cell, begin);
     }
@@ -199,19 +246,19 @@ void PolyhedronCutter<Local>::walk(Index cell, Index start) {
     do {
         scratch_.walked[h] = 1;
         Index corner = section_.corner(h);
-        const Index side = section_.side(h), face = section_.face(corner), here = section_.edge[corner];
+        const Index side = section_.side(h), face = section_.face(corner), here = edge_[corner];
         if (loop.size() == begin || loop.back() != here) loop.push_back(here);
         const bool forward = (side == 0) != joined(face);
         do corner = forward ? section_.next_in_loop(corner, face) : section_.previous_in_loop(corner, face);
         while (!is_active(corner, face));
         h = section_.mate(section_.half_edge(corner, side));
     } while (h != start);
-    finish(cell, begin);
+    finish_walk(cell, begin);
 }
 
-// The walk has the high side on its left seen from outside: reversed, the right-hand normal points to it.
+// Where the cell touches itself or has collapsed, a walk may pass an edge more than once.
 template <class Local>
-void PolyhedronCutter<Local>::finish(Index cell, std::size_t begin) {
+void PolyhedronCutter<Local>::finish_walk(Index cell, std::size_t begin) {
     std::vector<Index>& loop = cut_.polygon_edge;
     while (loop.size() > begin + 1 && loop.back() == loop[begin]) loop.pop_back();
     const auto first = loop.begin() + static_cast<std::ptrdiff_t>(begin);
@@ -220,7 +267,19 @@ void PolyhedronCutter<Local>::finish(Index cell, std::size_t begin) {
         cut_.wasted = true;
         return;
     }
-    std::reverse(first, loop.end());
+    finish(cell, begin);
+}
+
+// The walk has the high side on its left seen from outside: reversed, the right-hand normal points to it.
+template <class Local>
+void PolyhedronCutter<Local>::finish(Index cell, std::size_t begin) {
+    std::vector<Index>& loop = cut_.polygon_edge;
+    if (loop.size() - begin < 3) {
+        loop.resize(begin);
+        cut_.wasted = true;
+        return;
+    }
+    std::reverse(loop.begin() + static_cast<std::ptrdiff_t>(begin), loop.end());
     cut_.polygon_cell.push_back(section_.local_cell(cell));
     cut_.polygon_end.push_back(static_cast<Index>(loop.size()));
 }

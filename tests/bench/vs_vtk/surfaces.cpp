@@ -116,6 +116,7 @@ public:
         }
         return triangles;
     }
+    void set_normals(Normals normals) { query_.set_normals(normals); }
     void change(const std::shared_ptr<const std::vector<float>>& values) {
         Field changed = bench::field_of(data_, values);
         query_.set_field(changed);
@@ -130,9 +131,9 @@ private:
 };
 
 // The scalars are exchanged while nobody looks at the clock of VTK; CIEL's block ranges are made on the clock.
-void changed_field(const bench::Case& data, vtkUnstructuredGrid* grid, Own& own, double nu) {
+void changed_field(const bench::Case& data, vtkUnstructuredGrid* grid, Own& own, double nu, const char* name) {
     bool ours = false, theirs = false;
-    const Contender ciel{"CIEL, merged + normals", [&] {
+    const Contender ciel{name, [&] {
                              ours = !ours;
                              own.change(ours ? data.changed : data.values);
                              return own.extract({nu}, true);
@@ -159,11 +160,15 @@ void surfaces(const bench::Case& data, vtkUnstructuredGrid* grid) {
     const std::string count = std::to_string(many) + " surfaces, warm";
     duel(count + (is_linear(data) ? "; VTK makes a soup, CIEL shares points" : ""),
          {"CIEL, merged", [&] { return own.extract(values, false); }}, contenders(data, grid, false, values, true));
-    duel(count + ", normals", {"CIEL, merged + normals", [&] { return own.extract(values, true); }},
-         contenders(data, grid, true, values, true));
-
     const double middle = (static_cast<double>(low) + static_cast<double>(high)) / 2;
-    changed_field(data, grid, own, middle);
+    // VTK's normals come from the polygons; CIEL's own choice is the field's gradient.
+    for (const auto& [normals, name] : {std::pair{Normals::polygons, "CIEL, merged + normals from polygons"},
+                                        {Normals::gradient, "CIEL, merged + normals from gradients"}}) {
+        own.set_normals(normals);
+        duel(count + ", normals", {name, [&] { return own.extract(values, true); }},
+             contenders(data, grid, true, values, true));
+        changed_field(data, grid, own, middle, name);
+    }
 }
 
 } // namespace ciel::vs_vtk
