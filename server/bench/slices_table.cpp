@@ -1,5 +1,6 @@
 // 100 slices with the property at their points: what the paper's volume rendering blends.
 #include "bench/case.hpp"
+#include "ciel/sweep.hpp"
 
 #include <cmath>
 
@@ -54,6 +55,18 @@ Table slices_table(const Case& data) {
         table.rows.push_back(measure(std::string("100 screen-aligned, ") + name, [&] {
             const Field distance = distance_along(data, screen);
             return slices.draw(distance);
+        }));
+    }
+    for (const auto& [normal, name] : {std::pair{box, "box-aligned"}, {screen, "screen-aligned"}}) {
+        std::vector<SliceSink::Out> made;
+        table.rows.push_back(measure(std::string("100 ") + name + ", one pass", [&, along = normal] {
+            const Field distance = distance_along(data, along);
+            const auto [low, high] = distance.range();
+            sweep(*data.topology, data.mesh, distance, values_between(low, high, slice_count), SliceSink{*data.values},
+                  made);
+            std::uint64_t triangles = 0;
+            for (const SliceSink::Out& slice : made) triangles += slice.triangles.size() / 3;
+            return triangles;
         }));
     }
     return table;

@@ -1,5 +1,7 @@
 #include "vs_vtk/duel.hpp"
 
+#include "ciel/sweep.hpp"
+
 #include <cmath>
 #include <vtk3DLinearGridPlaneCutter.h>
 #include <vtkCutter.h>
@@ -57,9 +59,7 @@ void slices(const bench::Case& data, vtkUnstructuredGrid* grid) {
         };
         const auto [low, high] = distance().range();
         const Planes planes{normal, bench::values_between(low, high, is_linear(data) ? 100 : 10)};
-        Query query(*data.topology, data.mesh);
-        Surface surface;
-        std::vector<float> property;
+        std::vector<SliceSink::Out> made;
         std::vector<Contender> vtk{cutter<vtkPlaneCutter>("vtkPlaneCutter", grid, planes),
                                    cutter<vtkCutter>("vtkCutter", grid, planes)};
         if (is_linear(data))
@@ -67,15 +67,9 @@ void slices(const bench::Case& data, vtkUnstructuredGrid* grid) {
         duel(std::to_string(planes.at.size()) + " slices, " + name + ", from nothing",
              {"CIEL, property interpolated",
               [&] {
-                  const Field field = distance();
-                  query.set_field(field);
+                  sweep(*data.topology, data.mesh, distance(), planes.at, SliceSink{*data.values}, made);
                   std::uint64_t triangles = 0;
-                  for (const double nu : planes.at) {
-                      (void)query.extract(nu, false, surface);
-                      property.resize(surface.points.size());
-                      interpolate(surface.points, *data.values, 1, property);
-                      triangles += bench::triangles_of(surface);
-                  }
+                  for (const SliceSink::Out& slice : made) triangles += slice.triangles.size() / 3;
                   return triangles;
               }},
              vtk);

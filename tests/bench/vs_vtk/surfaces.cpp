@@ -1,5 +1,7 @@
 #include "vs_vtk/duel.hpp"
 
+#include "ciel/sweep.hpp"
+
 #include <vtkContour3DLinearGrid.h>
 #include <vtkContourFilter.h>
 #include <vtkContourGrid.h>
@@ -116,6 +118,12 @@ public:
         }
         return triangles;
     }
+    std::uint64_t soups(const std::vector<double>& values, std::vector<SoupSink::Out>& out) {
+        sweep(*data_.topology, data_.mesh, field_, values, SoupSink{}, out);
+        std::uint64_t triangles = 0;
+        for (const SoupSink::Out& soup : out) triangles += soup.size() / 3;
+        return triangles;
+    }
     void set_normals(Normals normals) { query_.set_normals(normals); }
     void change(const std::shared_ptr<const std::vector<float>>& values) {
         Field changed = bench::field_of(data_, values);
@@ -158,8 +166,13 @@ void surfaces(const bench::Case& data, vtkUnstructuredGrid* grid) {
     const std::size_t many = is_linear(data) ? 100 : 3;
     const std::vector<double> values = bench::values_between(low, high, many);
     const std::string count = std::to_string(many) + " surfaces, warm";
+    std::vector<SoupSink::Out> soups;
+    if (is_linear(data))
+        duel(count + ", soup", {"CIEL, soup, one pass", [&] { return own.soups(values, soups); }},
+             contenders(data, grid, false, values, true));
     duel(count + (is_linear(data) ? "; VTK makes a soup, CIEL shares points" : ""),
          {"CIEL, merged", [&] { return own.extract(values, false); }}, contenders(data, grid, false, values, true));
+
     const double middle = (static_cast<double>(low) + static_cast<double>(high)) / 2;
     // VTK's normals come from the polygons; CIEL's own choice is the field's gradient.
     for (const auto& [normals, name] : {std::pair{Normals::polygons, "CIEL, merged + normals from polygons"},

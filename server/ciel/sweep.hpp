@@ -1,0 +1,64 @@
+// Several values in one pass over the blocks (paper, algorithms 1 and 3): a block's cells are brought into the cache
+// once and cut at every value that crosses it. For what wants many values at once and no polygon joined with those of
+// other blocks: the blended slices of a volume, a soup of triangles, the polygons' outlines.
+#pragma once
+
+#include "ciel/extract.hpp"
+
+namespace ciel {
+
+// The cut of one block at one value. Points are the block's own: where two blocks meet, both have them.
+struct BlockCut {
+    std::span<const EdgePoint> points;
+    std::span<const Vec3f> positions;                  // offsets from the mesh's origin
+    std::span<const Index> polygon_end, polygon_point; // into the points
+
+    [[nodiscard]] std::size_t polygon_count() const { return polygon_end.size(); }
+    [[nodiscard]] std::span<const Index> polygon(std::size_t i) const {
+        const Index begin = i == 0 ? 0 : polygon_end[i - 1];
+        return polygon_point.subspan(begin, polygon_end[i] - begin);
+    }
+};
+
+// A sink makes a Part of each cut, on any thread, and joins a value's parts in the order of the blocks. Its three kinds
+// are below; one of your own has
+//     using Part = ...; using Out = ...;
+//     void write(const BlockCut& cut, Part& part) const;
+//     void join(std::span<const Part*> parts, Out& out) const;
+
+// Indexed triangles, each polygon a fan, with a property at the points: slices to blend.
+struct SliceSink {
+    std::span<const float> property; // by mesh vertex
+    struct Part {
+        std::vector<Vec3f> positions;
+        std::vector<float> property;
+        std::vector<Index> triangles; // three points each
+    };
+    using Out = Part;
+    void write(const BlockCut& cut, Part& part) const;
+    void join(std::span<const Part* const> parts, Out& out) const;
+};
+
+// Triangles with positions of their own.
+struct SoupSink {
+    using Part = std::vector<Vec3f>; // three each
+    using Out = Part;
+    void write(const BlockCut& cut, Part& part) const;
+    void join(std::span<const Part* const> parts, Out& out) const;
+};
+
+// The polygons' edges, two positions each: the mesh of the surface. An edge of two polygons comes twice.
+struct OutlineSink {
+    using Part = std::vector<Vec3f>;
+    using Out = Part;
+    void write(const BlockCut& cut, Part& part) const;
+    void join(std::span<const Part* const> parts, Out& out) const;
+};
+
+// out[i] is of values[i]; its buffers are used again. Values may be in any order and outside the range. False, leaving
+// `out` unspecified, when stop was requested.
+template <class Sink>
+bool sweep(const Topology& topology, const FaceMeshView& mesh, const Field& field, std::span<const double> values,
+           const Sink& sink, std::vector<typename Sink::Out>& out, const StopToken& stop = {});
+
+} // namespace ciel
