@@ -124,7 +124,7 @@ int run_command(const RenderCommand& render) {
         throw UsageError("-o " + render.output + ": pictures are .png files");
     const auto loaded = load_dataset(render.scene.dataset);
     const scene::Scene scene = parse_scene(document_of(render, *loaded));
-    const auto geometry = make_geometry(scene, loaded);
+    const auto geometry = make_geometry(scene, loaded, decider_named(render.scene.decider));
     render::Image image;
     render::Renderer renderer(backend);
     renderer.draw(

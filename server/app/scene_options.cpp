@@ -54,6 +54,17 @@ void SceneOptions::add_to(CLI::App& command) {
     command.add_option("--plane", planes, "Slice through a point, across a normal; may be repeated.")
         ->type_name("ox,oy,oz,nx,ny,nz");
     command.add_option("--time", time, "The step nearest to this time; the first by default.")->type_name("T");
+    add_decider(command, decider);
+}
+
+void add_decider(CLI::App& command, std::string& name) {
+    command.add_option("--decider", name, "How points on ambiguous faces are joined.")
+        ->check(CLI::IsMember({"isolate-high", "asymptotic"}))
+        ->capture_default_str();
+}
+
+Decider decider_named(const std::string& name) {
+    return name == "asymptotic" ? Decider::asymptotic : Decider::isolate_high;
 }
 
 nlohmann::json SceneOptions::document(const store::Dataset& loaded) const {
@@ -91,10 +102,10 @@ scene::Scene parse_scene(const nlohmann::json& document) {
     }
 }
 
-std::shared_ptr<const session::Geometry> make_geometry(const scene::Scene& scene,
-                                                       const std::shared_ptr<store::LoadedDataset>& loaded) {
+std::shared_ptr<const session::Geometry>
+make_geometry(const scene::Scene& scene, const std::shared_ptr<store::LoadedDataset>& loaded, Decider decider) {
     try {
-        auto made = session::SceneGeometry(Engine::signatures).update(scene, loaded);
+        auto made = session::SceneGeometry({Engine::signatures, decider}).update(scene, loaded);
         session::require_complete(*made);
         return made;
     } catch (const scene::Invalid& error) {

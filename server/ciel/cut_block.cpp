@@ -1,5 +1,7 @@
 #include "ciel/cut_block.hpp"
 
+#include "ciel/vector_units.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -18,6 +20,11 @@ CutScratch& scratch_of_this_thread() {
     return scratch;
 }
 
+// One byte per value: the loop that meets every vertex of a block.
+CIEL_FOR_ALL_VECTOR_UNITS void mark_high(const float* values, std::size_t count, float threshold, std::uint8_t* high) {
+    for (std::size_t v = 0; v < count; ++v) high[v] = values[v] >= threshold ? 1 : 0;
+}
+
 namespace {
 
 // Eight bytes of 0 or 1 to eight bits: each product bit of the top byte gets one of them.
@@ -33,7 +40,7 @@ bool classify(std::span<const float> values, float threshold, CutScratch& scratc
     const std::size_t words = (values.size() + 63) / 64;
     if (scratch.high.size() < 64 * words) scratch.high.resize(64 * words);
     std::uint8_t* high = scratch.high.data();
-    for (std::size_t v = 0; v < values.size(); ++v) high[v] = values[v] >= threshold ? 1 : 0;
+    mark_high(values.data(), values.size(), threshold, high);
     std::fill(high + values.size(), high + 64 * words, std::uint8_t{0});
     bool same = cut.known;
     cut.signature.resize(words);

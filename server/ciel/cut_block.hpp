@@ -73,6 +73,8 @@ struct CutScratch {
 
 [[nodiscard]] CutScratch& scratch_of_this_thread();
 
+// high[i] = values[i] >= threshold, as 0 or 1; `high` overlaps nothing.
+void mark_high(const float* values, std::size_t count, float threshold, std::uint8_t* high);
 // Classifies the block's vertices into scratch.high and the signature; true when it is the one the cut was made for.
 // (It does not tell a vertex without a value from a low one: the caller never trusts it where there are such.)
 bool classify(std::span<const float> values, float threshold, CutScratch& scratch, CutBlock& cut);

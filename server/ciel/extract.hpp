@@ -53,11 +53,21 @@ enum class Normals {
 // Block signatures; the paper's Algorithm 2; the paper's baseline without a list of active edges.
 enum class Engine { signatures, propagation, naive };
 
+// How a Query works; what it gives does not depend on the engine.
+struct Extraction {
+    // NOLINTNEXTLINE(google-explicit-constructor): an engine alone says most of it
+    Extraction(Engine with_engine = Engine::signatures, Decider with_decider = Decider::isolate_high)
+        : engine(with_engine), decider(with_decider) {}
+
+    Engine engine;
+    Decider decider;
+};
+
 // One viewer's query state on one field: signatures, active edges. Not thread-safe: one at a time; any number of
 // Queries may share a Topology and Fields. The mesh view must outlive the Query.
 class Query {
 public:
-    Query(const Topology& topology, const FaceMeshView& mesh, Engine engine = Engine::signatures);
+    Query(const Topology& topology, const FaceMeshView& mesh, Extraction extraction = {});
     ~Query();
     Query(Query&&) noexcept;
     Query& operator=(Query&&) noexcept;
@@ -66,7 +76,7 @@ public:
     // call of set_field.
     void set_field(const Field& field);
 
-    // How ambiguous faces are joined from the next extraction on; isolate_high without it.
+    // How ambiguous faces are joined from the next extraction on.
     void set_decider(Decider decider);
     void set_normals(Normals normals); // which ones `extract` makes where it is asked to; gradient without it
     // The vertices have moved: `mesh` is the one that the topology was built from but for its positions. Gradients

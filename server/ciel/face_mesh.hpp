@@ -13,7 +13,7 @@ namespace ciel {
 // A face between two cells is stored once. Its loop is wound so that its normal (right hand) points out of `owner`
 // into `neighbour`; owner < neighbour; neighbour is `none` on the boundary. Repeated vertex ids in a loop (collapsed
 // cells) are allowed and kept. Cells are in storage order, which is a space-filling-curve order; faces are sorted by
-// owner.
+// owner, vertices by their first use in face_vertex; those that no face uses come last.
 struct FaceMeshView {
     Vec3d origin{};                             // added to every position
     std::span<const float> positions;           // 3 V: offsets from origin

@@ -29,9 +29,10 @@ struct Query::State {
 
 void Surface::clear() { *this = Surface{}; }
 
-Query::Query(const Topology& topology, const FaceMeshView& mesh, Engine engine)
-    : state_(std::make_unique<State>(State{&topology, mesh, make_cutter(engine, topology)})) {
+Query::Query(const Topology& topology, const FaceMeshView& mesh, Extraction extraction)
+    : state_(std::make_unique<State>(State{&topology, mesh, make_cutter(extraction.engine, topology)})) {
     set_mesh(mesh);
+    set_decider(extraction.decider);
 }
 
 void Query::set_mesh(const FaceMeshView& mesh) {

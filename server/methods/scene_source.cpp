@@ -19,7 +19,7 @@ std::shared_ptr<const session::Geometry> SceneSource::geometry() const {
     const std::stop_token& stop = context_.connection.stop;
     const session::Services& services = context_.server.services();
     auto made = session_ ? session_->geometry(*version_, stop)
-                         : session::SceneGeometry(services.engine)
+                         : session::SceneGeometry(services.extraction)
                                .update(version_->scene, version_->loaded, stop, services.limits.session_memory_bytes);
     context_.check_wanted();
     session::require_complete(*made);

@@ -46,7 +46,7 @@ std::map<std::string, double> table_of(const session::Limits& limits) {
 
 protocol::ServerInfoResult server_info(Context& context, const protocol::ServerInfoParams&) {
     const session::Readiness drawing = context.server.last_readiness();
-    const bool by_signatures = context.server.options().engine == Engine::signatures;
+    const bool by_signatures = context.server.options().extraction.engine == Engine::signatures;
     return {CIEL_VERSION,
             drawing.gl_renderer,
             drawing.backend,

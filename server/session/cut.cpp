@@ -36,17 +36,17 @@ void Painted::paint(const std::shared_ptr<const Shape>& new_shape, const std::st
     revision = unique_number();
 }
 
-void Cut::use_field(const std::string& name, store::ScalarField new_field, Engine engine) {
-    const bool same_mesh =
-        query && new_field.topology == field.topology && new_field.mesh.positions.data() == field.mesh.positions.data();
+void Cut::use_field(const std::string& name, store::ScalarField new_field, Extraction extraction) {
+    const bool same_topology = query && new_field.topology == field.topology;
     shape = nullptr;
     field_name.clear(); // until all has gone well
-    if (!same_mesh) {
+    if (!same_topology) {
         query.reset(); // before the field it reads goes
         field = std::move(new_field);
-        query.emplace(*field.topology, field.mesh, engine);
+        query.emplace(*field.topology, field.mesh, extraction);
         query->set_field(*field.field);
-    } else {
+    } else { // its vertices may have moved
+        query->set_mesh(new_field.mesh);
         query->set_field(*new_field.field);
         field = std::move(new_field);
     }

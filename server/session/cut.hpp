@@ -32,7 +32,7 @@ struct Cut {
     std::shared_ptr<const Shape> shape;
     Painted painted;
 
-    void use_field(const std::string& name, store::ScalarField new_field, Engine engine);
+    void use_field(const std::string& name, store::ScalarField new_field, Extraction extraction);
     // False when stopped; the shape is then made anew by the next call.
     bool extract(double new_nu, bool new_normals, const std::stop_token& stop);
     [[nodiscard]] std::size_t memory_bytes() const;

@@ -56,7 +56,7 @@ std::string plane_name(const scene::SliceLayer& slice, const store::Step& step) 
 
 // One update: what each kind of layer does, and which kept state was still in use.
 struct Update {
-    Engine engine;
+    Extraction extraction;
     const std::shared_ptr<store::LoadedDataset>& loaded;
     std::shared_ptr<store::Dataset> dataset;
     const std::stop_token& stop;
@@ -108,7 +108,7 @@ struct Update {
             const std::size_t before = cut.memory_bytes();
             const std::string name = "field " + std::to_string(out.step) + " " + iso.array;
             try {
-                if (cut.field_name != name) cut.use_field(name, loaded->scalar(iso.array, out.step), engine);
+                if (cut.field_name != name) cut.use_field(name, loaded->scalar(iso.array, out.step), extraction);
             } catch (const store::NotWritten& missing) {
                 lack(layer, "is not shown", missing);
                 return true;
@@ -126,7 +126,7 @@ struct Update {
         Cut& cut = cuts[{layer.id, 0}];
         const std::size_t before = cut.memory_bytes();
         const std::string name = plane_name(slice, step());
-        if (cut.field_name != name) cut.use_field(name, loaded->plane(out.step, out.origin, slice.normal), engine);
+        if (cut.field_name != name) cut.use_field(name, loaded->plane(out.step, out.origin, slice.normal), extraction);
         double nu = 0;
         for (std::size_t axis = 0; axis < 3; ++axis) nu += slice.normal[axis] * (slice.origin[axis] - out.origin[axis]);
         if (!cut.extract(on_the_side(nu, cut.field.field->range()), false, stop)) return false;
@@ -171,7 +171,7 @@ void require_complete(const Geometry& geometry) {
     if (!geometry.lacking.empty()) throw store::NotWritten(geometry.lacking.front());
 }
 
-SceneGeometry::SceneGeometry(Engine engine) : engine_(engine) {}
+SceneGeometry::SceneGeometry(Extraction extraction) : extraction_(extraction) {}
 SceneGeometry::~SceneGeometry() = default;
 SceneGeometry::SceneGeometry(SceneGeometry&&) noexcept = default;
 SceneGeometry& SceneGeometry::operator=(SceneGeometry&&) noexcept = default;
@@ -197,7 +197,7 @@ std::shared_ptr<const Geometry> SceneGeometry::update(const scene::Scene& scene,
     geometry->bounds_max = high(dataset->info().meshes[step.mesh]);
 
     forget_all_but(scene); // first, for what comes needs the room
-    Update run{engine_, loaded, dataset, stop, *geometry, cuts_, boundaries_, most_bytes, memory_bytes()};
+    Update run{extraction_, loaded, dataset, stop, *geometry, cuts_, boundaries_, most_bytes, memory_bytes()};
     for (const scene::Layer& layer : scene.layers) {
         if (!layer.visible) continue;
         const auto make = [&](const auto& kind) { return run(layer, kind); };

@@ -55,7 +55,7 @@ struct Boundary;
 // Not thread-safe: one at a time.
 class SceneGeometry {
 public:
-    explicit SceneGeometry(Engine engine);
+    explicit SceneGeometry(Extraction extraction);
     ~SceneGeometry();
     SceneGeometry(SceneGeometry&&) noexcept;
     SceneGeometry& operator=(SceneGeometry&&) noexcept;
@@ -73,7 +73,7 @@ private:
     using Key = std::pair<std::string, std::size_t>; // layer id, index of the value
     void forget_all_but(const scene::Scene& scene);
 
-    Engine engine_;
+    Extraction extraction_;
     std::shared_ptr<store::LoadedDataset> loaded_;
     std::map<Key, Cut> cuts_;
     std::map<Key, Boundary> boundaries_;

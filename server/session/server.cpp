@@ -29,8 +29,9 @@ struct Server::State {
         : options(std::move(chosen)),
           catalog(options.data, options.limits.field_cache_bytes, options.limits.dataset_memory_bytes),
           workers(options.render_workers, options.backend),
-          picture_workers(1, options.backend), services{options.limits, options.engine, catalog,
-                                                        connections,    workers,        metrics},
+          picture_workers(1, options.backend), services{options.limits, options.extraction,
+                                                        catalog,        connections,
+                                                        workers,        metrics},
           sessions(services), slow_calls(options.limits) {
         watch = catalog.watch([this](const std::string& dataset) { tell_steps(dataset); });
         housekeeping = std::jthread([this](const std::stop_token& stop) {

@@ -16,7 +16,7 @@ namespace ciel::session {
 struct ServerOptions {
     std::vector<std::filesystem::path> data;
     render::Backend backend = render::Backend::automatic;
-    Engine engine = Engine::signatures;
+    Extraction extraction;
     unsigned render_workers = 1;
     Limits limits;
 };

@@ -12,7 +12,7 @@ namespace ciel::session {
 
 struct Services {
     const Limits& limits;
-    Engine engine;
+    Extraction extraction;
     store::Catalog& catalog;
     Connections& connections;
     FrameWorkers& workers;

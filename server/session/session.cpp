@@ -41,7 +41,7 @@ std::shared_ptr<const SceneVersion> make_version(const Services& services, nlohm
 
 Session::Session(std::string id, const Services& services, std::shared_ptr<const SceneVersion> first)
     : id_(std::move(id)), services_(services), version_(std::move(first)), history_(services.limits.undo_steps),
-      used_(Clock::now()), scene_geometry_(services.engine) {}
+      used_(Clock::now()), scene_geometry_(services.extraction) {}
 
 SessionStatus Session::current() const { return {version_, history_.can_undo(), history_.can_redo()}; }
 
@@ -170,7 +170,7 @@ std::shared_ptr<const Geometry> Session::geometry(const SceneVersion& version, c
         bytes_ = scene_geometry_.memory_bytes();
         return made;
     } catch (const LimitReached&) {
-        scene_geometry_ = SceneGeometry(services_.engine);
+        scene_geometry_ = SceneGeometry(services_.extraction);
         bytes_ = 0;
         throw;
     }
@@ -178,7 +178,7 @@ std::shared_ptr<const Geometry> Session::geometry(const SceneVersion& version, c
 
 void Session::release_geometry() {
     const std::scoped_lock lock(geometry_mutex_);
-    scene_geometry_ = SceneGeometry(services_.engine);
+    scene_geometry_ = SceneGeometry(services_.extraction);
     bytes_ = 0;
 }
 

@@ -160,7 +160,7 @@ TEST_F(Sharing, the_other_engine_serves_the_same_pictures) {
     std::vector<std::string> pictures;
     for (const Engine engine : {Engine::signatures, Engine::propagation}) {
         auto chosen = options();
-        chosen.engine = engine;
+        chosen.extraction = engine;
         session::Server server(chosen);
         Client client(server, false);
         pictures.push_back(client.call("picture.render", params)["data"]);
