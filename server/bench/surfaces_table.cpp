@@ -11,8 +11,7 @@ namespace {
 class Surfaces {
 public:
     Surfaces(const Case& data, Engine engine, const char* name)
-        : data_(data), engine_(engine), name_(name), field_(field_of(data, data.values)),
-          query_(*data.topology, data.mesh, engine) {
+        : data_(data), name_(name), field_(field_of(data, data.values)), query_(*data.topology, data.mesh, engine) {
         query_.set_field(field_);
         low_ = field_.range()[0];
         high_ = field_.range()[1];
@@ -116,7 +115,6 @@ private:
     }
 
     const Case& data_;
-    Engine engine_;
     const char* name_;
     Field field_;
     Query query_;

@@ -9,23 +9,18 @@
 namespace ciel {
 
 struct GradientSum {
-    double x = 0, y = 0, z = 0, volume = 0;
+    Four weighted{}; // the gradient times the volume, and the volume
 
     void add(const CellGradient& cell) {
-        x += static_cast<double>(cell.volume) * cell.gradient[0];
-        y += static_cast<double>(cell.volume) * cell.gradient[1];
-        z += static_cast<double>(cell.volume) * cell.gradient[2];
-        volume += cell.volume;
+        const double volume = cell.volume;
+        weighted += Four{volume * cell.gradient[0], volume * cell.gradient[1], volume * cell.gradient[2], volume};
     }
-    void add(const GradientSum& weighted) {
-        x += weighted.x;
-        y += weighted.y;
-        z += weighted.z;
-        volume += weighted.volume;
-    }
+    void add(const GradientSum& other) { weighted += other.weighted; }
     [[nodiscard]] Vec3f mean() const {
+        const double volume = weighted[3];
         if (!(volume > 0)) return {};
-        return {static_cast<float>(x / volume), static_cast<float>(y / volume), static_cast<float>(z / volume)};
+        return {static_cast<float>(weighted[0] / volume), static_cast<float>(weighted[1] / volume),
+                static_cast<float>(weighted[2] / volume)};
     }
 };
 

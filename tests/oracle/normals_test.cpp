@@ -49,6 +49,30 @@ TEST_P(Normals, NeverPointAgainstTheSurface) {
     EXPECT_TRUE(seen > 0 || input.cell_count() == 0);
 }
 
+// Along the polygons around each point, by area; the same bits for any size of the blocks.
+TEST_P(Normals, FromPolygonsAreTheirMean) {
+    const Polyhedra input = GetParam().make();
+    const std::vector<float> values = random_field(input.vertex_count(), 9);
+    std::vector<Surface> made;
+    for (const Index size : {7U, 64U, 4096U}) {
+        const KernelMesh mesh(input, {size});
+        const Field field = make_field(mesh.topology, mesh.stored(values));
+        Query query = mesh.query();
+        query.set_field(field);
+        query.set_normals(ciel::Normals::polygons);
+        Surface& surface = made.emplace_back();
+        ASSERT_TRUE(query.extract(0.5, true, surface));
+        EXPECT_EQ(bit_difference(made.front(), surface, Chunks::ignore), "") << size;
+        const std::vector<Vec3d> areas = area_around_points(surface);
+        ASSERT_EQ(surface.normals.size(), areas.size());
+        for (std::size_t v = 0; v < areas.size(); ++v) {
+            const double length = std::hypot(areas[v][0], areas[v][1], areas[v][2]);
+            if (length < 1e-9) continue; // polygons that fold back onto themselves
+            for (std::size_t d = 0; d < 3; ++d) ASSERT_NEAR(surface.normals[v][d], areas[v][d] / length, 1e-5);
+        }
+    }
+}
+
 INSTANTIATE_TEST_SUITE_P(All, Normals, testing::ValuesIn(all_meshes()),
                          [](const auto& test) { return test.param.name; });
 
