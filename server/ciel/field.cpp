@@ -17,7 +17,7 @@ constexpr float infinity = std::numeric_limits<float>::infinity();
 void gather_block(const Block& block, Index b, Field::Blocks& out) {
     float low = infinity, high = -infinity;
     bool gaps = false;
-    float* to = out.local.data() + block.vertex_begin;
+    float* to = out.local.get() + block.vertex_begin;
     for (Index local = 0; local < block.vertex_count; ++local) {
         float value = out.values[block.vertex(local)];
         if (std::isfinite(value)) {
@@ -46,7 +46,8 @@ Field::Field(const Topology& topology, std::span<const float> values, std::share
     out.topology = &topology;
     out.values = values;
     out.keep_alive = std::move(keep_alive);
-    out.local.resize(all.empty() ? 0 : all.back().vertex_begin + all.back().vertex_count);
+    const std::size_t slots = all.empty() ? 0 : std::size_t{all.back().vertex_begin} + all.back().vertex_count;
+    out.local = std::make_unique_for_overwrite<float[]>(slots); // each thread touches its own part first
     out.low.resize(all.size());
     out.high.resize(all.size());
     out.gaps.resize(all.size());

@@ -11,7 +11,7 @@ struct Field::Blocks {
     const Topology* topology = nullptr;
     std::span<const float> values;
     std::shared_ptr<const void> keep_alive;
-    std::vector<float> local;       // values in block order (Block::vertex_begin); NaN where there is none
+    std::unique_ptr<float[]> local; // values in block order (Block::vertex_begin); NaN where there is none
     std::vector<float> low, high;   // per block, finite values only; low > high where there are none
     std::vector<std::uint8_t> gaps; // per block: some vertex has no value
     std::array<float, 2> range{};
@@ -24,7 +24,7 @@ struct Field::Blocks {
 
     [[nodiscard]] std::span<const float> of_block(Index block) const {
         const Block& b = topology->blocks().block[block];
-        return std::span(local).subspan(b.vertex_begin, b.vertex_count);
+        return {local.get() + b.vertex_begin, b.vertex_count};
     }
     void make_extrema() const; // once
 };
