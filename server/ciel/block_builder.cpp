@@ -93,6 +93,7 @@ template <const StandardShape& shape>
 void BlockBuilder::fill_standard(BuiltBlock& built, std::span<const Recognised> cells) {
     StandardSection& section = built.block.standard.emplace_back();
     section.shape = &shape;
+    section.cells = static_cast<Index>(cells.size());
     section.half_edge_begin = built.block.half_edge_count;
     built.block.half_edge_count += static_cast<Index>(cells.size()) * shape.half_edges;
     if (cells.size() != built.block.cell_count) section.cell.reserve(cells.size());

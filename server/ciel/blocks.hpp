@@ -26,6 +26,7 @@ struct StandardSection {
     static constexpr std::uint16_t no_mate = std::numeric_limits<std::uint16_t>::max();
 
     const StandardShape* shape = nullptr;
+    Index cells = 0;
     Index half_edge_begin = 0, entry_begin = 0; // local
     std::vector<std::uint16_t> cell;            // local cells, ascending; empty when all of the block's are here
     std::vector<std::uint16_t> vertex;          // corners per cell
@@ -35,7 +36,7 @@ struct StandardSection {
     std::vector<std::uint16_t> mate;
     std::vector<std::uint16_t> next_entry; // per corner: next entry of the same vertex, or end_of_list
 
-    [[nodiscard]] Index count() const { return static_cast<Index>(vertex.size() / shape->corners); }
+    [[nodiscard]] Index count() const { return cells; }
     [[nodiscard]] Index local_cell(Index i) const { return cell.empty() ? i : cell[i]; }
 };
 

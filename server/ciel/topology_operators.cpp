@@ -7,6 +7,21 @@ namespace ciel {
 
 namespace {
 
+// Of a standard section: which cell, and which of its half-edges.
+struct Place {
+    Index cell, half_edge;
+};
+
+// A division by a number that the compiler knows: the operators are little else.
+Place place_of(const StandardSection& section, Index local_half_edge) {
+    Place place{};
+    const Index at = local_half_edge - section.half_edge_begin;
+    with_shape(section.shape->type, [&]<const StandardShape & shape>() {
+        place = {at / shape.half_edges, at % shape.half_edges};
+    });
+    return place;
+}
+
 // The first half-edge that leaves the vertex of an entry, in the entry's cell or, of a face that two cells share,
 // along the loop or else, in a tail, whichever there is.
 HalfEdge first_at_entry(const Block& block, Index entry) {
@@ -32,8 +47,7 @@ Index Topology::vertex(HalfEdge h) const {
     const Block& block = blocks_->block[blocks_->block_of(h)];
     const Index local = h - block.half_edge_begin;
     if (const StandardSection* section = block.section_of_half_edge(local)) {
-        const Index i = (local - section->half_edge_begin) / section->shape->half_edges;
-        const Index k = (local - section->half_edge_begin) % section->shape->half_edges;
+        const auto [i, k] = place_of(*section, local);
         return block.vertex(section->vertex[i * section->shape->corners + section->shape->target(k)]);
     }
     return block.with([&](const auto& arrays) {
@@ -49,8 +63,7 @@ Index Topology::edge(HalfEdge h) const {
     const Block& block = blocks_->block[blocks_->block_of(h)];
     const Index local = h - block.half_edge_begin;
     if (const StandardSection* section = block.section_of_half_edge(local)) {
-        const Index i = (local - section->half_edge_begin) / section->shape->half_edges;
-        const Index k = (local - section->half_edge_begin) % section->shape->half_edges;
+        const auto [i, k] = place_of(*section, local);
         return block.edge_id(section->edge[i * section->shape->edges + section->shape->edge[k]]);
     }
     return block.edge_id(block.with([&](const auto& arrays) {
@@ -67,7 +80,7 @@ HalfEdge Topology::mate_face(HalfEdge h) const {
     const Block& block = blocks_->block[blocks_->block_of(h)];
     const Index local = h - block.half_edge_begin;
     if (const StandardSection* section = block.section_of_half_edge(local)) {
-        const Index k = (local - section->half_edge_begin) % section->shape->half_edges;
+        const Index k = place_of(*section, local).half_edge;
         return h - k + section->shape->mate[k];
     }
     return block.half_edge_begin + block.with([&](const auto& arrays) {
@@ -81,8 +94,7 @@ HalfEdge Topology::mate_polyhedron(HalfEdge h) const {
     const Index local = h - block.half_edge_begin;
     if (const StandardSection* section = block.section_of_half_edge(local)) {
         const StandardShape& shape = *section->shape;
-        const Index i = (local - section->half_edge_begin) / shape.half_edges;
-        const Index k = (local - section->half_edge_begin) % shape.half_edges;
+        const auto [i, k] = place_of(*section, local);
         const std::uint16_t mate = section->mate[i * shape.faces + shape.face[k]];
         if (mate == StandardSection::no_mate) return none;
         const HalfEdge first = mate < block.standard_half_edges ? block.half_edge_begin + mate
@@ -111,8 +123,7 @@ HalfEdge Topology::next_around_vertex(HalfEdge h) const {
     const Index local = h - block.half_edge_begin;
     if (const StandardSection* section = block.section_of_half_edge(local)) {
         const StandardShape& shape = *section->shape;
-        const Index i = (local - section->half_edge_begin) / shape.half_edges;
-        const Index k = (local - section->half_edge_begin) % shape.half_edges;
+        const auto [i, k] = place_of(*section, local);
         if (shape.next_at_corner[k] != StandardShape::end_of_list) return h - k + shape.next_at_corner[k];
         const Index corner = i * shape.corners + shape.origin[k];
         return blocks_->first_after(b, section->next_entry[corner], section->vertex[corner]);
@@ -141,7 +152,7 @@ Index Topology::cell(HalfEdge h) const {
     const Block& block = blocks_->block[blocks_->block_of(h)];
     const Index local = h - block.half_edge_begin;
     if (const StandardSection* section = block.section_of_half_edge(local))
-        return block.cell_begin + section->local_cell((local - section->half_edge_begin) / section->shape->half_edges);
+        return block.cell_begin + section->local_cell(place_of(*section, local).cell);
     return block.cell_begin + block.with([&](const auto& arrays) {
         const auto& polyhedra = arrays.polyhedra;
         const Index of_section = local - polyhedra.half_edge_begin;
