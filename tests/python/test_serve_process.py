@@ -40,6 +40,7 @@ def test_the_address_is_one_line(box):
     (["--port", "70000"], 2, ["--port"]),
     (["--gl", "vulkan"], 2, ["--gl", "osmesa"]),
     (["--engine", "magic"], 2, ["--engine"]),
+    (["--decider", "magic"], 2, ["--decider"]),
     (["--no-such-option"], 2, ["no-such-option"]),
     (["/no/such/data.ciel"], 1, ["/no/such/data.ciel", "does not exist"]),
     (["--port", "0", "--host", "203.0.113.7"], 1, ["203.0.113.7", "--host"]),
