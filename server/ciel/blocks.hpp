@@ -56,10 +56,10 @@ struct PolyhedralSection {
     std::vector<Local> vertex;     // origin of side 0, target of side 1
     std::vector<Local> edge;       // from this corner to the next
     std::vector<Local> next_entry; // next entry of the same vertex, or end_of_list
-    // Per half-edge of the section: which of its cell's faces has its mate; or `escape`, and then mate_escapes tells
-    // it.
+    // Four bits per half-edge of the section: which of its cell's faces has its mate, modulo `escape`; or `escape`, and
+    // then mate_escapes tells the mate. (Half-edges may be more than Local counts: two of them share a corner.)
     std::vector<std::uint8_t> mate_face;
-    std::vector<std::pair<Local, Local>> mate_escapes; // sorted
+    std::vector<std::pair<Index, Index>> mate_escapes; // sorted
     // Per face.
     std::vector<Local> face_begin;               // first corner; one more at the end
     std::vector<std::array<Local, 2>> face_cell; // by side; tail faces have the same one twice

@@ -35,7 +35,7 @@ protected:
 [[nodiscard]] std::unique_ptr<Cutter> make_signature_cutter(const Topology& topology);
 // The paper's Algorithm 2: the active edges are propagated from one nu to the next, from sorted extrema. Serial.
 [[nodiscard]] std::unique_ptr<Cutter> make_propagation_cutter(const Topology& topology);
-// The paper's baseline: nothing is kept, every edge is looked at each time; blocks in parallel.
+// The paper's baseline: nothing is kept, every cell is looked at each time; blocks in parallel.
 [[nodiscard]] std::unique_ptr<Cutter> make_naive_cutter(const Topology& topology);
 
 } // namespace ciel

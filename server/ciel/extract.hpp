@@ -23,9 +23,9 @@ struct EdgePoint {
 // An indexed polygon surface. Vertices are shared across blocks, unique per active edge and in the order of edge ids;
 // polygons are in storage order of their cells, wound so that the right-hand normal points to higher values. A cell
 // that the surface crosses in several places has several polygons. On a face with more than one way to join its points,
-// the high side is cut off corner by corner. Polygons of fewer than three distinct points (collapsed cells) are left
-// out, polygons without area are not. Every vertex belongs to a polygon. The same bits for any block size, thread
-// count, engine and history of calls (`chunks` alone tells the blocks).
+// the high side is cut off corner by corner, or what the decider says. Polygons of fewer than three distinct points
+// (collapsed cells) are left out, polygons without area are not. Every vertex belongs to a polygon. The same bits for
+// any block size, thread count, engine and history of calls (`chunks` alone tells the blocks).
 struct Surface {
     std::vector<Vec3f> positions; // offsets from the mesh's origin
     // Unit, towards higher values: see Normals; empty if not asked for.
