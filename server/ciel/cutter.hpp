@@ -33,7 +33,8 @@ protected:
 // Design: each block's vertices are classified against nu; a block whose classification has not changed keeps its cut.
 // The same for a step up or down, a jump, a new field; blocks in parallel.
 [[nodiscard]] std::unique_ptr<Cutter> make_signature_cutter(const Topology& topology);
-// The paper's Algorithm 2: the active edges are propagated from one nu to the next, from sorted extrema. Serial.
+// The paper's Algorithm 2: the active edges are propagated from one nu to the next, from sorted extrema. The
+// propagation is serial; the blocks whose cells it has reached are cut in parallel.
 [[nodiscard]] std::unique_ptr<Cutter> make_propagation_cutter(const Topology& topology);
 // The paper's baseline: nothing is kept, every cell is looked at each time; blocks in parallel.
 [[nodiscard]] std::unique_ptr<Cutter> make_naive_cutter(const Topology& topology);

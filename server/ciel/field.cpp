@@ -3,6 +3,7 @@
 #include "ciel/blocks.hpp"
 #include "ciel/field_blocks.hpp"
 #include "ciel/parallel.hpp"
+#include "ciel/vector_units.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,24 +15,46 @@ namespace {
 
 constexpr float infinity = std::numeric_limits<float>::infinity();
 
-void gather_block(const Block& block, Index b, Field::Blocks& out) {
-    float low = infinity, high = -infinity;
-    bool gaps = false;
-    float* to = out.local.get() + block.vertex_begin;
-    for (Index local = 0; local < block.vertex_count; ++local) {
-        float value = out.values[block.vertex(local)];
-        if (std::isfinite(value)) {
-            low = std::min(low, value);
-            high = std::max(high, value);
-        } else {
-            value = std::numeric_limits<float>::quiet_NaN();
-            gaps = true;
-        }
-        *to++ = value;
+// Of the finite values; as many side by side as the widest vector unit holds.
+struct Ranges {
+    static constexpr std::size_t lanes = 16;
+    float low[lanes], high[lanes];
+    std::uint32_t gaps[lanes] = {};
+
+    Ranges() {
+        std::ranges::fill(low, infinity);
+        std::ranges::fill(high, -infinity);
     }
-    out.low[b] = low;
-    out.high[b] = high;
-    out.gaps[b] = gaps ? 1 : 0;
+};
+
+// The loop that meets every value of a new field.
+CIEL_FOR_ALL_VECTOR_UNITS void take_in(const float* from, std::size_t count, float* to, Ranges& out) {
+    const auto take = [&](std::size_t i, std::size_t lane) {
+        const float value = from[i];
+        const bool is_finite = std::abs(value) <= std::numeric_limits<float>::max();
+        const float taken = is_finite ? value : std::numeric_limits<float>::quiet_NaN();
+        out.low[lane] = taken < out.low[lane] ? taken : out.low[lane]; // false for NaN, which leaves it out
+        out.high[lane] = taken > out.high[lane] ? taken : out.high[lane];
+        out.gaps[lane] |= is_finite ? 0U : 1U;
+        to[i] = taken;
+    };
+    std::size_t i = 0;
+    for (; i + Ranges::lanes <= count; i += Ranges::lanes)
+        for (std::size_t lane = 0; lane < Ranges::lanes; ++lane) take(i + lane, lane);
+    for (; i < count; ++i) take(i, 0);
+}
+
+// What other blocks own lies anywhere, its own vertices one after another.
+void gather_block(const Block& block, Index b, Field::Blocks& out) {
+    float* to = out.local.get() + block.vertex_begin;
+    const std::size_t ghosts = block.ghost_vertex.size();
+    Ranges ranges;
+    for (std::size_t i = 0; i < ghosts; ++i) to[i] = out.values[block.ghost_vertex[i]];
+    take_in(to, ghosts, to, ranges);
+    take_in(out.values.data() + block.own_vertex_begin, block.vertex_count - ghosts, to + ghosts, ranges);
+    out.low[b] = *std::ranges::min_element(ranges.low);
+    out.high[b] = *std::ranges::max_element(ranges.high);
+    out.gaps[b] = std::ranges::any_of(ranges.gaps, [](std::uint32_t gap) { return gap != 0; }) ? 1 : 0;
 }
 
 } // namespace

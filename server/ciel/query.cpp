@@ -25,6 +25,7 @@ struct Query::State {
     std::unique_ptr<Cutter> cutter;
     const Field::Blocks* field = nullptr;
     Normals normals = Normals::gradient;
+    NormalSums sums{};
 };
 
 void Surface::clear() { *this = Surface{}; }
@@ -60,11 +61,15 @@ bool Query::extract(double nu, bool normals, Surface& out, const StopToken& stop
     if (state_->field == nullptr) fail("choose a field before extracting a surface");
     if (!state_->cutter->update(nu, stop)) return false;
     write_surface(*state_->topology, state_->mesh, *state_->field, *state_->cutter, nu,
-                  normals ? std::optional(state_->normals) : std::nullopt, out);
+                  normals ? std::optional(state_->normals) : std::nullopt, state_->sums, out);
     return !stop.stop_requested();
 }
 
-std::size_t Query::memory_bytes() const { return sizeof(State) + state_->cutter->memory_bytes(); }
+std::size_t Query::memory_bytes() const {
+    std::size_t bytes = sizeof(State) + state_->cutter->memory_bytes() + state_->sums.sum.capacity() * sizeof(Vec3d);
+    for (const auto& shares : state_->sums.elsewhere) bytes += shares.capacity() * sizeof(NormalSums::Share);
+    return bytes;
+}
 
 bool extract_series(Query& query, std::span<const double> values, bool normals,
                     const std::function<void(double nu, Surface&&)>& sink, const StopToken& stop) {

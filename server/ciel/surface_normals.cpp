@@ -29,21 +29,18 @@ std::vector<std::uint8_t> doubtful_points(const Surface& surface) {
     return doubtful;
 }
 
-struct Share {
-    Index point;
-    Vec3d area;
-};
-
 } // namespace
 
 // A point's sum is made in the order of its polygons, whatever the chunks: first those of its own chunk, then what the
 // others have noted for it.
-void write_polygon_normals(std::span<const PointRange> chunks, Surface& surface) {
-    std::vector<Vec3d> sum(surface.points.size());
-    const auto add = [&](Index point, const Vec3d& area) {
+void write_polygon_normals(std::span<const PointRange> chunks, NormalSums& sums, Surface& surface) {
+    auto& [sum, elsewhere] = sums;
+    sum.assign(surface.points.size(), {});
+    elsewhere.resize(chunks.size());
+    for (std::vector<NormalSums::Share>& shares : elsewhere) shares.clear();
+    const auto add = [&sum](Index point, const Vec3d& area) {
         for (std::size_t axis = 0; axis < 3; ++axis) sum[point][axis] += area[axis];
     };
-    std::vector<std::vector<Share>> elsewhere(chunks.size());
     parallel_for(chunks.size(), 4, [&](std::size_t begin, std::size_t end) {
         for (std::size_t c = begin; c < end; ++c)
             for (Index i = chunks[c].polygon_begin; i < chunks[c].polygon_end; ++i) {
@@ -58,8 +55,8 @@ void write_polygon_normals(std::span<const PointRange> chunks, Surface& surface)
     });
     constexpr std::size_t points_per_task = 65536;
     parallel_for(sum.size(), points_per_task, [&](std::size_t begin, std::size_t end) {
-        for (const std::vector<Share>& shares : elsewhere)
-            for (const Share& share : shares)
+        for (const std::vector<NormalSums::Share>& shares : elsewhere)
+            for (const NormalSums::Share& share : shares)
                 if (share.point >= begin && share.point < end) add(share.point, share.area);
         for (std::size_t p = begin; p < end; ++p) surface.normals[p] = unit(sum[p]);
     });

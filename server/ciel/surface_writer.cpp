@@ -10,13 +10,14 @@ namespace ciel {
 namespace {
 
 constexpr std::size_t blocks_per_task = 4;
+constexpr Index ahead = 8; // points whose positions are on their way from memory
 
 class Writer {
 public:
     Writer(const Topology& topology, const FaceMeshView& mesh, const Field::Blocks& field, Cutter& cutter, double nu,
-           std::optional<Normals> normals, Surface& out)
+           std::optional<Normals> normals, NormalSums& sums, Surface& out)
         : blocks_(topology.blocks()), mesh_(mesh), field_(field), active_(cutter.active()), cut_(cutter.cut()), nu_(nu),
-          normals_(normals), out_(out) {}
+          normals_(normals), sums_(sums), out_(out) {}
 
     void run() {
         number();
@@ -30,7 +31,7 @@ public:
                 write_polygons(active_[i], block, point);
             }
         });
-        if (normals_ == Normals::polygons) write_polygon_normals(ranges(), out_);
+        if (normals_ == Normals::polygons) write_polygon_normals(ranges(), sums_, out_);
         if (std::ranges::any_of(active_, [this](Index b) { return cut_[b].wasted; })) drop_unused_points();
         if (normals_ == Normals::gradient) mend_normals(out_);
     }
@@ -51,6 +52,7 @@ private:
     std::span<CutBlock> cut_;
     double nu_;
     std::optional<Normals> normals_;
+    NormalSums& sums_;
     Surface& out_;
 };
 
@@ -80,8 +82,12 @@ void Writer::number() {
 void Writer::write_points(Index b, const Block& block) {
     const CutBlock& cut = cut_[b];
     const std::span<const float> values = field_.of_block(b);
+    const std::span ends = std::span(cut.ends).subspan(cut.ghosts);
     for (Index i = 0; i < cut.owned(); ++i) {
-        const auto [low, high] = cut.ends[cut.ghosts + i];
+        if (i + ahead < ends.size())
+            for (const Index end : ends[i + ahead])
+                __builtin_prefetch(&mesh_.positions[3 * std::size_t{block.vertex(end)}]);
+        const auto [low, high] = ends[i];
         const double from = values[low], to = values[high];
         const auto t = static_cast<float>(std::clamp((nu_ - from) / (to - from), 0.0, 1.0));
         const EdgePoint point{block.vertex(low), block.vertex(high), t};
@@ -165,8 +171,8 @@ void Writer::drop_unused_points() {
 } // namespace
 
 void write_surface(const Topology& topology, const FaceMeshView& mesh, const Field::Blocks& field, Cutter& cutter,
-                   double nu, std::optional<Normals> normals, Surface& out) {
-    Writer(topology, mesh, field, cutter, nu, normals, out).run();
+                   double nu, std::optional<Normals> normals, NormalSums& sums, Surface& out) {
+    Writer(topology, mesh, field, cutter, nu, normals, sums, out).run();
 }
 
 } // namespace ciel
