@@ -16,7 +16,7 @@ wire::JoinedSurface joined(const Context& context, const session::Geometry& geom
     std::uint64_t bytes = 0;
     wire::JoinedSurface result;
     for (const session::Drawable& drawable : geometry.drawables) {
-        if (drawable.layer != layer) continue;
+        if (drawable.layer != layer || drawable.lines()) continue;
         context.check_wanted();
         std::vector<wire::NamedValues> values;
         if (drawable.scalars) values.push_back({drawable.array, *drawable.scalars});

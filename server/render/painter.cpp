@@ -128,7 +128,9 @@ void Painter::draw_transparent(const Frame& frame) {
     transparent_.sort_and_upload();
     use(triangles_, frame);
     gl_.DepthMask(GL_FALSE);
+    gl_.Enable(GL_POLYGON_OFFSET_FILL); // behind the lines on them, which have left their depth
     transparent_.draw();
+    gl_.Disable(GL_POLYGON_OFFSET_FILL);
     gl_.DepthMask(GL_TRUE);
 }
 

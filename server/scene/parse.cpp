@@ -55,18 +55,30 @@ Coloring coloring_of(const json& layer, const std::string& path) {
     return coloring;
 }
 
+// None when absent or switched off.
+std::optional<LineStyle> lines_of(const json& layer, const char* name) {
+    const auto member = layer.find(name);
+    if (member == layer.end() || !member->value("visible", true)) return {};
+    LineStyle style;
+    if (const auto color = member->find("color"); color != member->end()) style.color = color_of(*color);
+    read(*member, "width", style.width);
+    return style;
+}
+
 IsoLayer iso_of(const json& object, const std::string& path) {
     IsoLayer iso;
     read(object, "array", iso.array);
     read(object, "values", iso.values);
     read(object, "smooth", iso.smooth);
     iso.color = coloring_of(object, path);
+    iso.edges = lines_of(object, "edges");
     return iso;
 }
 
 SliceLayer slice_of(const json& object, const std::string& path) {
     SliceLayer slice;
     slice.color = coloring_of(object, path);
+    slice.edges = lines_of(object, "edges");
     const bool by_axis = object.contains("axis") && object.contains("value");
     const bool by_plane = object.contains("origin") && object.contains("normal");
     const bool mixed = object.contains("axis") || object.contains("value")
@@ -92,6 +104,7 @@ SurfaceLayer surface_of(const json& object, const std::string& path) {
     SurfaceLayer surface;
     read(object, "groups", surface.groups);
     surface.color = coloring_of(object, path);
+    surface.edges = lines_of(object, "edges");
     return surface;
 }
 

@@ -27,19 +27,27 @@ struct Coloring { // by a scalar through a map, or solid when `array` is empty
     std::array<float, 3> solid{0.8F, 0.8F, 0.8F};
 };
 
+struct LineStyle { // of polygon edges and the like: one colour, a width in pixels
+    std::array<float, 3> color{0.1F, 0.1F, 0.1F};
+    float width = 1;
+};
+
 struct IsoLayer {
     std::string array;
     std::vector<double> values;
     Coloring color;
     bool smooth = true; // normals from the field's gradient
+    std::optional<LineStyle> edges;
 };
 struct SliceLayer {
     std::array<double, 3> origin{}, normal{1, 0, 0};
     Coloring color;
+    std::optional<LineStyle> edges;
 };
 struct SurfaceLayer { // boundary faces; all of them when `groups` is empty
     std::vector<std::string> groups;
     Coloring color;
+    std::optional<LineStyle> edges;
 };
 struct OutlineLayer { // the bounding box
     Coloring color;   // its solid colour

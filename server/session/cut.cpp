@@ -1,5 +1,7 @@
 #include "session/cut.hpp"
 
+#include "ciel/polygon_edges.hpp"
+
 #include <atomic>
 
 namespace ciel::session {
@@ -36,6 +38,13 @@ void Painted::paint(const std::shared_ptr<const Shape>& new_shape, const std::st
     revision = unique_number();
 }
 
+void Outlined::follow(const std::shared_ptr<const Shape>& new_shape) {
+    if (edges && shape == new_shape) return;
+    shape = new_shape;
+    edges = std::make_shared<const std::vector<Index>>(polygon_edges(shape->surface));
+    revision = unique_number();
+}
+
 void Cut::use_field(const std::string& name, store::ScalarField new_field, Extraction extraction) {
     const bool same_topology = query && new_field.topology == field.topology;
     shape = nullptr;
@@ -66,9 +75,12 @@ bool Cut::extract(double new_nu, bool new_normals, const std::stop_token& stop) 
 }
 
 std::size_t Cut::memory_bytes() const {
-    return (query ? query->memory_bytes() : 0) + (shape ? bytes_of(*shape) : 0) + painted.memory_bytes();
+    return (query ? query->memory_bytes() : 0) + (shape ? bytes_of(*shape) : 0) + painted.memory_bytes() +
+           outlined.memory_bytes();
 }
 
-std::size_t Boundary::memory_bytes() const { return (shape ? bytes_of(*shape) : 0) + painted.memory_bytes(); }
+std::size_t Boundary::memory_bytes() const {
+    return (shape ? bytes_of(*shape) : 0) + painted.memory_bytes() + outlined.memory_bytes();
+}
 
 } // namespace ciel::session

@@ -22,6 +22,17 @@ struct Painted {
                store::LoadedDataset& loaded);
 };
 
+// The edges of one shape's polygons, found again only when it changes.
+struct Outlined {
+    std::shared_ptr<const Shape> shape;
+    std::shared_ptr<const std::vector<Index>> edges;
+    std::uint64_t identity = unique_number(), revision = 0;
+
+    [[nodiscard]] std::size_t memory_bytes() const { return edges ? edges->size() * sizeof(Index) : 0; }
+    void follow(const std::shared_ptr<const Shape>& new_shape);
+    void forget() { *this = {}; } // nobody looks at them
+};
+
 // One nu of one field. `field` is declared before `query`, which reads it until it is destroyed.
 struct Cut {
     store::ScalarField field;
@@ -31,6 +42,7 @@ struct Cut {
     bool normals = false;
     std::shared_ptr<const Shape> shape;
     Painted painted;
+    Outlined outlined;
 
     void use_field(const std::string& name, store::ScalarField new_field, Extraction extraction);
     // False when stopped; the shape is then made anew by the next call.
@@ -42,6 +54,7 @@ struct Boundary {
     std::string key; // what it was made from
     std::shared_ptr<const Shape> shape;
     Painted painted;
+    Outlined outlined;
 
     [[nodiscard]] std::size_t memory_bytes() const;
 };

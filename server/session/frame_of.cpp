@@ -42,10 +42,11 @@ render::Frame frame_of(const Geometry& geometry, const scene::Scene& scene, int 
     for (const Drawable& drawable : geometry.drawables) {
         render::Mesh mesh;
         mesh.positions = drawable.shape->surface.positions;
-        mesh.normals = drawable.shape->surface.normals;
+        if (!drawable.lines()) mesh.normals = drawable.shape->surface.normals;
         if (drawable.scalars) mesh.scalars = *drawable.scalars;
-        mesh.indices = drawable.shape->indices;
-        mesh.lines = drawable.shape->lines;
+        mesh.indices = drawable.indices();
+        mesh.lines = drawable.lines();
+        mesh.line_width = drawable.line_width;
         mesh.map = drawable.map;
         mesh.range = drawable.range;
         mesh.color = drawable.color;

@@ -98,6 +98,22 @@ struct Update {
         out.drawables.push_back(std::move(drawable));
     }
 
+    void add_edges(Outlined& outlined, const std::shared_ptr<const Shape>& shape,
+                   const std::optional<scene::LineStyle>& style, const scene::Layer& layer) {
+        if (!style) return outlined.forget();
+        outlined.follow(shape);
+        Drawable drawable;
+        drawable.layer = layer.id;
+        drawable.shape = shape;
+        drawable.edges = outlined.edges;
+        drawable.line_width = style->width;
+        drawable.color = {style->color[0], style->color[1], style->color[2], layer.opacity};
+        drawable.lit = false;
+        drawable.identity = outlined.identity;
+        drawable.revision = outlined.revision;
+        out.drawables.push_back(std::move(drawable));
+    }
+
     void lack(const scene::Layer& layer, const char* what, const store::NotWritten& missing) const {
         out.lacking.push_back("layer " + layer.id + " " + what + ": " + missing.what());
     }
@@ -115,6 +131,7 @@ struct Update {
             }
             if (!cut.extract(iso.values[i], iso.smooth, stop)) return false;
             add(cut.painted, cut.shape, iso.color, layer, true);
+            add_edges(cut.outlined, cut.shape, iso.edges, layer);
             count(before, cut.memory_bytes());
         }
         return true;
@@ -131,6 +148,7 @@ struct Update {
         for (std::size_t axis = 0; axis < 3; ++axis) nu += slice.normal[axis] * (slice.origin[axis] - out.origin[axis]);
         if (!cut.extract(on_the_side(nu, cut.field.field->range()), false, stop)) return false;
         add(cut.painted, cut.shape, slice.color, layer, false);
+        add_edges(cut.outlined, cut.shape, slice.edges, layer);
         count(before, cut.memory_bytes());
         return true;
     }
@@ -142,6 +160,7 @@ struct Update {
         const std::size_t before = kept.memory_bytes();
         if (!kept.shape) kept.shape = boundary_shape(*dataset, step(), surface.groups);
         add(kept.painted, kept.shape, surface.color, layer, true);
+        add_edges(kept.outlined, kept.shape, surface.edges, layer);
         count(before, kept.memory_bytes());
         return true;
     }

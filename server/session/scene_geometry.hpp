@@ -23,9 +23,11 @@ struct Shape {
     bool lines = false;
 };
 
-struct Drawable { // one iso-value, slice, boundary surface or outline of a layer
+struct Drawable { // one iso-value, slice, boundary surface or outline of a layer, or the edges of its polygons
     std::string layer;
     std::shared_ptr<const Shape> shape;
+    std::shared_ptr<const std::vector<Index>> edges; // drawn instead of the shape's own indices, two per line
+    float line_width = 1.5F;                         // pixels
     std::shared_ptr<const std::vector<float>> scalars; // one per surface vertex; null: the solid colour
     std::string array, map = "viridis";                // of the scalars
     std::array<float, 2> range{0, 1};
@@ -33,6 +35,9 @@ struct Drawable { // one iso-value, slice, boundary surface or outline of a laye
     bool lit = true;
     std::uint64_t identity = 0; // the same from one scene to the next, unique in the process
     std::uint64_t revision = 0; // changes with shape and scalars, unique in the process
+
+    [[nodiscard]] bool lines() const { return edges != nullptr || shape->lines; }
+    [[nodiscard]] std::span<const Index> indices() const { return edges ? *edges : shape->indices; }
 };
 
 // What one scene shows. Immutable, owns all its arrays, may be read from any thread.

@@ -105,6 +105,10 @@ std::string description(const GeometryMesh& mesh, const Batch& batch, Vec3d orig
     json += ", \"color\": ";
     append_array(json, mesh.color);
     json += std::string(", \"lit\": ") + name_of(mesh.lit);
+    if (mesh.lines) {
+        json += ", \"width\": ";
+        append_number(json, mesh.line_width);
+    }
     json += ", \"origin\": ";
     append_array(json, origin);
     json += ", \"batch\": " + std::to_string(number) + ", \"batches\": " + std::to_string(batches) + "}";

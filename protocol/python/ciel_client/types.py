@@ -24,6 +24,14 @@ class Coloring(TypedDict):
     solid: NotRequired[str]
 
 
+class Edges(TypedDict):
+    """Lines along the edges of a layer's polygons: those of the cells, never those of a triangulation. Absent: none."""
+
+    visible: NotRequired[bool]
+    color: NotRequired[str]
+    width: NotRequired[float]  # pixels
+
+
 class IsoLayer(TypedDict):
     type: Literal["iso"]
     order: NotRequired[float]
@@ -32,7 +40,8 @@ class IsoLayer(TypedDict):
     array: str
     values: list[float]
     color: NotRequired[Coloring]
-    smooth: NotRequired[bool]
+    smooth: NotRequired[bool]  # normals from the field's gradient; false: each polygon's own
+    edges: NotRequired[Edges]
 
 
 class SliceLayer(TypedDict):
@@ -47,6 +56,7 @@ class SliceLayer(TypedDict):
     origin: NotRequired[Vec3]
     normal: NotRequired[Vec3]
     color: NotRequired[Coloring]
+    edges: NotRequired[Edges]
 
 
 class SurfaceLayer(TypedDict):
@@ -56,6 +66,7 @@ class SurfaceLayer(TypedDict):
     opacity: NotRequired[float]
     groups: NotRequired[list[str]]  # patch names; absent or empty: the whole boundary
     color: NotRequired[Coloring]
+    edges: NotRequired[Edges]
 
 
 class OutlineLayer(TypedDict):

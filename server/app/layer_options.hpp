@@ -1,0 +1,25 @@
+// What `ciel render` adds to the layers of SceneOptions, as options: the mesh's own layers, and how polygons are drawn.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+namespace CLI {
+class App;
+}
+
+namespace ciel::app {
+
+struct LayerOptions {
+    bool surface = false, edges = false;
+
+    void add_to(CLI::App& command);
+    [[nodiscard]] bool has_layers() const { return surface; }
+    [[nodiscard]] bool any() const { return has_layers() || edges; }
+    // Adds the layers that were asked for behind those that are there, and the styles to all. Throws UsageError on an
+    // option that cannot be read, or that has nothing to work on.
+    void apply(nlohmann::json& layers) const;
+};
+
+} // namespace ciel::app
