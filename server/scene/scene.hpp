@@ -28,7 +28,7 @@ struct Coloring { // by a scalar through a map, or solid when `array` is empty
 };
 
 struct LineStyle { // of polygon edges and the like: one colour, a width in pixels
-    std::array<float, 3> color{0.1F, 0.1F, 0.1F};
+    std::array<float, 3> color{0x1a / 255.0F, 0x1a / 255.0F, 0x1a / 255.0F};
     float width = 1;
 };
 

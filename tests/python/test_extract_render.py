@@ -164,6 +164,7 @@ REFUSED = [
     ("bad scene file", ["render", "--scene", "bad.json", "-o", "p.png"], "bad.json is not JSON: parse error at line 1", 1),
     ("scene of another dataset", ["render", "--scene", "other.json", "-o", "p.png"], 'of the dataset "post", not of "box"', 1),
     ("bad scene", ["render", "--scene", "wrong.json", "-o", "p.png"], "/layers", 1),
+    ("edges of nothing", ["render", "--scene", "wrong.json", "--edges", "-o", "p.png"], "leave out", 2),
     ("scene file and colours", ["render", "--scene", "wrong.json", "--color", "x", "-o", "p.png"], "leave out", 2),
     ("scene file and background", ["render", "--scene", "wrong.json", "--background", "light", "-o", "p.png"], "leave out", 2),
     ("bad range of the default view", ["render", "--range", "1", "-o", "p.png"], "range", 2),

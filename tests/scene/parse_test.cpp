@@ -31,6 +31,22 @@ TEST(scene, defaults_are_those_of_the_contract) {
     EXPECT_EQ(fallback("Coloring", "solid"), "#cccccc");
     EXPECT_FLOAT_EQ(iso.color.solid[0], 0xcc / 255.0F);
     EXPECT_FALSE(iso.color.range);
+    EXPECT_FALSE(iso.edges) << "absent: none";
+}
+
+TEST(scene, a_line_s_defaults_are_those_of_the_contract) {
+    const auto edges_of = [](const char* edges) {
+        const Scene scene =
+            parse({{"dataset", "d"}, {"layers", {{"s", {{"type", "surface"}, {"edges", json::parse(edges)}}}}}});
+        return std::get<SurfaceLayer>(scene.layers.at(0).kind).edges;
+    };
+    const json& fallback = contract()["components"]["schemas"]["Edges"]["properties"];
+    EXPECT_EQ(edges_of("{}")->width, fallback["width"]["default"]);
+    EXPECT_EQ(fallback["color"]["default"], "#1a1a1a");
+    EXPECT_NEAR(edges_of("{}")->color[0], 0x1a / 255.0F, 0.002);
+    EXPECT_EQ(edges_of(R"({"color": "#ff0000", "width": 2.5})")->color[0], 1);
+    EXPECT_EQ(edges_of(R"({"color": "#ff0000", "width": 2.5})")->width, 2.5);
+    EXPECT_FALSE(edges_of(R"({"visible": false})"));
 }
 
 TEST(scene, every_member_is_read) {
@@ -113,6 +129,12 @@ constexpr Malformed table[] = {
      "/layers/a~1b~0c/opacity", "/layers/a~1b~0c/opacity must be at least 0"},
     {"member_of_another_kind", R"({"dataset": "d", "layers": {"a": {"type": "outline", "values": []}}})",
      "/layers/a/values", "/layers/a/values is not known here"},
+    {"edges_is_a_flag", R"({"dataset": "d", "layers": {"a": {"type": "surface", "edges": true}}})", "/layers/a/edges",
+     "/layers/a/edges must be an object"},
+    {"edges_without_width", R"({"dataset": "d", "layers": {"a": {"type": "surface", "edges": {"width": 0}}}})",
+     "/layers/a/edges/width", "/layers/a/edges/width must be more than 0"},
+    {"edges_of_an_outline", R"({"dataset": "d", "layers": {"a": {"type": "outline", "edges": {}}}})", "/layers/a/edges",
+     "/layers/a/edges is not known here"},
     {"slice_of_nothing", R"({"dataset": "d", "layers": {"a": {"type": "slice"}}})", "/layers/a",
      "a slice has either axis and value, or origin and normal"},
     {"slice_of_both",

@@ -13,6 +13,7 @@ export interface GeometryBatch {
   range: Range;
   color: [number, number, number, number];
   lit: boolean;
+  width: number; // of lines, in the server's pixels
   origin: Vec3;
 }
 
@@ -27,6 +28,7 @@ interface BatchHeader {
   range: Range;
   color: [number, number, number, number];
   lit: boolean;
+  width?: number;
   origin: Vec3;
   batches: number;
 }
@@ -67,6 +69,7 @@ export function decodeGeometry(message: ArrayBuffer): GeometryBatch | null {
     range,
     color,
     lit,
+    width: header.width ?? 1,
     origin,
   };
 }

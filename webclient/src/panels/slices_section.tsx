@@ -6,6 +6,7 @@ import { layersOf, scalarsOf } from "../scene/scalars";
 import { ColoringFields, OpacityField } from "./coloring";
 import { Check, IconButton, NumberField, Section, Slider } from "./controls";
 import { useApp, useAppState } from "./context";
+import { EdgesFields } from "./line_fields";
 
 const AXES = ["x", "y", "z"] as const;
 type Axis = (typeof AXES)[number];
@@ -95,6 +96,7 @@ export function SlicesSection(): JSX.Element {
         <>
           <ColoringFields layers={slices.map(([id]) => id)} coloring={first[1].color ?? {}} />
           <OpacityField layers={slices.map(([id]) => id)} opacity={first[1].opacity ?? 1} />
+          <EdgesFields layers={slices.map(([id]) => id)} edges={first[1].edges} />
         </>
       )}
     </Section>
