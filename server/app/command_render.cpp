@@ -71,7 +71,7 @@ std::vector<double> parse_range(const std::string& text) {
 void color_layers(const RenderCommand& render, nlohmann::json& layers) {
     bool any = false;
     for (auto& layer : layers) {
-        if (layer["type"] == "outline") continue;
+        if (layer["type"] == "outline" || layer["type"] == "clip") continue;
         any = true;
         nlohmann::json color = layer.value("color", nlohmann::json::object());
         if (render.color) color["array"] = *render.color;

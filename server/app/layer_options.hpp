@@ -13,10 +13,12 @@ namespace ciel::app {
 
 struct LayerOptions {
     bool surface = false, edges = false;
+    std::string contours; // of slices
+    std::vector<std::string> clips;
 
     void add_to(CLI::App& command);
     [[nodiscard]] bool has_layers() const { return surface; }
-    [[nodiscard]] bool any() const { return has_layers() || edges; }
+    [[nodiscard]] bool any() const { return has_layers() || edges || !contours.empty() || !clips.empty(); }
     // Adds the layers that were asked for behind those that are there, and the styles to all. Throws UsageError on an
     // option that cannot be read, or that has nothing to work on.
     void apply(nlohmann::json& layers) const;

@@ -47,18 +47,34 @@ Painter::Painter(const Gl& gl)
 
 void Painter::draw(const Frame& frame, Image& image) {
     transform_ = view_transform(frame);
+    clip_planes_ = frame.clip.size();
+    if (clip_planes_ > most_clip_planes)
+        throw Error("a frame cannot be cut by more than " + std::to_string(most_clip_planes) + " clip planes");
     origin_ = frame.origin;
     width_ = height_ = 0; // nothing to pick from if this throws
     target_.begin(frame.width, frame.height, frame.samples);
     draw_background(frame);
+    enable_clip_planes(true);
     draw_meshes(frame, false);
     gl_.Enable(GL_BLEND);
     draw_meshes(frame, true);
     draw_transparent(frame);
     gl_.Disable(GL_BLEND);
+    enable_clip_planes(false);
     target_.read_color(image);
     width_ = frame.width;
     height_ = frame.height;
+}
+
+// Not for the background: its shader has no distances to the planes.
+void Painter::enable_clip_planes(bool on) {
+    for (std::size_t i = 0; i < clip_planes_; ++i) {
+        const auto plane = static_cast<GLenum>(GL_CLIP_DISTANCE0 + i);
+        if (on)
+            gl_.Enable(plane);
+        else
+            gl_.Disable(plane);
+    }
 }
 
 void Painter::draw_background(const Frame& frame) {
@@ -87,6 +103,7 @@ void Painter::use(const Program& program, const Frame& frame) {
     gl_.UniformMatrix4fv(program.projection, 1, GL_FALSE, glm::value_ptr(projection));
     gl_.Uniform1f(program.scale, static_cast<float>(transform_.scale));
     gl_.Uniform1f(program.parallel, frame.camera.parallel ? 1.0F : 0.0F);
+    if (clip_planes_ > 0) gl_.Uniform4fv(program.clip, static_cast<GLsizei>(clip_planes_), frame.clip[0].data());
     gl_.Uniform1i(program.maps, 0);
     gl_.Uniform1f(program.map_rows, static_cast<float>(color_map_names().size()));
     gl_.Uniform2f(program.viewport, static_cast<float>(frame.width), static_cast<float>(frame.height));
@@ -140,7 +157,9 @@ bool Painter::pick(int x, int y, Vec3d& position) {
         target_.bind_again();
         gl_.UseProgram(triangles_.id);
         gl_.ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+        enable_clip_planes(true);
         transparent_.draw();
+        enable_clip_planes(false);
         gl_.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
         transparent_depth_drawn_ = true;
     }

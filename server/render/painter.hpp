@@ -23,6 +23,7 @@ public:
     [[nodiscard]] const std::string& version() const { return version_; }
 
 private:
+    void enable_clip_planes(bool on);
     void draw_background(const Frame& frame);
     void draw_meshes(const Frame& frame, bool lines);
     void draw_transparent(const Frame& frame);
@@ -38,6 +39,7 @@ private:
     std::list<MeshBuffers> buffers_; // one per mesh of the largest frame so far
     TransparentTriangles transparent_;
     ViewTransform transform_;
+    std::size_t clip_planes_ = 0; // of the last frame
     Vec3d origin_{};
     int width_ = 0, height_ = 0;           // of the last frame, 0 before the first
     bool transparent_depth_drawn_ = false; // transparent surfaces leave no depth while they are drawn

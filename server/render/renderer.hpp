@@ -46,6 +46,8 @@ struct Frame {
     // Opaque triangles, then lines, then transparent triangles of all meshes sorted from the back to the front.
     std::vector<Mesh> meshes;
     int samples = 1; // 4: multisampled, for stills
+    // At most 6: of all meshes only what has dot(xyz, position) + w >= 0 is drawn, and found by pick.
+    std::vector<std::array<float, 4>> clip;
 };
 
 // Rows from the top, RGB, 8 bits, no padding.

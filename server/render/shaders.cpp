@@ -34,6 +34,8 @@ layout(location = 5) in vec2 style;
 uniform mat4 view;
 uniform mat4 projection;
 uniform float scale;
+uniform vec4 clip[6]; // counts only where the painter has enabled it
+out float gl_ClipDistance[6];
 out Surface {
     vec3 place; // in the eye's axes, in units of the bounds' diagonal: derivatives of small scenes must not underflow
     vec3 normal;
@@ -44,6 +46,7 @@ out Surface {
 void main() {
     vec4 place = view * vec4(position, 1.0);
     gl_Position = projection * place;
+    for (int i = 0; i < 6; ++i) gl_ClipDistance[i] = dot(clip[i].xyz, position) + clip[i].w;
     surface.place = place.xyz * scale;
     surface.normal = mat3(view) * normal;
     surface.value = scalar * range.x + range.y;
@@ -103,6 +106,11 @@ void main() {
 constexpr const char* line_geometry = R"(#version 330 core
 layout(lines) in;
 layout(triangle_strip, max_vertices = 4) out;
+in gl_PerVertex {
+    vec4 gl_Position;
+    float gl_ClipDistance[6];
+} gl_in[];
+out float gl_ClipDistance[6];
 uniform vec2 viewport;
 uniform float half_width;
 in Surface {
@@ -119,7 +127,10 @@ out Line {
     flat vec2 style;
 } line;
 
-void corner(vec4 end, float value, vec2 offset, float across) {
+// `along`: where between the two vertices.
+void corner(vec4 end, float value, float along, vec2 offset, float across) {
+    for (int i = 0; i < 6; ++i)
+        gl_ClipDistance[i] = mix(gl_in[0].gl_ClipDistance[i], gl_in[1].gl_ClipDistance[i], along);
     gl_Position = end + vec4(offset / viewport * 2.0 * end.w, 0.0, 0.0);
     line.value = value;
     line.across = across;
@@ -135,24 +146,26 @@ void main() {
     float value_b = surface[1].value;
     float in_a = a.z + a.w; // behind the nearest plane when negative: cut there, a point behind the eye has no pixel
     float in_b = b.z + b.w;
+    float from = 0.0;
+    float to = 1.0;
     if (in_a < 0.0 && in_b < 0.0) return;
     if (in_a < 0.0) {
-        float t = in_a / (in_a - in_b);
-        a = mix(a, b, t);
-        value_a = mix(value_a, value_b, t);
+        from = in_a / (in_a - in_b);
+        a = mix(a, b, from);
+        value_a = mix(value_a, value_b, from);
     } else if (in_b < 0.0) {
-        float t = in_b / (in_b - in_a);
-        b = mix(b, a, t);
-        value_b = mix(value_b, value_a, t);
+        to = in_a / (in_a - in_b);
+        b = mix(a, b, to);
+        value_b = mix(value_a, value_b, to);
     }
     vec2 along = (b.xy / b.w - a.xy / a.w) * viewport * 0.5;
     along = length(along) > 1e-6 ? normalize(along) : vec2(1.0, 0.0);
     vec2 side = vec2(-along.y, along.x) * (half_width + 0.5);
     vec2 cap = along * half_width * 0.5; // so that lines that meet leave no notch
-    corner(a, value_a, side - cap, half_width + 0.5);
-    corner(a, value_a, -side - cap, -half_width - 0.5);
-    corner(b, value_b, side + cap, half_width + 0.5);
-    corner(b, value_b, -side + cap, -half_width - 0.5);
+    corner(a, value_a, from, side - cap, half_width + 0.5);
+    corner(a, value_a, from, -side - cap, -half_width - 0.5);
+    corner(b, value_b, to, side + cap, half_width + 0.5);
+    corner(b, value_b, to, -side + cap, -half_width - 0.5);
     EndPrimitive();
 }
 )";
@@ -209,6 +222,7 @@ Program link(const Gl& gl, const std::vector<Stage>& stages) {
     program.parallel = uniform("parallel");
     program.maps = uniform("maps");
     program.map_rows = uniform("map_rows");
+    program.clip = uniform("clip");
     program.viewport = uniform("viewport");
     program.half_width = uniform("half_width");
     program.top = uniform("top");

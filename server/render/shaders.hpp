@@ -16,9 +16,12 @@ enum Attribute : GLuint {
     attribute_style = 5, // (row of the colour map's texture, or 255 for solid; 1 when lit)
 };
 
+inline constexpr std::size_t most_clip_planes = 6;
+
 struct Program {
     GLuint id = 0;
     GLint view = -1, projection = -1, scale = -1, parallel = -1, maps = -1, map_rows = -1; // triangles and lines
+    GLint clip = -1;                                                                       // triangles and lines
     GLint viewport = -1, half_width = -1;                                                  // lines
     GLint top = -1, bottom = -1, height = -1;                                              // background
 };

@@ -32,6 +32,14 @@ struct LineStyle { // of polygon edges and the like: one colour, a width in pixe
     float width = 1;
 };
 
+struct Contours { // where an array takes values on a slice
+    std::string array;
+    std::vector<double> values;
+    int count = 10; // of values evenly inside the range; 0 where `values` says it
+    std::optional<std::array<double, 2>> range;
+    LineStyle line{{0x1a / 255.0F, 0x1a / 255.0F, 0x1a / 255.0F}, 1.5F};
+};
+
 struct IsoLayer {
     std::string array;
     std::vector<double> values;
@@ -42,6 +50,7 @@ struct IsoLayer {
 struct SliceLayer {
     std::array<double, 3> origin{}, normal{1, 0, 0};
     Coloring color;
+    std::optional<Contours> contours;
     std::optional<LineStyle> edges;
 };
 struct SurfaceLayer { // boundary faces; all of them when `groups` is empty
@@ -53,12 +62,18 @@ struct OutlineLayer { // the bounding box
     Coloring color;   // its solid colour
 };
 
+struct ClipLayer {                                   // a plane that cuts all layers
+    std::array<double, 3> origin{}, normal{1, 0, 0}; // the normal points to what is cut away
+    bool caps = true;                                // where it cuts the mesh's surface layers open
+};
+inline constexpr std::size_t most_clip_planes = 6; // visible ones: what every OpenGL has at least, less two
+
 struct Layer {
     std::string id;
     double order = 0;
     bool visible = true;
     float opacity = 1;
-    std::variant<IsoLayer, SliceLayer, SurfaceLayer, OutlineLayer> kind;
+    std::variant<IsoLayer, SliceLayer, SurfaceLayer, OutlineLayer, ClipLayer> kind;
 };
 
 struct Scene {

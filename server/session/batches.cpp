@@ -1,5 +1,6 @@
 #include "session/batches.hpp"
 
+#include "session/clip.hpp"
 #include "session/frame_workers.hpp"
 #include "wire/geometry_batch.hpp"
 
@@ -9,6 +10,7 @@ namespace ciel::session {
 
 std::vector<std::vector<std::uint8_t>> geometry_messages(wire::FrameHeader& header, const Geometry& geometry) {
     const auto started = Clock::now();
+    const auto planes = shader_planes(geometry);
     std::vector<wire::GeometryMesh> meshes;
     for (const Drawable& drawable : geometry.drawables) {
         const Surface& surface = drawable.shape->surface;
@@ -24,6 +26,7 @@ std::vector<std::vector<std::uint8_t>> geometry_messages(wire::FrameHeader& head
         mesh.range = drawable.range;
         mesh.color = drawable.color;
         mesh.lit = drawable.lit;
+        mesh.clip = planes;
         meshes.push_back(std::move(mesh));
     }
     auto messages = wire::encode_geometry(meshes, geometry.origin);
@@ -42,11 +45,10 @@ std::vector<std::vector<std::uint8_t>> geometry_messages(wire::FrameHeader& head
 }
 
 ContentKey content_of(const Geometry& geometry) {
-    nlohmann::json key = nlohmann::json::array({geometry.time, geometry.origin});
+    nlohmann::json key = nlohmann::json::array({geometry.time, geometry.origin, shader_planes(geometry)});
     for (const Drawable& drawable : geometry.drawables)
-        key.push_back(
-            {drawable.layer, drawable.identity, drawable.revision, drawable.map, drawable.range, drawable.color,
-                       drawable.line_width});
+        key.push_back({drawable.layer, drawable.identity, drawable.revision, drawable.map, drawable.range,
+                       drawable.color, drawable.line_width});
     return key.dump();
 }
 

@@ -34,7 +34,11 @@ struct Check {
         scalar(iso.array, "/array");
         coloring(iso.color);
     }
-    void operator()(const scene::SliceLayer& slice) const { coloring(slice.color); }
+    void operator()(const scene::SliceLayer& slice) const {
+        coloring(slice.color);
+        if (slice.contours) scalar(slice.contours->array, "/contours/array");
+    }
+    void operator()(const scene::ClipLayer&) const {}
     void operator()(const scene::OutlineLayer& outline) const { coloring(outline.color); }
     void operator()(const scene::SurfaceLayer& surface) const {
         coloring(surface.color);

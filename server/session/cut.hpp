@@ -33,6 +33,20 @@ struct Outlined {
     void forget() { *this = {}; } // nobody looks at them
 };
 
+// Contour lines of one shape, found again only when the shape, the array, its step or the values change.
+struct Contoured {
+    std::shared_ptr<const Shape> of, lines;
+    std::string array;
+    std::size_t step = 0;
+    std::vector<double> values;
+    std::uint64_t identity = unique_number(), revision = 0;
+
+    [[nodiscard]] std::size_t memory_bytes() const;
+    void follow(const std::shared_ptr<const Shape>& shape, const std::string& new_array, std::size_t new_step,
+                const std::vector<double>& new_values, store::LoadedDataset& loaded);
+    void forget() { *this = {}; } // nobody looks at them
+};
+
 // One nu of one field. `field` is declared before `query`, which reads it until it is destroyed.
 struct Cut {
     store::ScalarField field;
@@ -43,6 +57,7 @@ struct Cut {
     std::shared_ptr<const Shape> shape;
     Painted painted;
     Outlined outlined;
+    Contoured contoured;
 
     void use_field(const std::string& name, store::ScalarField new_field, Extraction extraction);
     // False when stopped; the shape is then made anew by the next call.

@@ -1,4 +1,5 @@
 #include "render/renderer.hpp"
+#include "session/clip.hpp"
 #include "session/scene_geometry.hpp"
 
 #include <algorithm>
@@ -36,6 +37,7 @@ render::Frame frame_of(const Geometry& geometry, const scene::Scene& scene, int 
     frame.camera = camera_of(geometry, scene, static_cast<double>(width) / height);
     frame.bounds_min = geometry.bounds_min;
     frame.bounds_max = geometry.bounds_max;
+    frame.clip = shader_planes(geometry);
     const Background background = background_of(scene.background);
     frame.background_top = background.top;
     frame.background_bottom = background.bottom;

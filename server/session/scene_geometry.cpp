@@ -1,5 +1,6 @@
 #include "session/scene_geometry.hpp"
 
+#include "session/clip.hpp"
 #include "session/cut.hpp"
 #include "session/errors.hpp"
 
@@ -45,9 +46,9 @@ double on_the_side(double nu, std::array<float, 2> range) {
     return nu;
 }
 
-std::string plane_name(const scene::SliceLayer& slice, const store::Step& step) {
+std::string plane_name(const std::array<double, 3>& normal, const store::Step& step) {
     std::string name = "plane " + std::to_string(step.mesh) + " " + std::to_string(step.coordinates);
-    for (const double component : slice.normal) {
+    for (const double component : normal) {
         name.push_back(' ');
         name.append(reinterpret_cast<const char*>(&component), sizeof component); // all its bits: a key, not a text
     }
@@ -64,7 +65,8 @@ struct Update {
     std::map<std::pair<std::string, std::size_t>, Cut>& cuts;
     std::map<std::pair<std::string, std::size_t>, Boundary>& boundaries;
     const std::size_t most_bytes;
-    std::size_t bytes; // of all that is kept
+    std::size_t bytes;                           // of all that is kept
+    std::vector<const scene::ClipLayer*> caps{}; // that surfaces get
 
     [[nodiscard]] const store::Step& step() const { return dataset->steps()[out.step]; }
 
@@ -102,16 +104,36 @@ struct Update {
                    const std::optional<scene::LineStyle>& style, const scene::Layer& layer) {
         if (!style) return outlined.forget();
         outlined.follow(shape);
+        add_lines(shape, *style, layer, outlined.identity, outlined.revision).edges = outlined.edges;
+    }
+
+    Drawable& add_lines(const std::shared_ptr<const Shape>& shape, const scene::LineStyle& style,
+                        const scene::Layer& layer, std::uint64_t identity, std::uint64_t revision) {
         Drawable drawable;
         drawable.layer = layer.id;
         drawable.shape = shape;
-        drawable.edges = outlined.edges;
-        drawable.line_width = style->width;
-        drawable.color = {style->color[0], style->color[1], style->color[2], layer.opacity};
+        drawable.line_width = style.width;
+        drawable.color = {style.color[0], style.color[1], style.color[2], layer.opacity};
         drawable.lit = false;
-        drawable.identity = outlined.identity;
-        drawable.revision = outlined.revision;
+        drawable.identity = identity;
+        drawable.revision = revision;
         out.drawables.push_back(std::move(drawable));
+        return out.drawables.back();
+    }
+
+    void add_contours(Contoured& contoured, const std::shared_ptr<const Shape>& shape,
+                      const std::optional<scene::Contours>& contours, const scene::Layer& layer) {
+        if (!contours) return contoured.forget();
+        std::vector<double> values = contours->values;
+        const auto own = range_of(*dataset, contours->array, out.step);
+        const auto [low, high] = contours->range.value_or(std::array<double, 2>{own[0], own[1]});
+        for (int i = 1; i <= contours->count; ++i) values.push_back(low + (high - low) * i / (contours->count + 1));
+        try {
+            contoured.follow(shape, contours->array, out.step, values, *loaded);
+        } catch (const store::NotWritten& missing) {
+            return lack(layer, "has no contour lines", missing);
+        }
+        add_lines(contoured.lines, contours->line, layer, contoured.identity, contoured.revision);
     }
 
     void lack(const scene::Layer& layer, const char* what, const store::NotWritten& missing) const {
@@ -137,18 +159,24 @@ struct Update {
         return true;
     }
 
-    // The field is measured from the mesh's origin, whatever the slice's, so that a slice that moves along its normal
-    // is only another nu of the same field.
+    // The field is measured from the mesh's origin, whatever the plane's, so that a plane that moves along its normal
+    // is only another nu of the same field. Returns nu.
+    double use_plane(Cut& cut, const std::array<double, 3>& origin, const std::array<double, 3>& normal) {
+        const std::string name = plane_name(normal, step());
+        if (cut.field_name != name) cut.use_field(name, loaded->plane(out.step, out.origin, normal), extraction);
+        double nu = 0;
+        for (std::size_t axis = 0; axis < 3; ++axis) nu += normal[axis] * (origin[axis] - out.origin[axis]);
+        return nu;
+    }
+
     bool operator()(const scene::Layer& layer, const scene::SliceLayer& slice) {
         Cut& cut = cuts[{layer.id, 0}];
         const std::size_t before = cut.memory_bytes();
-        const std::string name = plane_name(slice, step());
-        if (cut.field_name != name) cut.use_field(name, loaded->plane(out.step, out.origin, slice.normal), extraction);
-        double nu = 0;
-        for (std::size_t axis = 0; axis < 3; ++axis) nu += slice.normal[axis] * (slice.origin[axis] - out.origin[axis]);
+        const double nu = use_plane(cut, slice.origin, slice.normal);
         if (!cut.extract(on_the_side(nu, cut.field.field->range()), false, stop)) return false;
         add(cut.painted, cut.shape, slice.color, layer, false);
         add_edges(cut.outlined, cut.shape, slice.edges, layer);
+        add_contours(cut.contoured, cut.shape, slice.contours, layer);
         count(before, cut.memory_bytes());
         return true;
     }
@@ -162,8 +190,23 @@ struct Update {
         add(kept.painted, kept.shape, surface.color, layer, true);
         add_edges(kept.outlined, kept.shape, surface.edges, layer);
         count(before, kept.memory_bytes());
+        return !surface.groups.empty() || add_caps(layer, surface); // patches are no solid
+    }
+
+    // Each is the whole slice of the mesh by its plane: the other planes cut it as they cut everything.
+    bool add_caps(const scene::Layer& layer, const scene::SurfaceLayer& surface) {
+        for (std::size_t i = 0; i < caps.size(); ++i) {
+            Cut& cap = cuts[{layer.id, i}];
+            const std::size_t before = cap.memory_bytes();
+            if (!cap.extract(use_plane(cap, caps[i]->origin, caps[i]->normal), false, stop)) return false;
+            add(cap.painted, cap.shape, surface.color, layer, true);
+            add_edges(cap.outlined, cap.shape, surface.edges, layer);
+            count(before, cap.memory_bytes());
+        }
         return true;
     }
+
+    bool operator()(const scene::Layer&, const scene::ClipLayer&) { return true; } // Geometry::clip and caps
 
     bool operator()(const scene::Layer& layer, const scene::OutlineLayer& outline) {
         Boundary& kept = boundary(layer, "outline " + std::to_string(step().mesh));
@@ -215,8 +258,10 @@ std::shared_ptr<const Geometry> SceneGeometry::update(const scene::Scene& scene,
     geometry->bounds_min = low(dataset->info().meshes[step.mesh]);
     geometry->bounds_max = high(dataset->info().meshes[step.mesh]);
 
+    geometry->clip = clip_planes(scene, geometry->origin);
     forget_all_but(scene); // first, for what comes needs the room
-    Update run{extraction_, loaded, dataset, stop, *geometry, cuts_, boundaries_, most_bytes, memory_bytes()};
+    Update run{extraction_, loaded,      dataset,    stop,           *geometry,
+               cuts_,       boundaries_, most_bytes, memory_bytes(), capping(scene)};
     for (const scene::Layer& layer : scene.layers) {
         if (!layer.visible) continue;
         const auto make = [&](const auto& kind) { return run(layer, kind); };
@@ -230,11 +275,15 @@ std::shared_ptr<const Geometry> SceneGeometry::update(const scene::Scene& scene,
 void SceneGeometry::forget_all_but(const scene::Scene& scene) {
     std::map<std::string, std::size_t> cuts_of; // how many stay
     std::set<std::string> shown;
+    const std::size_t caps = capping(scene).size();
     for (const scene::Layer& layer : scene.layers) {
         const auto* iso = std::get_if<scene::IsoLayer>(&layer.kind);
+        const auto* surface = std::get_if<scene::SurfaceLayer>(&layer.kind);
         if (layer.visible) shown.insert(layer.id);
         if (!layer.visible)
             cuts_of[layer.id] = SIZE_MAX; // showing it again costs nothing
+        else if (surface != nullptr)
+            cuts_of[layer.id] = surface->groups.empty() ? caps : 0;
         else
             cuts_of[layer.id] = iso != nullptr ? iso->values.size() : 1;
     }

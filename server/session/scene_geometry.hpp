@@ -2,6 +2,7 @@
 // only what changed is computed again.
 #pragma once
 
+#include "ciel/clip_surface.hpp"
 #include "ciel/extract.hpp"
 #include "render/renderer.hpp"
 #include "scene/scene.hpp"
@@ -26,8 +27,8 @@ struct Shape {
 struct Drawable { // one iso-value, slice, boundary surface or outline of a layer, or the edges of its polygons
     std::string layer;
     std::shared_ptr<const Shape> shape;
-    std::shared_ptr<const std::vector<Index>> edges; // drawn instead of the shape's own indices, two per line
-    float line_width = 1.5F;                         // pixels
+    std::shared_ptr<const std::vector<Index>> edges;   // drawn instead of the shape's own indices, two per line
+    float line_width = 1.5F;                           // pixels
     std::shared_ptr<const std::vector<float>> scalars; // one per surface vertex; null: the solid colour
     std::string array, map = "viridis";                // of the scalars
     std::array<float, 2> range{0, 1};
@@ -43,6 +44,7 @@ struct Drawable { // one iso-value, slice, boundary surface or outline of a laye
 // What one scene shows. Immutable, owns all its arrays, may be read from any thread.
 struct Geometry {
     std::vector<Drawable> drawables; // visible layers, in drawing order
+    std::vector<HalfSpace> clip;     // cut all drawables, which are whole (clip.hpp); of offsets from the origin
     Vec3d origin{}, bounds_min{}, bounds_max{};
     double time = 0; // of the step shown
     std::size_t step = 0;

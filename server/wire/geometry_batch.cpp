@@ -58,14 +58,19 @@ void append_number(std::string& json, double value) {
     json.append(digits.data(), end);
 }
 
-template <typename Numbers>
-void append_array(std::string& json, const Numbers& numbers) {
+template <typename Items, typename Append>
+void append_list(std::string& json, const Items& items, Append append_one) {
     json += '[';
-    for (std::size_t i = 0; i < numbers.size(); ++i) {
+    for (std::size_t i = 0; i < items.size(); ++i) {
         if (i > 0) json += ", ";
-        append_number(json, numbers[i]);
+        append_one(items[i]);
     }
     json += ']';
+}
+
+template <typename Numbers>
+void append_array(std::string& json, const Numbers& numbers) {
+    append_list(json, numbers, [&](double number) { append_number(json, number); });
 }
 
 void append_string(std::string& json, std::string_view text) {
@@ -108,6 +113,10 @@ std::string description(const GeometryMesh& mesh, const Batch& batch, Vec3d orig
     if (mesh.lines) {
         json += ", \"width\": ";
         append_number(json, mesh.line_width);
+    }
+    if (!mesh.clip.empty()) {
+        json += ", \"clip\": ";
+        append_list(json, mesh.clip, [&](const auto& plane) { append_array(json, plane); });
     }
     json += ", \"origin\": ";
     append_array(json, origin);

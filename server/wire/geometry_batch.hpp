@@ -21,7 +21,8 @@ struct GeometryMesh {
     std::array<float, 2> range{0, 1};
     std::array<float, 4> color{};
     bool lit = true;
-    float line_width = 1.5F; // pixels
+    float line_width = 1.5F;                    // pixels
+    std::span<const std::array<float, 4>> clip; // (normal, offset): shown where dot(normal, position) + offset >= 0
 };
 
 inline constexpr std::size_t batch_vertices = 65536; // so that 16-bit indices reach every vertex

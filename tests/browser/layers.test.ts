@@ -48,4 +48,24 @@ describe("layers", { skip }, () => {
     await client.settled();
     assert.ok(difference(plain, await client.picture()) < 0.001);
   });
+
+  test("contour lines of a slice", async () => {
+    await check("Slices", "Z").check();
+    await client.settled();
+    const plain = await client.picture();
+    await check("Slices", "Contour lines").check();
+    await client.settled();
+    const lined = await client.picture();
+    assert.ok(difference(plain, lined) > 0.002);
+    await alike("contours");
+    await check("Slices", "Number of contour lines").fill("30");
+    await client.page.keyboard.press("Enter");
+    await client.settled();
+    assert.ok(difference(lined, await client.picture()) > 0.002, "more lines");
+    await check("Slices", "Contour lines").uncheck();
+    await client.settled();
+    assert.ok(difference(plain, await client.picture()) < 0.001);
+    await check("Slices", "Z").uncheck();
+    await client.settled();
+  });
 });

@@ -98,6 +98,75 @@ TEST_F(layers, edges_are_counted_and_given_back) {
     EXPECT_EQ(geometry.memory_bytes(), without);
 }
 
+// On the plane x = 2.5 of the box, p = 2.5 + 2 y + 3 z: straight lines, whose length is known.
+TEST_F(layers, contour_lines_lie_where_the_array_has_the_values) {
+    json layer = slice(0.5); // in front of the hole
+    layer["contours"] = {{"array", "p"}, {"values", {6.5, 12.5, 1e6}}, {"width", 4}, {"color", "#00ff00"}};
+    layer["opacity"] = 0.25;
+    const auto shown = show({{"a", layer}});
+    ASSERT_EQ(shown->drawables.size(), 2U);
+    const Drawable& lines = shown->drawables[1];
+    ASSERT_TRUE(lines.lines());
+    EXPECT_EQ(lines.color, (std::array<float, 4>{0, 1, 0, 0.25F}));
+    EXPECT_EQ(lines.line_width, 4);
+    std::size_t at_low = 0;
+    for (const Vec3f& position : lines.shape->surface.positions) {
+        const double p = test::pressure({position[0], position[1], position[2]}, 0);
+        EXPECT_NEAR(position[0], 0.5, 1e-5);
+        EXPECT_NEAR(std::min(std::abs(p - 6.5), std::abs(p - 12.5)), 0, 1e-4);
+        at_low += std::abs(p - 6.5) < 1e-4 ? 1U : 0U;
+    }
+    EXPECT_GT(at_low, 0U);
+    // 2 y + 3 z = 6 from (3, 0) to (0, 2); = 12 from (6, 0) to (0, 4).
+    EXPECT_NEAR(length(lines), std::hypot(3, 2) + std::hypot(6, 4), 1e-4);
+    EXPECT_EQ(show({{"a", layer}})->drawables[1].revision, lines.revision) << "nothing has changed";
+    layer["value"] = test::box_origin[0] + 1;
+    EXPECT_NE(show({{"a", layer}})->drawables[1].revision, lines.revision) << "the slice has moved";
+    layer["contours"]["visible"] = false;
+    EXPECT_EQ(show({{"a", layer}})->drawables.size(), 1U);
+}
+
+TEST_F(layers, a_count_of_contour_lines_is_spread_evenly_inside_the_range) {
+    json layer = slice(0.5);
+    layer["contours"] = {{"array", "U:x"}, {"count", 2}}; // z, from 0 to 6
+    std::set<long> heights;
+    for (const Vec3f& position : show({{"a", layer}})->drawables.at(1).shape->surface.positions)
+        heights.insert(std::lround(1000 * position[2]));
+    EXPECT_EQ(heights, (std::set<long>{2000, 4000}));
+    layer["contours"]["range"] = {0, 1.5};
+    heights.clear();
+    for (const Vec3f& position : show({{"a", layer}})->drawables.at(1).shape->surface.positions)
+        heights.insert(std::lround(1000 * position[2]));
+    EXPECT_EQ(heights, (std::set<long>{500, 1000}));
+}
+
+TEST_F(layers, contour_lines_of_an_array_that_was_not_written_are_lacking) {
+    json layer = slice(0.5);
+    layer["contours"] = {{"array", "late"}};
+    const auto shown = show({{"a", layer}});
+    EXPECT_EQ(shown->drawables.size(), 1U);
+    ASSERT_EQ(shown->lacking.size(), 1U);
+    EXPECT_EQ(shown->lacking[0], "layer a has no contour lines: 'late' was not written at time 0; it was at 2");
+}
+
+TEST_F(layers, names_in_layers_are_checked_with_their_path) {
+    const struct {
+        json layer;
+        const char* path;
+    } rows[] = {{{{"type", "slice"}, {"axis", "x"}, {"value", 1}, {"contours", {{"array", "nope"}}}},
+                 "/layers/a/contours/array"},
+                {{{"type", "slice"}, {"axis", "x"}, {"value", 1}, {"contours", {{"array", "cell:q"}}}},
+                 "/layers/a/contours/array"}};
+    for (const auto& row : rows) {
+        try {
+            show({{"a", row.layer}});
+            ADD_FAILURE() << row.layer << " was accepted";
+        } catch (const scene::Invalid& error) {
+            EXPECT_EQ(error.path, row.path) << error.what();
+        }
+    }
+}
+
 TEST_F(layers, a_change_of_the_edges_alone_is_new_content) {
     json layer = slice(2.5);
     layer["edges"] = {{"width", 1}};

@@ -32,6 +32,18 @@ class Edges(TypedDict):
     width: NotRequired[float]  # pixels
 
 
+class Contours(TypedDict):
+    """Lines where an array takes values on a slice: either values, or count of them."""
+
+    visible: NotRequired[bool]
+    array: str  # a scalar name
+    values: NotRequired[list[float]]
+    count: NotRequired[int]  # without values: so many, evenly inside the range
+    range: NotRequired[Range | None]  # of count; absent: the array's range at the shown time
+    color: NotRequired[str]
+    width: NotRequired[float]  # pixels
+
+
 class IsoLayer(TypedDict):
     type: Literal["iso"]
     order: NotRequired[float]
@@ -56,6 +68,7 @@ class SliceLayer(TypedDict):
     origin: NotRequired[Vec3]
     normal: NotRequired[Vec3]
     color: NotRequired[Coloring]
+    contours: NotRequired[Contours]
     edges: NotRequired[Edges]
 
 
@@ -77,7 +90,21 @@ class OutlineLayer(TypedDict):
     color: NotRequired[Coloring]
 
 
-Layer = IsoLayer | SliceLayer | SurfaceLayer | OutlineLayer
+class ClipLayer(TypedDict):
+    """A plane that cuts all layers: either axis and value, or origin and normal. At most 6 may be visible. Pictures, probes under a pixel, polygon batches and surface.export show what is left."""
+
+    type: Literal["clip"]
+    order: NotRequired[float]
+    visible: NotRequired[bool]
+    axis: NotRequired[Literal["x", "y", "z"]]
+    value: NotRequired[float]  # position along the axis; with axis
+    origin: NotRequired[Vec3]
+    normal: NotRequired[Vec3]
+    invert: NotRequired[bool]  # false: what the normal or the axis points to is cut away; true: the other side
+    caps: NotRequired[bool]  # close the surface layers that show the whole boundary, which stand for the solid mesh, with a slice coloured as they are
+
+
+Layer = IsoLayer | SliceLayer | SurfaceLayer | OutlineLayer | ClipLayer
 
 
 class Scene(TypedDict):
@@ -383,7 +410,7 @@ ProbePointResult = ProbeResult
 
 
 class SurfaceExportParams(TypedDict):
-    """surface.export: A layer's surface as a file."""
+    """surface.export: A layer's surface as a file, cut by the visible clip planes and with their caps, as pictures show it."""
 
     layer: str
     format: Literal["ply", "stl", "vtp"]
