@@ -12,6 +12,7 @@
 #include <charconv>
 #include <cstdio>
 #include <fstream>
+#include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -129,6 +130,7 @@ int run_command(const RenderCommand& render) {
     const auto loaded = load_dataset(render.scene.dataset);
     const scene::Scene scene = parse_scene(document_of(render, *loaded));
     const auto geometry = make_geometry(scene, loaded, decider_named(render.scene.decider));
+    for (const std::string& remark : geometry->remarks) std::cerr << "ciel: " << remark << '\n';
     render::Image image;
     render::Renderer renderer(backend);
     renderer.draw(

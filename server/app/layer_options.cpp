@@ -15,6 +15,18 @@ bool has_polygons(const nlohmann::json& layer) {
 
 bool is_slice(const nlohmann::json& layer) { return layer["type"] == "slice"; }
 
+bool is_of_cells(const nlohmann::json& layer) {
+    return layer["type"] == "surface" || layer["type"] == "edges" || layer["type"] == "points";
+}
+
+nlohmann::json threshold_of(const std::string& text) {
+    const auto equals = text.rfind('=');
+    if (equals != std::string::npos && equals > 0)
+        if (const auto range = parse_numbers("--threshold", text.substr(equals + 1)); range.size() == 2)
+            return {{"array", text.substr(0, equals)}, {"range", range}};
+    throw UsageError("--threshold " + text + " is not of the form ARRAY=MIN,MAX");
+}
+
 // How many there were.
 template <class Wanted, class Change>
 int change(nlohmann::json& layers, Wanted wanted, Change make) {
@@ -56,6 +68,16 @@ nlohmann::json clip_of(const std::string& text) {
 
 void LayerOptions::add_to(CLI::App& command) {
     command.add_flag("--surface", surface, "The boundary of the mesh.");
+    command
+        .add_option("--feature-edges", feature_edges,
+                    "Edges at which the boundary bends by more than so many degrees; 0 for all that bend.")
+        ->type_name("DEGREES");
+    command.add_option("--points", points, "Vertices of the boundary, or all.")
+        ->check(CLI::IsMember({"boundary", "all"}));
+    command
+        .add_option("--threshold", threshold,
+                    "Only cells whose vertices all lie in this range: of --surface, --feature-edges and --points.")
+        ->type_name("ARRAY=MIN,MAX");
     command.add_flag("--edges", edges, "Lines along the edges of all polygons: those of the cells.");
     command.add_option("--contours", contours, "Contour lines of a point scalar on slices: ten, or at these values.")
         ->type_name("ARRAY[=VALUE,...]");
@@ -68,6 +90,13 @@ void LayerOptions::add_to(CLI::App& command) {
 void LayerOptions::apply(nlohmann::json& layers) const {
     double order = static_cast<double>(layers.size());
     if (surface) layers["surface"] = {{"type", "surface"}, {"order", order++}};
+    if (feature_edges) layers["edges"] = {{"type", "edges"}, {"order", order++}, {"angle", *feature_edges}};
+    if (points) layers["points"] = {{"type", "points"}, {"order", order++}, {"of", *points}};
+    if (threshold) {
+        const nlohmann::json range = threshold_of(*threshold);
+        if (change(layers, is_of_cells, [&](auto& layer) { layer["threshold"] = range; }) == 0)
+            throw UsageError("--threshold chooses cells; give --surface, --feature-edges or --points");
+    }
     if (edges && change(layers, has_polygons, [](auto& layer) { layer["edges"] = nlohmann::json::object(); }) == 0)
         throw UsageError("nothing has polygons whose edges could be drawn; give --iso, --slice or --surface");
     for (std::size_t i = 0; i < clips.size(); ++i) layers["clip" + std::to_string(i + 1)] = clip_of(clips[i]);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,10 +16,12 @@ struct LayerOptions {
     bool surface = false, edges = false;
     std::string contours; // of slices
     std::vector<std::string> clips;
+    std::optional<std::string> points, threshold;
+    std::optional<double> feature_edges; // degrees
 
     void add_to(CLI::App& command);
-    [[nodiscard]] bool has_layers() const { return surface; }
-    [[nodiscard]] bool any() const { return has_layers() || edges || !contours.empty() || !clips.empty(); }
+    [[nodiscard]] bool has_layers() const { return surface || points || feature_edges; }
+    [[nodiscard]] bool any() const { return has_layers() || edges || !contours.empty() || !clips.empty() || threshold; }
     // Adds the layers that were asked for behind those that are there, and the styles to all. Throws UsageError on an
     // option that cannot be read, or that has nothing to work on.
     void apply(nlohmann::json& layers) const;

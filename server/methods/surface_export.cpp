@@ -36,7 +36,7 @@ wire::JoinedSurface joined(const Context& context, const session::Geometry& geom
     std::uint64_t bytes = 0;
     wire::JoinedSurface result;
     for (const session::Drawable& drawable : geometry.drawables) {
-        if (drawable.layer != layer || drawable.lines()) continue;
+        if (drawable.layer != layer || !drawable.polygons()) continue;
         context.check_wanted();
         const Part part = part_of(geometry, drawable);
         wire::JoinedSurface one;

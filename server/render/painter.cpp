@@ -30,7 +30,7 @@ std::string text_of(const Gl& gl, GLenum name) {
     return text != nullptr ? reinterpret_cast<const char*>(text) : "";
 }
 
-bool is_transparent(const Mesh& mesh) { return !mesh.lines && mesh.color[3] < 1; }
+bool is_transparent(const Mesh& mesh) { return !mesh.lines && !mesh.points && mesh.color[3] < 1; }
 
 } // namespace
 
@@ -39,9 +39,10 @@ Painter::Painter(const Gl& gl)
       is_software_(renderer_name_.find("llvmpipe") != std::string::npos ||
                    renderer_name_.find("softpipe") != std::string::npos),
       background_(make_background_program(gl_)), triangles_(make_triangle_program(gl_)), lines_(make_line_program(gl_)),
-      color_maps_(make_color_maps(gl_)), target_(gl_), transparent_(gl_) {
+      points_(make_point_program(gl_)), color_maps_(make_color_maps(gl_)), target_(gl_), transparent_(gl_) {
     gl_.GenVertexArrays(1, &no_array_);
     gl_.DepthFunc(GL_LEQUAL);
+    gl_.Enable(GL_PROGRAM_POINT_SIZE);
     gl_.BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
 }
 
@@ -55,9 +56,10 @@ void Painter::draw(const Frame& frame, Image& image) {
     target_.begin(frame.width, frame.height, frame.samples);
     draw_background(frame);
     enable_clip_planes(true);
-    draw_meshes(frame, false);
+    draw_meshes(frame, triangles_);
     gl_.Enable(GL_BLEND);
-    draw_meshes(frame, true);
+    draw_meshes(frame, lines_);
+    draw_meshes(frame, points_);
     draw_transparent(frame);
     gl_.Disable(GL_BLEND);
     enable_clip_planes(false);
@@ -116,20 +118,21 @@ MeshBuffers& Painter::buffers(std::size_t slot) {
     return *std::next(buffers_.begin(), static_cast<std::ptrdiff_t>(slot));
 }
 
-void Painter::draw_meshes(const Frame& frame, bool lines) {
-    const Program& program = lines ? lines_ : triangles_;
+void Painter::draw_meshes(const Frame& frame, const Program& program) {
     use(program, frame);
-    if (!lines) { // surfaces a little back, so that lines on them are not half buried
+    if (&program == &triangles_) { // surfaces a little back, so that lines on them are not half buried
         gl_.Enable(GL_POLYGON_OFFSET_FILL);
         gl_.PolygonOffset(1, 1);
     }
     for (std::size_t i = 0; i < frame.meshes.size(); ++i) {
         const Mesh& mesh = frame.meshes[i];
-        if (mesh.lines != lines || is_transparent(mesh) || mesh.indices.empty()) continue;
+        const Program& own = mesh.points ? points_ : mesh.lines ? lines_ : triangles_;
+        if (&own != &program || is_transparent(mesh) || mesh.indices.empty()) continue;
         MeshBuffers& slot = buffers(i);
         // From llvmpipe buffers that are uploaded anew draw faster than kept ones.
         slot.load(mesh, !is_software_);
-        if (lines) gl_.Uniform1f(program.half_width, mesh.line_width / 2);
+        if (mesh.lines) gl_.Uniform1f(program.half_width, mesh.line_width / 2);
+        if (mesh.points) gl_.Uniform1f(program.point_size, mesh.point_size);
         slot.draw();
     }
     gl_.Disable(GL_POLYGON_OFFSET_FILL);

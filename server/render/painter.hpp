@@ -25,7 +25,7 @@ public:
 private:
     void enable_clip_planes(bool on);
     void draw_background(const Frame& frame);
-    void draw_meshes(const Frame& frame, bool lines);
+    void draw_meshes(const Frame& frame, const Program& program);
     void draw_transparent(const Frame& frame);
     void use(const Program& program, const Frame& frame);
     [[nodiscard]] MeshBuffers& buffers(std::size_t slot);
@@ -33,7 +33,7 @@ private:
     Gl gl_;
     std::string renderer_name_, version_;
     bool is_software_ = false;
-    Program background_, triangles_, lines_;
+    Program background_, triangles_, lines_, points_;
     GLuint color_maps_ = 0, no_array_ = 0;
     Target target_;
     std::list<MeshBuffers> buffers_; // one per mesh of the largest frame so far

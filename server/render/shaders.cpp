@@ -34,6 +34,7 @@ layout(location = 5) in vec2 style;
 uniform mat4 view;
 uniform mat4 projection;
 uniform float scale;
+uniform float point_size;
 uniform vec4 clip[6]; // counts only where the painter has enabled it
 out float gl_ClipDistance[6];
 out Surface {
@@ -42,16 +43,19 @@ out Surface {
     float value;
     flat vec4 color;
     flat vec2 style;
+    vec3 position; // for the lines' clip distances
 } surface;
 void main() {
     vec4 place = view * vec4(position, 1.0);
     gl_Position = projection * place;
     for (int i = 0; i < 6; ++i) gl_ClipDistance[i] = dot(clip[i].xyz, position) + clip[i].w;
+    gl_PointSize = point_size + 1.0; // room for a soft edge; counts for points only
     surface.place = place.xyz * scale;
     surface.normal = mat3(view) * normal;
     surface.value = scalar * range.x + range.y;
     surface.color = color;
     surface.style = style;
+    surface.position = position;
 }
 )";
 
@@ -74,6 +78,7 @@ in Surface {
     float value;
     flat vec4 color;
     flat vec2 style;
+    vec3 position;
 } surface;
 out vec4 picture;
 
@@ -106,10 +111,7 @@ void main() {
 constexpr const char* line_geometry = R"(#version 330 core
 layout(lines) in;
 layout(triangle_strip, max_vertices = 4) out;
-in gl_PerVertex {
-    vec4 gl_Position;
-    float gl_ClipDistance[6];
-} gl_in[];
+uniform vec4 clip[6];
 out float gl_ClipDistance[6];
 uniform vec2 viewport;
 uniform float half_width;
@@ -119,6 +121,7 @@ in Surface {
     float value;
     flat vec4 color;
     flat vec2 style;
+    vec3 position;
 } surface[];
 out Line {
     float value;
@@ -129,8 +132,8 @@ out Line {
 
 // `along`: where between the two vertices.
 void corner(vec4 end, float value, float along, vec2 offset, float across) {
-    for (int i = 0; i < 6; ++i)
-        gl_ClipDistance[i] = mix(gl_in[0].gl_ClipDistance[i], gl_in[1].gl_ClipDistance[i], along);
+    vec3 position = mix(surface[0].position, surface[1].position, along);
+    for (int i = 0; i < 6; ++i) gl_ClipDistance[i] = dot(clip[i].xyz, position) + clip[i].w;
     gl_Position = end + vec4(offset / viewport * 2.0 * end.w, 0.0, 0.0);
     line.value = value;
     line.across = across;
@@ -186,6 +189,30 @@ void main() {
 }
 )";
 
+// A point is a disc with soft edges, shaded as the ball that it stands for.
+constexpr const char* point_fragment = R"(
+uniform float point_size;
+in Surface {
+    vec3 place;
+    vec3 normal;
+    float value;
+    flat vec4 color;
+    flat vec2 style;
+    vec3 position;
+} surface;
+out vec4 picture;
+void main() {
+    vec2 from_center = (gl_PointCoord - 0.5) * (point_size + 1.0);
+    float radius = length(from_center);
+    float cover = clamp(point_size * 0.5 + 0.5 - radius, 0.0, 1.0);
+    if (cover < 0.02) discard;
+    vec3 base = base_color(surface.value, surface.color.rgb, surface.style.x);
+    vec2 side = from_center / (point_size * 0.5 + 0.5);
+    base *= 0.55 + 0.45 * sqrt(max(1.0 - dot(side, side), 0.0));
+    picture = vec4(base, surface.color.a * cover);
+}
+)";
+
 void add_shader(const Gl& gl, GLuint program, GLenum kind, const std::string& source) {
     const GLuint shader = gl.CreateShader(kind);
     const char* text = source.c_str();
@@ -223,6 +250,7 @@ Program link(const Gl& gl, const std::vector<Stage>& stages) {
     program.maps = uniform("maps");
     program.map_rows = uniform("map_rows");
     program.clip = uniform("clip");
+    program.point_size = uniform("point_size");
     program.viewport = uniform("viewport");
     program.half_width = uniform("half_width");
     program.top = uniform("top");
@@ -241,6 +269,10 @@ Program make_background_program(const Gl& gl) {
 
 Program make_triangle_program(const Gl& gl) {
     return link(gl, {{GL_VERTEX_SHADER, surface_vertex}, {GL_FRAGMENT_SHADER, with_color_map(triangle_fragment)}});
+}
+
+Program make_point_program(const Gl& gl) {
+    return link(gl, {{GL_VERTEX_SHADER, surface_vertex}, {GL_FRAGMENT_SHADER, with_color_map(point_fragment)}});
 }
 
 Program make_line_program(const Gl& gl) {

@@ -1,4 +1,4 @@
-// The three programs: background, triangles, lines.
+// The four programs: background, triangles, lines, points.
 #pragma once
 
 #include "render/gl.hpp"
@@ -22,6 +22,7 @@ struct Program {
     GLuint id = 0;
     GLint view = -1, projection = -1, scale = -1, parallel = -1, maps = -1, map_rows = -1; // triangles and lines
     GLint clip = -1;                                                                       // triangles and lines
+    GLint point_size = -1;                                                                 // points
     GLint viewport = -1, half_width = -1;                                                  // lines
     GLint top = -1, bottom = -1, height = -1;                                              // background
 };
@@ -30,5 +31,6 @@ struct Program {
 [[nodiscard]] Program make_background_program(const Gl& gl);
 [[nodiscard]] Program make_triangle_program(const Gl& gl);
 [[nodiscard]] Program make_line_program(const Gl& gl);
+[[nodiscard]] Program make_point_program(const Gl& gl);
 
 } // namespace ciel::render

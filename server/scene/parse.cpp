@@ -153,10 +153,45 @@ ClipLayer clip_of(const json& object, const std::string& path) {
     return clip;
 }
 
+std::optional<Threshold> threshold_of(const json& layer, const std::string& path) {
+    const auto member = layer.find("threshold");
+    if (member == layer.end() || !member->value("enabled", true)) return {};
+    Threshold threshold;
+    read(*member, "array", threshold.array);
+    threshold.range = *range_of(*member, "range", path + "/threshold");
+    threshold.any = member->value("keep", "all") == "any";
+    return threshold;
+}
+
+EdgesLayer edges_layer_of(const json& object, const std::string& path) {
+    EdgesLayer edges;
+    read(object, "groups", edges.groups);
+    edges.threshold = threshold_of(object, path);
+    if (object.contains("angle")) edges.angle = object["angle"].get<double>();
+    read(object, "width", edges.width);
+    edges.color = coloring_of(object, path);
+    return edges;
+}
+
+PointsLayer points_of(const json& object, const std::string& path) {
+    PointsLayer points;
+    points.all = object.value("of", "boundary") == "all";
+    read(object, "groups", points.groups);
+    if (points.all && !points.groups.empty())
+        throw Invalid(path + "/groups",
+                      "patches have points of the boundary only; leave out groups or \"of\": \"all\"");
+    points.threshold = threshold_of(object, path);
+    read(object, "size", points.size);
+    read(object, "most", points.most);
+    points.color = coloring_of(object, path);
+    return points;
+}
+
 SurfaceLayer surface_of(const json& object, const std::string& path) {
     SurfaceLayer surface;
     read(object, "groups", surface.groups);
     surface.color = coloring_of(object, path);
+    surface.threshold = threshold_of(object, path);
     surface.edges = edges_of(object);
     return surface;
 }
@@ -169,6 +204,8 @@ const std::map<std::string, Kind (*)(const json&, const std::string&)> kinds{
     {"slice", [](const json& o, const std::string& p) -> Kind { return slice_of(o, p); }},
     {"surface", [](const json& o, const std::string& p) -> Kind { return surface_of(o, p); }},
     {"outline", [](const json& o, const std::string& p) -> Kind { return outline_of(o, p); }},
+    {"edges", [](const json& o, const std::string& p) -> Kind { return edges_layer_of(o, p); }},
+    {"points", [](const json& o, const std::string& p) -> Kind { return points_of(o, p); }},
     {"clip", [](const json& o, const std::string& p) -> Kind { return clip_of(o, p); }},
 };
 

@@ -53,9 +53,15 @@ struct SliceLayer {
     std::optional<Contours> contours;
     std::optional<LineStyle> edges;
 };
+struct Threshold { // cells whose values lie in a range
+    std::string array;
+    std::array<double, 2> range{};
+    bool any = false; // of a cell's vertices; else all
+};
 struct SurfaceLayer { // boundary faces; all of them when `groups` is empty
     std::vector<std::string> groups;
     Coloring color;
+    std::optional<Threshold> threshold;
     std::optional<LineStyle> edges;
 };
 struct OutlineLayer { // the bounding box
@@ -68,12 +74,28 @@ struct ClipLayer {                                   // a plane that cuts all la
 };
 inline constexpr std::size_t most_clip_planes = 6; // visible ones: what every OpenGL has at least, less two
 
+struct EdgesLayer { // of the boundary's faces
+    std::vector<std::string> groups;
+    std::optional<Threshold> threshold;
+    std::optional<double> angle; // degrees: only where the boundary bends by more
+    float width = 1.5F;
+    Coloring color;
+};
+struct PointsLayer {  // the mesh's vertices
+    bool all = false; // else those of the boundary's faces
+    std::vector<std::string> groups;
+    std::optional<Threshold> threshold;
+    float size = 4;
+    std::size_t most = 1'000'000;
+    Coloring color;
+};
+
 struct Layer {
     std::string id;
     double order = 0;
     bool visible = true;
     float opacity = 1;
-    std::variant<IsoLayer, SliceLayer, SurfaceLayer, OutlineLayer, ClipLayer> kind;
+    std::variant<IsoLayer, SliceLayer, SurfaceLayer, OutlineLayer, ClipLayer, EdgesLayer, PointsLayer> kind;
 };
 
 struct Scene {

@@ -17,10 +17,11 @@ std::vector<std::vector<std::uint8_t>> geometry_messages(wire::FrameHeader& head
         wire::GeometryMesh mesh;
         mesh.layer = drawable.layer;
         mesh.positions = surface.positions;
-        if (!drawable.lines()) mesh.normals = surface.normals;
+        if (drawable.polygons()) mesh.normals = surface.normals;
         if (drawable.scalars) mesh.scalars = *drawable.scalars;
         mesh.indices = drawable.indices();
         mesh.lines = drawable.lines();
+        mesh.points = drawable.points();
         mesh.line_width = drawable.line_width;
         mesh.map = drawable.map;
         mesh.range = drawable.range;

@@ -103,7 +103,8 @@ std::size_t Cut::memory_bytes() const {
 }
 
 std::size_t Boundary::memory_bytes() const {
-    return (shape ? bytes_of(*shape) : 0) + painted.memory_bytes() + outlined.memory_bytes();
+    const bool own = shape && shape != of; // a whole cap is counted with its cut
+    return (own ? bytes_of(*shape) : 0) + painted.memory_bytes() + outlined.memory_bytes() + cells.size();
 }
 
 } // namespace ciel::session

@@ -68,14 +68,24 @@ struct Cut {
 struct Boundary {
     std::string key; // what it was made from
     std::shared_ptr<const Shape> shape;
+    std::shared_ptr<const Shape> of;     // the whole cap that `shape` is a part of
+    std::vector<std::uint8_t> cells;     // flags of those that a threshold keeps; empty: no threshold
+    std::size_t thinned = 1, points = 0; // points: every so manyth of so many is in the shape
     Painted painted;
     Outlined outlined;
 
     [[nodiscard]] std::size_t memory_bytes() const;
 };
 
-[[nodiscard]] std::shared_ptr<const Shape> boundary_shape(const store::Dataset& dataset, const store::Step& step,
-                                                          const std::vector<std::string>& groups);
+// The faces of the patches, or of all cells or those kept; `kept` has a flag per cell or is empty.
+[[nodiscard]] Surface boundary_surface(const store::Dataset& dataset, const store::Step& step,
+                                       const std::vector<std::string>& groups, std::span<const std::uint8_t> kept);
+[[nodiscard]] std::shared_ptr<const Shape> triangles_shape(Surface&& surface);
+// The edges of a boundary as lines: all, or those where it bends by more than `angle` degrees.
+[[nodiscard]] std::shared_ptr<const Shape> edges_shape(Surface&& boundary, std::optional<double> angle);
+// Its vertices, or those of all kept cells.
+[[nodiscard]] std::shared_ptr<const Shape> points_shape(const Surface& boundary, std::size_t thinned);
+[[nodiscard]] Surface cell_vertices(const FaceMeshView& mesh, std::span<const std::uint8_t> kept);
 [[nodiscard]] std::shared_ptr<const Shape> outline_shape(Vec3d minimum, Vec3d maximum, Vec3d origin);
 
 } // namespace ciel::session

@@ -44,11 +44,12 @@ render::Frame frame_of(const Geometry& geometry, const scene::Scene& scene, int 
     for (const Drawable& drawable : geometry.drawables) {
         render::Mesh mesh;
         mesh.positions = drawable.shape->surface.positions;
-        if (!drawable.lines()) mesh.normals = drawable.shape->surface.normals;
+        if (drawable.polygons()) mesh.normals = drawable.shape->surface.normals;
         if (drawable.scalars) mesh.scalars = *drawable.scalars;
         mesh.indices = drawable.indices();
         mesh.lines = drawable.lines();
-        mesh.line_width = drawable.line_width;
+        mesh.points = drawable.points();
+        mesh.line_width = mesh.point_size = drawable.line_width;
         mesh.map = drawable.map;
         mesh.range = drawable.range;
         mesh.color = drawable.color;

@@ -1,5 +1,6 @@
 #include "session/scene_geometry.hpp"
 
+#include "ciel/threshold_surface.hpp"
 #include "session/clip.hpp"
 #include "session/cut.hpp"
 #include "session/errors.hpp"
@@ -46,11 +47,22 @@ double on_the_side(double nu, std::array<float, 2> range) {
     return nu;
 }
 
+std::string bits_of(double number) { // all its bits: a key, not a text
+    return {reinterpret_cast<const char*>(&number), sizeof number};
+}
+
+// Of a cut through the whole mesh what belongs to the cells that are shown.
+std::shared_ptr<const Shape> cap_shape(const std::shared_ptr<const Shape>& cut,
+                                       const std::vector<std::uint8_t>& cells) {
+    if (cells.empty()) return cut;
+    return triangles_shape(polygons_of_cells(cut->surface, cells));
+}
+
 std::string plane_name(const std::array<double, 3>& normal, const store::Step& step) {
     std::string name = "plane " + std::to_string(step.mesh) + " " + std::to_string(step.coordinates);
     for (const double component : normal) {
         name.push_back(' ');
-        name.append(reinterpret_cast<const char*>(&component), sizeof component); // all its bits: a key, not a text
+        name += bits_of(component);
     }
     return name;
 }
@@ -96,7 +108,7 @@ struct Update {
         drawable.identity = painted.identity;
         drawable.revision = painted.revision;
         colour(drawable, shown, layer, *dataset, out.step);
-        if (!shape->lines) out.triangles += shape->indices.size() / 3;
+        if (drawable.polygons()) out.triangles += shape->indices.size() / 3;
         out.drawables.push_back(std::move(drawable));
     }
 
@@ -182,27 +194,90 @@ struct Update {
     }
 
     bool operator()(const scene::Layer& layer, const scene::SurfaceLayer& surface) {
-        std::string key = "surface " + std::to_string(step().mesh) + " " + std::to_string(step().coordinates);
-        for (const auto& group : surface.groups) key += '\0' + group;
-        Boundary& kept = boundary(layer, key);
-        const std::size_t before = kept.memory_bytes();
-        if (!kept.shape) kept.shape = boundary_shape(*dataset, step(), surface.groups);
-        add(kept.painted, kept.shape, surface.color, layer, true);
-        add_edges(kept.outlined, kept.shape, surface.edges, layer);
-        count(before, kept.memory_bytes());
-        return !surface.groups.empty() || add_caps(layer, surface); // patches are no solid
+        Boundary* kept = solid(layer, surface.groups, surface.threshold, "surface");
+        if (kept == nullptr) return true;
+        const std::size_t before = kept->memory_bytes();
+        if (!kept->shape)
+            kept->shape = triangles_shape(boundary_surface(*dataset, step(), surface.groups, kept->cells));
+        add(kept->painted, kept->shape, surface.color, layer, true);
+        add_edges(kept->outlined, kept->shape, surface.edges, layer);
+        count(before, kept->memory_bytes());
+        return !surface.groups.empty() || add_caps(layer, surface, *kept); // patches are no solid
     }
 
     // Each is the whole slice of the mesh by its plane: the other planes cut it as they cut everything.
-    bool add_caps(const scene::Layer& layer, const scene::SurfaceLayer& surface) {
+    bool add_caps(const scene::Layer& layer, const scene::SurfaceLayer& surface, const Boundary& solid) {
         for (std::size_t i = 0; i < caps.size(); ++i) {
-            Cut& cap = cuts[{layer.id, i}];
-            const std::size_t before = cap.memory_bytes();
-            if (!cap.extract(use_plane(cap, caps[i]->origin, caps[i]->normal), false, stop)) return false;
+            Cut& cut = cuts[{layer.id, i}];
+            const std::size_t before = cut.memory_bytes();
+            if (!cut.extract(use_plane(cut, caps[i]->origin, caps[i]->normal), false, stop)) return false;
+            count(before, cut.memory_bytes());
+            Boundary& cap = boundary(layer, solid.key, i + 1);
+            const std::size_t of_cap = cap.memory_bytes();
+            if (!cap.shape || cap.of != cut.shape) cap.shape = cap_shape(cut.shape, solid.cells);
+            cap.of = cut.shape;
             add(cap.painted, cap.shape, surface.color, layer, true);
             add_edges(cap.outlined, cap.shape, surface.edges, layer);
-            count(before, cap.memory_bytes());
+            count(of_cap, cap.memory_bytes());
         }
+        return true;
+    }
+
+    // The state of what a layer shows of the mesh's cells; null where its threshold has no values.
+    Boundary* solid(const scene::Layer& layer, const std::vector<std::string>& groups,
+                    const std::optional<scene::Threshold>& threshold, std::string key) {
+        key += ' ' + std::to_string(step().mesh) + ' ' + std::to_string(step().coordinates);
+        for (const auto& group : groups) key += '\0' + group;
+        if (!threshold) return &boundary(layer, key);
+        const auto [low, high] = threshold->range;
+        key += '\0' + std::to_string(out.step) + (threshold->any ? " any " : " all ") + bits_of(low) + bits_of(high) +
+               threshold->array;
+        Boundary& kept = boundary(layer, key);
+        if (kept.shape) return &kept;
+        try {
+            const auto values = loaded->scalar_values(threshold->array, out.step);
+            kept.cells = cells_in_range(dataset->mesh(step().mesh, step().coordinates), *values, threshold->range,
+                                        threshold->any ? InRange::any : InRange::all);
+            count(0, kept.cells.size());
+        } catch (const store::NotWritten& missing) {
+            lack(layer, "is not shown", missing);
+            return nullptr;
+        }
+        return &kept;
+    }
+
+    bool operator()(const scene::Layer& layer, const scene::EdgesLayer& edges) {
+        const std::string what = "edges " + (edges.angle ? bits_of(*edges.angle) : std::string("all"));
+        Boundary* kept = solid(layer, edges.groups, edges.threshold, what);
+        if (kept == nullptr) return true;
+        const std::size_t before = kept->memory_bytes();
+        if (!kept->shape)
+            kept->shape = edges_shape(boundary_surface(*dataset, step(), edges.groups, kept->cells), edges.angle);
+        add(kept->painted, kept->shape, edges.color, layer, false);
+        out.drawables.back().line_width = edges.width;
+        count(before, kept->memory_bytes());
+        return true;
+    }
+
+    bool operator()(const scene::Layer& layer, const scene::PointsLayer& points) {
+        const std::string what = (points.all ? "points of all " : "points ") + std::to_string(points.most);
+        Boundary* kept = solid(layer, points.groups, points.threshold, what);
+        if (kept == nullptr) return true;
+        const std::size_t before = kept->memory_bytes();
+        if (!kept->shape) {
+            const Surface vertices = points.all
+                                         ? cell_vertices(dataset->mesh(step().mesh, step().coordinates), kept->cells)
+                                         : boundary_surface(*dataset, step(), points.groups, kept->cells);
+            kept->points = vertices.positions.size();
+            kept->thinned = std::max<std::size_t>(1, (kept->points + points.most - 1) / points.most);
+            kept->shape = points_shape(vertices, kept->thinned);
+        }
+        if (kept->thinned > 1)
+            out.remarks.push_back("layer " + layer.id + " shows one in " + std::to_string(kept->thinned) + " of its " +
+                                  std::to_string(kept->points) + " points; raise \"most\" to see more");
+        add(kept->painted, kept->shape, points.color, layer, true);
+        out.drawables.back().line_width = points.size;
+        count(before, kept->memory_bytes());
         return true;
     }
 
@@ -217,10 +292,13 @@ struct Update {
         return true;
     }
 
-    Boundary& boundary(const scene::Layer& layer, const std::string& key) {
-        Boundary& kept = boundaries[{layer.id, 0}];
+    Boundary& boundary(const scene::Layer& layer, const std::string& key, std::size_t index = 0) {
+        Boundary& kept = boundaries[{layer.id, index}];
         const std::size_t before = kept.memory_bytes();
-        if (kept.key != key) kept.shape = nullptr;
+        if (kept.key != key) {
+            kept.shape = kept.of = nullptr;
+            kept.cells.clear();
+        }
         count(before, kept.memory_bytes());
         kept.key = key;
         return kept;
@@ -291,7 +369,9 @@ void SceneGeometry::forget_all_but(const scene::Scene& scene) {
         const auto kept = cuts_of.find(entry.first.first);
         return kept == cuts_of.end() || entry.first.second >= kept->second;
     });
-    std::erase_if(boundaries_, [&](const auto& entry) { return !shown.contains(entry.first.first); });
+    std::erase_if(boundaries_, [&](const auto& entry) {
+        return !shown.contains(entry.first.first) || entry.first.second > cuts_of[entry.first.first];
+    });
 }
 
 std::size_t SceneGeometry::memory_bytes() const {

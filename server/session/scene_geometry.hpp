@@ -20,8 +20,8 @@ namespace ciel::session {
 // Positions are offsets from Geometry::origin. A boundary surface has points with a == b: a mesh vertex itself.
 struct Shape {
     Surface surface;
-    std::vector<Index> indices; // three per triangle, two per line
-    bool lines = false;
+    std::vector<Index> indices; // three per triangle, two per line, one per point
+    bool lines = false, points = false;
 };
 
 struct Drawable { // one iso-value, slice, boundary surface or outline of a layer, or the edges of its polygons
@@ -38,6 +38,8 @@ struct Drawable { // one iso-value, slice, boundary surface or outline of a laye
     std::uint64_t revision = 0; // changes with shape and scalars, unique in the process
 
     [[nodiscard]] bool lines() const { return edges != nullptr || shape->lines; }
+    [[nodiscard]] bool points() const { return edges == nullptr && shape->points; }
+    [[nodiscard]] bool polygons() const { return !lines() && !points(); }
     [[nodiscard]] std::span<const Index> indices() const { return edges ? *edges : shape->indices; }
 };
 
@@ -51,6 +53,7 @@ struct Geometry {
     std::size_t triangles = 0, bytes = 0;
     // A sentence for each layer that is left out, or left uncoloured, because its array was not written at this step.
     std::vector<std::string> lacking;
+    std::vector<std::string> remarks; // likewise what is not shown in full, because it is too much
 };
 
 // Throws store::NotWritten when something is lacking: for pictures and files, which nobody can add a word to.

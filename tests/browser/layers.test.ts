@@ -1,6 +1,7 @@
 // The layers' controls: each changes what both streams show.
 import assert from "node:assert/strict";
 import { before, describe, test } from "node:test";
+import type { Locator } from "./chromium.ts";
 import type { Client } from "./page.ts";
 import { difference } from "./png.ts";
 import { skip, Stage } from "./stage.ts";
@@ -12,11 +13,11 @@ describe("layers", { skip }, () => {
     client = await stage.same();
   });
 
-  const check = (section: string, label: string): ReturnType<Client["page"]["getByLabel"]> =>
-    client.page
-      .locator("section.section", { has: client.page.getByRole("heading", { name: section }) })
-      .getByLabel(label, { exact: true })
-      .first();
+  const section = (title: string): Locator =>
+    client.page.locator("section.section", { has: client.page.getByRole("heading", { name: title }) });
+  const check = (title: string, label: string): Locator =>
+    section(title).getByRole("checkbox", { name: label }).first();
+  const field = (title: string, label: string): Locator => section(title).getByRole("textbox", { name: label }).first();
   const stream = async (name: string): Promise<void> => {
     await client.page.getByLabel("Stream", { exact: true }).selectOption(name);
     await client.settled(name);
@@ -40,7 +41,7 @@ describe("layers", { skip }, () => {
     const edged = await client.picture();
     assert.ok(difference(plain, edged) > 0.003);
     await alike("edges");
-    await check("Iso-surfaces", "Width of the edges in pixels").fill("4");
+    await field("Iso-surfaces", "Width of the edges in pixels").fill("4");
     await client.page.keyboard.press("Enter");
     await client.settled();
     assert.ok(difference(edged, await client.picture()) > 0.003, "wider edges hide more");
@@ -58,7 +59,7 @@ describe("layers", { skip }, () => {
     const lined = await client.picture();
     assert.ok(difference(plain, lined) > 0.002);
     await alike("contours");
-    await check("Slices", "Number of contour lines").fill("30");
+    await field("Slices", "Number of contour lines").fill("30");
     await client.page.keyboard.press("Enter");
     await client.settled();
     assert.ok(difference(lined, await client.picture()) > 0.002, "more lines");
@@ -67,5 +68,57 @@ describe("layers", { skip }, () => {
     assert.ok(difference(plain, await client.picture()) < 0.001);
     await check("Slices", "Z").uncheck();
     await client.settled();
+  });
+
+  test("a clip cuts the boundary open, closes it with a cap, and goes away again", async () => {
+    await check("Boundary", "Whole boundary").check();
+    await client.settled();
+    const whole = await client.picture();
+    await client.button("Add a clip across x").click();
+    await client.settled();
+    const cut = await client.picture();
+    assert.ok(difference(whole, cut) > 0.05, "half of it is gone");
+    await alike("clip");
+    await check("Clip", "Caps").uncheck();
+    await client.settled();
+    assert.ok(difference(cut, await client.picture()) > 0.005, "one looks inside");
+    await check("Clip", "Caps").check();
+    await check("Clip", "Other side").check();
+    await client.settled();
+    assert.ok(difference(cut, await client.picture()) > 0.05, "the other half");
+    await client.button("Remove this clip").click();
+    await client.settled();
+    assert.ok(difference(whole, await client.picture()) < 0.001);
+    await check("Boundary", "Whole boundary").uncheck();
+    await client.settled();
+  });
+
+  test("edges and points of the mesh", async () => {
+    const before = await client.picture();
+    await client.button("Add edges of the mesh").click();
+    await client.settled();
+    assert.ok(difference(before, await client.picture()) > 0.0003);
+    await client.button("Add points of the mesh").click();
+    await client.settled();
+    assert.ok(difference(before, await client.picture()) > 0.01);
+    await alike("points");
+    await client.button("Remove these points").click();
+    await client.button("Remove these edges").click();
+    await client.settled();
+    assert.ok(difference(before, await client.picture()) < 0.001);
+  });
+
+  test("a threshold shows the boundary of the cells in the range", async () => {
+    await check("Boundary", "Whole boundary").check();
+    await client.settled();
+    const whole = await client.picture();
+    await check("Boundary", "Threshold").check();
+    await client.settled();
+    assert.ok(difference(whole, await client.picture()) > 0.02);
+    await alike("threshold");
+    await check("Boundary", "Threshold").uncheck();
+    await client.settled();
+    assert.ok(difference(whole, await client.picture()) < 0.001);
+    assert.deepEqual(client.problems, []);
   });
 });

@@ -153,10 +153,14 @@ TEST_F(layers, names_in_layers_are_checked_with_their_path) {
     const struct {
         json layer;
         const char* path;
-    } rows[] = {{{{"type", "slice"}, {"axis", "x"}, {"value", 1}, {"contours", {{"array", "nope"}}}},
-                 "/layers/a/contours/array"},
-                {{{"type", "slice"}, {"axis", "x"}, {"value", 1}, {"contours", {{"array", "cell:q"}}}},
-                 "/layers/a/contours/array"}};
+    } rows[] = {
+        {{{"type", "slice"}, {"axis", "x"}, {"value", 1}, {"contours", {{"array", "nope"}}}},
+         "/layers/a/contours/array"},
+        {{{"type", "slice"}, {"axis", "x"}, {"value", 1}, {"contours", {{"array", "cell:q"}}}},
+         "/layers/a/contours/array"},
+        {{{"type", "surface"}, {"threshold", {{"array", "nope"}, {"range", {0, 1}}}}}, "/layers/a/threshold/array"},
+        {{{"type", "edges"}, {"groups", {"nope"}}}, "/layers/a/groups/0"},
+        {{{"type", "points"}, {"color", {{"array", "nope"}}}}, "/layers/a/color/array"}};
     for (const auto& row : rows) {
         try {
             show({{"a", row.layer}});

@@ -86,6 +86,7 @@ describe("geometry", () => {
     expect(decodeGeometry(message)).toEqual({
       layer: "iso",
       lines: false,
+      points: false,
       positions,
       normals,
       scalars,
@@ -95,6 +96,7 @@ describe("geometry", () => {
       color: [0.5, 0.5, 0.5, 1],
       lit: true,
       width: 1,
+      clip: [],
       origin: [1e6, 0, 0],
     });
   });
@@ -106,10 +108,18 @@ describe("geometry", () => {
   });
 
   test("lines become the ends of rectangles", () => {
-    const lines = { ...batch, kind: "lines", indices: 2, normals: false, scalars: true, width: 2.5 };
+    const lines = {
+      ...batch,
+      kind: "lines",
+      indices: 2,
+      normals: false,
+      scalars: true,
+      width: 2.5,
+      clip: [[1, 0, 0, 0.5]],
+    };
     const payload = geometryPayload(lines, [positions, scalars, Uint32Array.of(1, 2)]);
     const decoded = decodeGeometry(frameBytes({ kind: 2 }, payload));
-    expect(decoded?.width).toBe(2.5);
+    expect(decoded).toMatchObject({ width: 2.5, clip: [[1, 0, 0, 0.5]] });
     expect(decoded && lineEnds(decoded)).toEqual(Float32Array.of(1, 0, 0, 1, 0, 1, 0, 2));
   });
 

@@ -78,6 +78,7 @@ class SurfaceLayer(TypedDict):
     visible: NotRequired[bool]
     opacity: NotRequired[float]
     groups: NotRequired[list[str]]  # patch names; absent or empty: the whole boundary
+    threshold: NotRequired[Threshold]
     color: NotRequired[Coloring]
     edges: NotRequired[Edges]
 
@@ -87,6 +88,44 @@ class OutlineLayer(TypedDict):
     order: NotRequired[float]
     visible: NotRequired[bool]
     opacity: NotRequired[float]
+    color: NotRequired[Coloring]
+
+
+class Threshold(TypedDict):
+    """Shows the mesh as if it had only the cells whose values lie in the range. They stay whole: the boundary is then theirs, with the faces towards cells that are left out. Absent: all cells."""
+
+    enabled: NotRequired[bool]
+    array: str  # a scalar name
+    range: Range
+    keep: NotRequired[Literal["all", "any"]]  # cells with all vertices in the range, ends included, or with any
+
+
+class EdgesLayer(TypedDict):
+    """The edges of the mesh's boundary faces, as lines."""
+
+    type: Literal["edges"]
+    order: NotRequired[float]
+    visible: NotRequired[bool]
+    opacity: NotRequired[float]
+    groups: NotRequired[list[str]]  # patch names; absent or empty: the whole boundary
+    threshold: NotRequired[Threshold]
+    angle: NotRequired[float]  # degrees: only where the boundary bends by more, ends or branches; absent: all edges
+    width: NotRequired[float]  # pixels
+    color: NotRequired[Coloring]
+
+
+class PointsLayer(TypedDict):
+    """The mesh's vertices, as points."""
+
+    type: Literal["points"]
+    order: NotRequired[float]
+    visible: NotRequired[bool]
+    opacity: NotRequired[float]
+    of: NotRequired[Literal["boundary", "all"]]  # vertices of boundary faces, or of all cells
+    groups: NotRequired[list[str]]  # patch names; absent or empty: the whole boundary; with of: boundary
+    threshold: NotRequired[Threshold]
+    size: NotRequired[float]  # pixels across
+    most: NotRequired[int]  # where there are more, every second, third ... is shown, and view.lacking says so
     color: NotRequired[Coloring]
 
 
@@ -104,7 +143,7 @@ class ClipLayer(TypedDict):
     caps: NotRequired[bool]  # close the surface layers that show the whole boundary, which stand for the solid mesh, with a slice coloured as they are
 
 
-Layer = IsoLayer | SliceLayer | SurfaceLayer | OutlineLayer | ClipLayer
+Layer = IsoLayer | SliceLayer | SurfaceLayer | OutlineLayer | ClipLayer | EdgesLayer | PointsLayer
 
 
 class Scene(TypedDict):
@@ -451,7 +490,7 @@ class ViewFailedParams(TypedDict):
 
 
 class ViewLackingParams(TypedDict):
-    """view.lacking: What the next frame lacks, a sentence each: layers whose array was not written at its time. Empty when nothing is lacking any more."""
+    """view.lacking: What the next frame lacks, a sentence each: layers whose array was not written at its time, points that are too many to show all. Empty when nothing is lacking any more."""
 
     view: int
     revision: int

@@ -11,6 +11,7 @@ import {
   BACKGROUND_VERTEX,
   LINE_FRAGMENT,
   LINE_VERTEX,
+  POINT_FRAGMENT,
   SURFACE_FRAGMENT,
   SURFACE_VERTEX,
 } from "./shaders";
@@ -28,11 +29,14 @@ interface Uploaded {
   buffers: WebGLBuffer[];
 }
 
+const isSurface = (batch: GeometryBatch): boolean => !batch.lines && !batch.points;
+
 /** Throws where the browser has no WebGL2. */
 export class GeometryCanvas {
   private readonly gl: WebGL2RenderingContext;
   private surface!: Program;
   private lines!: Program;
+  private points!: Program;
   private background!: Program;
   private readonly textures = new Map<string, WebGLTexture>();
   private uploaded: Uploaded[] = [];
@@ -77,13 +81,14 @@ export class GeometryCanvas {
     this.drawBackground(look);
     gl.enable(gl.DEPTH_TEST);
     gl.depthFunc(gl.LEQUAL);
-    for (const program of [this.surface, this.lines]) this.prepareProgram(program, look, width, height);
+    for (const program of [this.surface, this.lines, this.points]) this.prepareProgram(program, look, width, height);
     gl.polygonOffset(1, 1); // surfaces a little back, so that lines on them are not half buried
     gl.enable(gl.POLYGON_OFFSET_FILL);
-    this.drawParts(({ batch }) => !batch.lines && batch.color[3] >= 1, look.camera);
+    this.drawParts(({ batch }) => isSurface(batch) && batch.color[3] >= 1, look.camera);
     gl.enable(gl.BLEND);
     gl.blendFunc(gl.SRC_ALPHA, gl.ONE_MINUS_SRC_ALPHA);
     this.drawParts(({ batch }) => batch.lines, look.camera);
+    this.drawParts(({ batch }) => batch.points, look.camera);
     this.drawTransparent(look.camera);
     gl.disable(gl.BLEND);
     gl.disable(gl.POLYGON_OFFSET_FILL);
@@ -107,7 +112,7 @@ export class GeometryCanvas {
   // Each layer's nearest surface only: what lies behind it in the same layer would be mixed in no right order.
   private drawTransparent(camera: FullCamera): void {
     const { gl } = this;
-    const isTransparent = ({ batch }: Uploaded): boolean => !batch.lines && batch.color[3] < 1;
+    const isTransparent = ({ batch }: Uploaded): boolean => isSurface(batch) && batch.color[3] < 1;
     const layers = new Set(this.uploaded.filter(isTransparent).map(({ batch }) => batch.layer));
     for (const layer of layers) {
       const ofLayer = (part: Uploaded): boolean => isTransparent(part) && part.batch.layer === layer;
@@ -130,17 +135,24 @@ export class GeometryCanvas {
 
   private drawPart({ batch, vertexArray }: Uploaded, camera: FullCamera): void {
     const { gl } = this;
-    const program = batch.lines ? this.lines : this.surface;
+    const program = batch.lines ? this.lines : batch.points ? this.points : this.surface;
     gl.useProgram(program.program);
     gl.uniformMatrix4fv(program.at("view"), false, viewMatrix(camera, batch.origin));
     gl.uniform4fv(program.at("color"), batch.color);
     gl.uniform2fv(program.at("range"), batch.range);
     gl.uniform1i(program.at("mapped"), batch.scalars === null ? 0 : 1);
+    gl.uniform1i(program.at("clip_planes"), batch.clip.length);
+    if (batch.clip.length > 0) gl.uniform4fv(program.at("clip"), batch.clip.flat());
     gl.bindTexture(gl.TEXTURE_2D, this.texture(batch.map));
     gl.bindVertexArray(vertexArray);
     if (batch.lines) {
       gl.uniform1f(program.at("half_width"), batch.width / 2);
       gl.drawArraysInstanced(gl.TRIANGLE_STRIP, 0, 4, batch.indices.length / 2);
+      return;
+    }
+    if (batch.points) {
+      gl.uniform1f(program.at("point_size"), batch.width);
+      gl.drawElements(gl.POINTS, batch.indices.length, gl.UNSIGNED_INT, 0);
       return;
     }
     gl.uniform1i(program.at("lit"), batch.lit ? 1 : 0);
@@ -199,6 +211,7 @@ export class GeometryCanvas {
   private prepare(): void {
     this.surface = buildProgram(this.gl, SURFACE_VERTEX, SURFACE_FRAGMENT);
     this.lines = buildProgram(this.gl, LINE_VERTEX, LINE_FRAGMENT);
+    this.points = buildProgram(this.gl, SURFACE_VERTEX, POINT_FRAGMENT);
     this.background = buildProgram(this.gl, BACKGROUND_VERTEX, BACKGROUND_FRAGMENT);
   }
 }
