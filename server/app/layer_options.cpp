@@ -83,7 +83,8 @@ void LayerOptions::add_to(CLI::App& command) {
         ->type_name("ARRAY[=VALUE,...]");
     command
         .add_option("--clip", clips,
-                    "Cut away what lies beyond a plane, with a cap where --surface is cut open; up to six.")
+                    "Cut away what lies beyond a plane, with a cap where --surface is cut open; up to six. "
+                    "--clip=-x=1 takes the other side of --clip x=1.")
         ->type_name("[-]x|y|z=VALUE or ox,oy,oz,nx,ny,nz");
 }
 

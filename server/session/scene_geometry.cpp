@@ -234,11 +234,12 @@ struct Update {
                threshold->array;
         Boundary& kept = boundary(layer, key);
         if (kept.shape) return &kept;
+        const std::size_t before = kept.memory_bytes();
         try {
             const auto values = loaded->scalar_values(threshold->array, out.step);
             kept.cells = cells_in_range(dataset->mesh(step().mesh, step().coordinates), *values, threshold->range,
                                         threshold->any ? InRange::any : InRange::all);
-            count(0, kept.cells.size());
+            count(before, kept.memory_bytes());
         } catch (const store::NotWritten& missing) {
             lack(layer, "is not shown", missing);
             return nullptr;
