@@ -105,7 +105,11 @@ void Painter::use(const Program& program, const Frame& frame) {
     gl_.UniformMatrix4fv(program.projection, 1, GL_FALSE, glm::value_ptr(projection));
     gl_.Uniform1f(program.scale, static_cast<float>(transform_.scale));
     gl_.Uniform1f(program.parallel, frame.camera.parallel ? 1.0F : 0.0F);
-    if (clip_planes_ > 0) gl_.Uniform4fv(program.clip, static_cast<GLsizei>(clip_planes_), frame.clip[0].data());
+    // Those that are not there let everything through: llvmpipe may go on with a plane after it was disabled.
+    std::array<std::array<float, 4>, most_clip_planes> planes{};
+    planes.fill({0, 0, 0, 1});
+    std::copy(frame.clip.begin(), frame.clip.end(), planes.begin());
+    gl_.Uniform4fv(program.clip, most_clip_planes, planes[0].data());
     gl_.Uniform1i(program.maps, 0);
     gl_.Uniform1f(program.map_rows, static_cast<float>(color_map_names().size()));
     gl_.Uniform2f(program.viewport, static_cast<float>(frame.width), static_cast<float>(frame.height));
