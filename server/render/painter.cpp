@@ -30,6 +30,16 @@ std::string text_of(const Gl& gl, GLenum name) {
     return text != nullptr ? reinterpret_cast<const char*>(text) : "";
 }
 
+// Pixels by which the lines and points of a frame reach over the place where they are: a surface under them goes back
+// by what it may rise over so many. More than a few would push what is steep behind what lies behind it.
+float reach_of_overlays(const Frame& frame) {
+    float reach = 1;
+    for (const Mesh& mesh : frame.meshes)
+        if (mesh.lines || mesh.points)
+            reach = std::max(reach, (mesh.points ? mesh.point_size : mesh.line_width) / 2 + 0.5F);
+    return std::min(reach, 6.0F);
+}
+
 bool is_transparent(const Mesh& mesh) { return !mesh.lines && !mesh.points && mesh.color[3] < 1; }
 
 } // namespace
@@ -126,7 +136,7 @@ void Painter::draw_meshes(const Frame& frame, const Program& program) {
     use(program, frame);
     if (&program == &triangles_) { // surfaces a little back, so that lines on them are not half buried
         gl_.Enable(GL_POLYGON_OFFSET_FILL);
-        gl_.PolygonOffset(1, 1);
+        gl_.PolygonOffset(reach_of_overlays(frame), 1);
     }
     for (std::size_t i = 0; i < frame.meshes.size(); ++i) {
         const Mesh& mesh = frame.meshes[i];

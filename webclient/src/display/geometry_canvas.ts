@@ -2,6 +2,7 @@
 import { boundsRadius, type Bounds, type FullCamera } from "../camera/camera";
 import { depthRange, projectionMatrix, viewMatrix } from "../camera/matrices";
 import type { GeometryBatch } from "../decoders/geometry";
+import { clamp } from "../scene/numbers";
 import type { Rgb } from "./background";
 import { colorMap, missingColor } from "./color_maps";
 import { buildProgram, type Program } from "./gl_program";
@@ -82,7 +83,7 @@ export class GeometryCanvas {
     gl.enable(gl.DEPTH_TEST);
     gl.depthFunc(gl.LEQUAL);
     for (const program of [this.surface, this.lines, this.points]) this.prepareProgram(program, look, width, height);
-    gl.polygonOffset(1, 1); // surfaces a little back, so that lines on them are not half buried
+    gl.polygonOffset(this.reachOfOverlays(), 1); // surfaces a little back, so that lines on them are not half buried
     gl.enable(gl.POLYGON_OFFSET_FILL);
     this.drawParts(({ batch }) => isSurface(batch) && batch.color[3] >= 1, look.camera);
     gl.enable(gl.BLEND);
@@ -92,6 +93,12 @@ export class GeometryCanvas {
     this.drawTransparent(look.camera);
     gl.disable(gl.BLEND);
     gl.disable(gl.POLYGON_OFFSET_FILL);
+  }
+
+  /** As the server has it: pixels by which lines and points reach over the place where they are. */
+  private reachOfOverlays(): number {
+    const widths = this.batches.map((batch) => (isSurface(batch) ? 0 : batch.width / 2 + 0.5));
+    return clamp(Math.max(...widths, 1), 1, 6);
   }
 
   private prepareProgram(program: Program, look: Look, width: number, height: number): void {
