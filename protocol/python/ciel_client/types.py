@@ -44,6 +44,15 @@ class Contours(TypedDict):
     width: NotRequired[float]  # pixels
 
 
+class Threshold(TypedDict):
+    """Shows the mesh as if it had only the cells whose values lie in the range. They stay whole: the boundary is then theirs, with the faces towards cells that are left out. Absent: all cells."""
+
+    enabled: NotRequired[bool]
+    array: str  # a scalar name
+    range: Range
+    keep: NotRequired[Literal["all", "any"]]  # cells with all vertices in the range, ends included, or with any
+
+
 class IsoLayer(TypedDict):
     type: Literal["iso"]
     order: NotRequired[float]
@@ -89,15 +98,6 @@ class OutlineLayer(TypedDict):
     visible: NotRequired[bool]
     opacity: NotRequired[float]
     color: NotRequired[Coloring]
-
-
-class Threshold(TypedDict):
-    """Shows the mesh as if it had only the cells whose values lie in the range. They stay whole: the boundary is then theirs, with the faces towards cells that are left out. Absent: all cells."""
-
-    enabled: NotRequired[bool]
-    array: str  # a scalar name
-    range: Range
-    keep: NotRequired[Literal["all", "any"]]  # cells with all vertices in the range, ends included, or with any
 
 
 class EdgesLayer(TypedDict):
