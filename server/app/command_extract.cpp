@@ -83,6 +83,7 @@ int run_command(const ExtractCommand& extract) {
     const auto geometry = make_geometry(scene, loaded, decider_named(extract.scene.decider));
     wire::JoinedSurface joined;
     for (const session::Drawable& drawable : geometry->drawables) {
+        if (!drawable.polygons()) continue;
         const Surface& surface = drawable.shape->surface;
         joined.add(surface, values_of(surface, extract.colors, *loaded, geometry->step));
     }

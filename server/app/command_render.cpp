@@ -1,5 +1,6 @@
 // ciel render NAME.ciel -o FILE.png: a still picture, made as the server makes it.
 #include "app/commands.hpp"
+#include "app/layer_options.hpp"
 #include "app/scene_options.hpp"
 #include "session/default_scene.hpp"
 #include "session/errors.hpp"
@@ -11,6 +12,7 @@
 #include <charconv>
 #include <cstdio>
 #include <fstream>
+#include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -22,6 +24,7 @@ constexpr int samples = 4;
 
 struct RenderCommand {
     SceneOptions scene;
+    LayerOptions layers;
     std::string scene_file, size = "1280x720", gl = "auto", output;
     std::optional<std::string> color, map, range, background;
 
@@ -69,7 +72,7 @@ std::vector<double> parse_range(const std::string& text) {
 void color_layers(const RenderCommand& render, nlohmann::json& layers) {
     bool any = false;
     for (auto& layer : layers) {
-        if (layer["type"] != "iso" && layer["type"] != "slice") continue;
+        if (layer["type"] == "outline" || layer["type"] == "clip") continue;
         any = true;
         nlohmann::json color = layer.value("color", nlohmann::json::object());
         if (render.color) color["array"] = *render.color;
@@ -78,7 +81,8 @@ void color_layers(const RenderCommand& render, nlohmann::json& layers) {
         if (!color.contains("array") && layer["type"] == "iso") color["array"] = layer["array"];
         layer["color"] = std::move(color);
     }
-    if (!any && render.colors()) throw UsageError("nothing has colours of an array; give --iso, --slice or --plane");
+    if (!any && render.colors())
+        throw UsageError("nothing has colours of an array; give --iso, --slice, --plane or --surface");
 }
 
 nlohmann::json document_of_options(const RenderCommand& render, const store::Dataset& dataset) {
@@ -94,10 +98,9 @@ nlohmann::json default_document(const RenderCommand& render, store::LoadedDatase
 }
 
 nlohmann::json document_of_file(const RenderCommand& render, const std::string& dataset) {
-    if (render.scene.has_layers() || render.colors() || render.background)
-        throw UsageError(
-            "--scene says what to show and how; leave out --iso, --slice, --plane, --color, --map, --range "
-            "and --background");
+    if (render.scene.has_layers() || render.layers.any() || render.colors() || render.background)
+        throw UsageError("--scene says what to show and how; leave out --iso, --slice, --plane, --color, --map, "
+                         "--range, --background and the options of layers");
     nlohmann::json document = read_scene_file(render.scene_file);
     if (!document.is_object()) return document; // refused with the place by who checks it
     if (!document.contains("dataset")) document["dataset"] = dataset;
@@ -110,8 +113,10 @@ nlohmann::json document_of_file(const RenderCommand& render, const std::string& 
 
 nlohmann::json document_of(const RenderCommand& render, store::LoadedDataset& loaded) {
     if (!render.scene_file.empty()) return document_of_file(render, loaded.dataset()->info().name);
+    const bool has_layers = render.scene.has_layers() || render.layers.has_layers();
     nlohmann::json document =
-        render.scene.has_layers() ? document_of_options(render, *loaded.dataset()) : default_document(render, loaded);
+        has_layers ? document_of_options(render, *loaded.dataset()) : default_document(render, loaded);
+    render.layers.apply(document["layers"]);
     color_layers(render, document["layers"]);
     document["background"] = render.background.value_or("dark");
     return document;
@@ -125,6 +130,7 @@ int run_command(const RenderCommand& render) {
     const auto loaded = load_dataset(render.scene.dataset);
     const scene::Scene scene = parse_scene(document_of(render, *loaded));
     const auto geometry = make_geometry(scene, loaded, decider_named(render.scene.decider));
+    for (const std::string& remark : geometry->remarks) std::cerr << "ciel: " << remark << '\n';
     render::Image image;
     render::Renderer renderer(backend);
     renderer.draw(
@@ -144,6 +150,7 @@ void add_render(CLI::App& app, Run& run) {
     CLI::App* command = app.add_subcommand("render", "Draw a still picture of a dataset.");
     auto render = std::make_shared<RenderCommand>();
     render->scene.add_to(*command);
+    render->layers.add_to(*command);
     command
         ->add_option("--scene", render->scene_file,
                      "A scene document; without it and without layers, the default view.")

@@ -1,5 +1,6 @@
 #include "methods/base64.hpp"
 #include "methods/scene_source.hpp"
+#include "session/clip.hpp"
 #include "wire/joined_surface.hpp"
 
 #include <algorithm>
@@ -7,6 +8,25 @@
 
 namespace ciel::methods {
 namespace {
+
+// What the picture shows of a drawable: its own surface where no plane cuts it.
+struct Part {
+    ClippedSurface cut;
+    bool is_cut = false;
+    const Surface* whole = nullptr;
+    std::vector<wire::NamedValues> values;
+
+    [[nodiscard]] const Surface& surface() const { return is_cut ? cut.surface : *whole; }
+};
+
+Part part_of(const session::Geometry& geometry, const session::Drawable& drawable) {
+    Part part;
+    part.whole = &drawable.shape->surface;
+    part.is_cut = !geometry.clip.empty();
+    if (part.is_cut) part.cut = session::clipped(geometry, drawable);
+    if (drawable.scalars) part.values.push_back({drawable.array, part.is_cut ? part.cut.values : *drawable.scalars});
+    return part;
+}
 
 // The layer's iso-values as one surface, one after the other. Throws LimitReached before there is more than a file may
 // have.
@@ -16,19 +36,24 @@ wire::JoinedSurface joined(const Context& context, const session::Geometry& geom
     std::uint64_t bytes = 0;
     wire::JoinedSurface result;
     for (const session::Drawable& drawable : geometry.drawables) {
-        if (drawable.layer != layer) continue;
+        if (drawable.layer != layer || !drawable.polygons()) continue;
         context.check_wanted();
-        std::vector<wire::NamedValues> values;
-        if (drawable.scalars) values.push_back({drawable.array, *drawable.scalars});
+        const Part part = part_of(geometry, drawable);
         wire::JoinedSurface one;
-        one.add(drawable.shape->surface, values);
+        one.add(part.surface(), part.values);
         bytes += wire::body_bytes(format, {one.surface(), geometry.origin, one.values(), triangles});
         if (bytes > limit)
             throw session::LimitReached("the file would have more than the " + std::to_string(limit >> 20) +
                                         " MB that an export may have; use `ciel extract`");
-        result.add(drawable.shape->surface, values);
+        result.add(part.surface(), part.values);
     }
     return result;
+}
+
+bool has_polygons(const scene::Layer& layer) {
+    return std::holds_alternative<scene::IsoLayer>(layer.kind) ||
+           std::holds_alternative<scene::SliceLayer>(layer.kind) ||
+           std::holds_alternative<scene::SurfaceLayer>(layer.kind);
 }
 
 struct File {
@@ -67,8 +92,9 @@ protocol::SurfaceExportResult surface_export(Context& context, const protocol::S
         std::find_if(layers.begin(), layers.end(), [&](const auto& one) { return one.id == params.layer; });
     if (layer == layers.end()) throw session::NotFound("the scene has no layer " + params.layer);
     if (!layer->visible) throw InvalidParams("/layer", "layer " + params.layer + " is not visible; show it first");
-    if (std::holds_alternative<scene::OutlineLayer>(layer->kind))
-        throw InvalidParams("/layer", "layer " + params.layer + " is an outline and has no polygons");
+    if (!has_polygons(*layer))
+        throw InvalidParams("/layer", "layer " + params.layer +
+                                          " has no polygons; iso-surfaces, slices and surfaces can be exported");
 
     const File file = file_of(context, source, params);
     context.check_wanted();

@@ -60,6 +60,7 @@ namespace ciel::render {
     X(Uniform1i, PFNGLUNIFORM1IPROC)                                                                                   \
     X(Uniform2f, PFNGLUNIFORM2FPROC)                                                                                   \
     X(Uniform3f, PFNGLUNIFORM3FPROC)                                                                                   \
+    X(Uniform4fv, PFNGLUNIFORM4FVPROC)                                                                                 \
     X(UniformMatrix4fv, PFNGLUNIFORMMATRIX4FVPROC)                                                                     \
     X(UseProgram, PFNGLUSEPROGRAMPROC)                                                                                 \
     X(VertexAttrib1f, PFNGLVERTEXATTRIB1FPROC)                                                                         \

@@ -24,7 +24,7 @@ void check_mesh(const Mesh& mesh) {
     Index largest = 0;
     for (const Index vertex : mesh.indices) largest = std::max(largest, vertex);
     if ((!mesh.normals.empty() && mesh.normals.size() != vertices) ||
-        (!mesh.scalars.empty() && mesh.scalars.size() != vertices) || mesh.indices.size() % (mesh.lines ? 2 : 3) != 0 ||
+        (!mesh.scalars.empty() && mesh.scalars.size() != vertices) || mesh.indices.size() % corners_of(mesh) != 0 ||
         (!mesh.indices.empty() && largest >= vertices)) {
         throw Error("a mesh to draw has arrays that do not fit together: " + std::to_string(vertices) + " vertices, " +
                     std::to_string(mesh.normals.size()) + " normals, " + std::to_string(mesh.scalars.size()) +
@@ -62,7 +62,7 @@ void MeshBuffers::load(const Mesh& mesh, bool may_keep) {
         upload(indices_, GL_ELEMENT_ARRAY_BUFFER, mesh.indices.size_bytes(), mesh.indices.data());
         identity_ = mesh.identity;
         revision_ = mesh.revision;
-        primitive_ = mesh.lines ? GL_LINES : GL_TRIANGLES;
+        primitive_ = mesh.points ? GL_POINTS : mesh.lines ? GL_LINES : GL_TRIANGLES;
         count_ = static_cast<GLsizei>(mesh.indices.size());
     }
     const auto range = normalisation(mesh.range);

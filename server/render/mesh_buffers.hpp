@@ -12,6 +12,8 @@ namespace ciel::render {
 [[nodiscard]] std::array<float, 2> normalisation(const std::array<float, 2>& range);
 // Row in the texture of colour maps, or 255 for solid meshes.
 [[nodiscard]] float color_map_row(const Mesh& mesh);
+// Indices of one primitive.
+[[nodiscard]] inline std::size_t corners_of(const Mesh& mesh) { return mesh.points ? 1 : mesh.lines ? 2 : 3; }
 // Throws Error when the mesh's arrays do not fit together: the GL would read past their ends.
 void check_mesh(const Mesh& mesh);
 

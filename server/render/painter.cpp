@@ -30,7 +30,17 @@ std::string text_of(const Gl& gl, GLenum name) {
     return text != nullptr ? reinterpret_cast<const char*>(text) : "";
 }
 
-bool is_transparent(const Mesh& mesh) { return !mesh.lines && mesh.color[3] < 1; }
+// Pixels by which the lines and points of a frame reach over the place where they are: a surface under them goes back
+// by what it may rise over so many. More than a few would push what is steep behind what lies behind it.
+float reach_of_overlays(const Frame& frame) {
+    float reach = 1;
+    for (const Mesh& mesh : frame.meshes)
+        if (mesh.lines || mesh.points)
+            reach = std::max(reach, (mesh.points ? mesh.point_size : mesh.line_width) / 2 + 0.5F);
+    return std::min(reach, 6.0F);
+}
+
+bool is_transparent(const Mesh& mesh) { return !mesh.lines && !mesh.points && mesh.color[3] < 1; }
 
 } // namespace
 
@@ -39,26 +49,44 @@ Painter::Painter(const Gl& gl)
       is_software_(renderer_name_.find("llvmpipe") != std::string::npos ||
                    renderer_name_.find("softpipe") != std::string::npos),
       background_(make_background_program(gl_)), triangles_(make_triangle_program(gl_)), lines_(make_line_program(gl_)),
-      color_maps_(make_color_maps(gl_)), target_(gl_), transparent_(gl_) {
+      points_(make_point_program(gl_)), color_maps_(make_color_maps(gl_)), target_(gl_), transparent_(gl_) {
     gl_.GenVertexArrays(1, &no_array_);
     gl_.DepthFunc(GL_LEQUAL);
+    gl_.Enable(GL_PROGRAM_POINT_SIZE);
     gl_.BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
 }
 
 void Painter::draw(const Frame& frame, Image& image) {
     transform_ = view_transform(frame);
+    clip_planes_ = frame.clip.size();
+    if (clip_planes_ > most_clip_planes)
+        throw Error("a frame cannot be cut by more than " + std::to_string(most_clip_planes) + " clip planes");
     origin_ = frame.origin;
     width_ = height_ = 0; // nothing to pick from if this throws
     target_.begin(frame.width, frame.height, frame.samples);
     draw_background(frame);
-    draw_meshes(frame, false);
+    enable_clip_planes(true);
+    draw_meshes(frame, triangles_);
     gl_.Enable(GL_BLEND);
-    draw_meshes(frame, true);
+    draw_meshes(frame, lines_);
+    draw_meshes(frame, points_);
     draw_transparent(frame);
     gl_.Disable(GL_BLEND);
+    enable_clip_planes(false);
     target_.read_color(image);
     width_ = frame.width;
     height_ = frame.height;
+}
+
+// Not for the background: its shader has no distances to the planes.
+void Painter::enable_clip_planes(bool on) {
+    for (std::size_t i = 0; i < clip_planes_; ++i) {
+        const auto plane = static_cast<GLenum>(GL_CLIP_DISTANCE0 + i);
+        if (on)
+            gl_.Enable(plane);
+        else
+            gl_.Disable(plane);
+    }
 }
 
 void Painter::draw_background(const Frame& frame) {
@@ -87,6 +115,11 @@ void Painter::use(const Program& program, const Frame& frame) {
     gl_.UniformMatrix4fv(program.projection, 1, GL_FALSE, glm::value_ptr(projection));
     gl_.Uniform1f(program.scale, static_cast<float>(transform_.scale));
     gl_.Uniform1f(program.parallel, frame.camera.parallel ? 1.0F : 0.0F);
+    // Those that are not there let everything through: llvmpipe may go on with a plane after it was disabled.
+    std::array<std::array<float, 4>, most_clip_planes> planes{};
+    planes.fill({0, 0, 0, 1});
+    std::copy(frame.clip.begin(), frame.clip.end(), planes.begin());
+    gl_.Uniform4fv(program.clip, most_clip_planes, planes[0].data());
     gl_.Uniform1i(program.maps, 0);
     gl_.Uniform1f(program.map_rows, static_cast<float>(color_map_names().size()));
     gl_.Uniform2f(program.viewport, static_cast<float>(frame.width), static_cast<float>(frame.height));
@@ -99,20 +132,21 @@ MeshBuffers& Painter::buffers(std::size_t slot) {
     return *std::next(buffers_.begin(), static_cast<std::ptrdiff_t>(slot));
 }
 
-void Painter::draw_meshes(const Frame& frame, bool lines) {
-    const Program& program = lines ? lines_ : triangles_;
+void Painter::draw_meshes(const Frame& frame, const Program& program) {
     use(program, frame);
-    if (!lines) { // surfaces a little back, so that lines on them are not half buried
+    if (&program == &triangles_) { // surfaces a little back, so that lines on them are not half buried
         gl_.Enable(GL_POLYGON_OFFSET_FILL);
-        gl_.PolygonOffset(1, 1);
+        gl_.PolygonOffset(reach_of_overlays(frame), 1);
     }
     for (std::size_t i = 0; i < frame.meshes.size(); ++i) {
         const Mesh& mesh = frame.meshes[i];
-        if (mesh.lines != lines || is_transparent(mesh) || mesh.indices.empty()) continue;
+        const Program& own = mesh.points ? points_ : mesh.lines ? lines_ : triangles_;
+        if (&own != &program || is_transparent(mesh) || mesh.indices.empty()) continue;
         MeshBuffers& slot = buffers(i);
         // From llvmpipe buffers that are uploaded anew draw faster than kept ones.
         slot.load(mesh, !is_software_);
-        if (lines) gl_.Uniform1f(program.half_width, mesh.line_width / 2);
+        if (mesh.lines) gl_.Uniform1f(program.half_width, mesh.line_width / 2);
+        if (mesh.points) gl_.Uniform1f(program.point_size, mesh.point_size);
         slot.draw();
     }
     gl_.Disable(GL_POLYGON_OFFSET_FILL);
@@ -128,7 +162,9 @@ void Painter::draw_transparent(const Frame& frame) {
     transparent_.sort_and_upload();
     use(triangles_, frame);
     gl_.DepthMask(GL_FALSE);
+    gl_.Enable(GL_POLYGON_OFFSET_FILL); // behind the lines on them, which have left their depth
     transparent_.draw();
+    gl_.Disable(GL_POLYGON_OFFSET_FILL);
     gl_.DepthMask(GL_TRUE);
 }
 
@@ -138,7 +174,9 @@ bool Painter::pick(int x, int y, Vec3d& position) {
         target_.bind_again();
         gl_.UseProgram(triangles_.id);
         gl_.ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+        enable_clip_planes(true);
         transparent_.draw();
+        enable_clip_planes(false);
         gl_.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
         transparent_depth_drawn_ = true;
     }

@@ -23,8 +23,9 @@ public:
     [[nodiscard]] const std::string& version() const { return version_; }
 
 private:
+    void enable_clip_planes(bool on);
     void draw_background(const Frame& frame);
-    void draw_meshes(const Frame& frame, bool lines);
+    void draw_meshes(const Frame& frame, const Program& program);
     void draw_transparent(const Frame& frame);
     void use(const Program& program, const Frame& frame);
     [[nodiscard]] MeshBuffers& buffers(std::size_t slot);
@@ -32,12 +33,13 @@ private:
     Gl gl_;
     std::string renderer_name_, version_;
     bool is_software_ = false;
-    Program background_, triangles_, lines_;
+    Program background_, triangles_, lines_, points_;
     GLuint color_maps_ = 0, no_array_ = 0;
     Target target_;
     std::list<MeshBuffers> buffers_; // one per mesh of the largest frame so far
     TransparentTriangles transparent_;
     ViewTransform transform_;
+    std::size_t clip_planes_ = 0; // of the last frame
     Vec3d origin_{};
     int width_ = 0, height_ = 0;           // of the last frame, 0 before the first
     bool transparent_depth_drawn_ = false; // transparent surfaces leave no depth while they are drawn

@@ -21,14 +21,14 @@ struct Camera {
     double parallel_height = 1;
 };
 
-// Triangles or lines with per-vertex attributes; borrowed for the duration of a draw.
+// Triangles, lines or points with per-vertex attributes; borrowed for the duration of a draw.
 struct Mesh {
     std::span<const Vec3f> positions; // offsets from the frame's origin
     std::span<const Vec3f> normals;   // empty: flat shading from the triangle
     std::span<const float> scalars;   // empty: solid colour; NaN is drawn grey
-    std::span<const Index> indices;   // 3 per triangle, 2 per line
-    bool lines = false;
-    float line_width = 1.5F; // pixels
+    std::span<const Index> indices;   // 3 per triangle, 2 per line, 1 per point
+    bool lines = false, points = false;
+    float line_width = 1.5F, point_size = 4; // pixels
     std::string map = "viridis";
     std::array<float, 2> range{0, 1};
     std::array<float, 4> color{0.8F, 0.8F, 0.8F, 1}; // alpha is the opacity, also of mapped colours
@@ -43,9 +43,12 @@ struct Frame {
     Camera camera;
     Vec3d bounds_min{}, bounds_max{}; // for the depth range, in world coordinates
     std::array<float, 3> background_top{}, background_bottom{};
-    // Opaque triangles, then lines, then transparent triangles of all meshes sorted from the back to the front.
+    // Opaque triangles, then lines, then points, then transparent triangles of all meshes sorted from the back to the
+    // front.
     std::vector<Mesh> meshes;
     int samples = 1; // 4: multisampled, for stills
+    // At most 6: of all meshes only what has dot(xyz, position) + w >= 0 is drawn, and found by pick.
+    std::vector<std::array<float, 4>> clip;
 };
 
 // Rows from the top, RGB, 8 bits, no padding.

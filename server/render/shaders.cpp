@@ -34,21 +34,28 @@ layout(location = 5) in vec2 style;
 uniform mat4 view;
 uniform mat4 projection;
 uniform float scale;
+uniform float point_size;
+uniform vec4 clip[6]; // counts only where the painter has enabled it
+out float gl_ClipDistance[6];
 out Surface {
     vec3 place; // in the eye's axes, in units of the bounds' diagonal: derivatives of small scenes must not underflow
     vec3 normal;
     float value;
     flat vec4 color;
     flat vec2 style;
+    vec3 position; // for the lines' clip distances
 } surface;
 void main() {
     vec4 place = view * vec4(position, 1.0);
     gl_Position = projection * place;
+    for (int i = 0; i < 6; ++i) gl_ClipDistance[i] = dot(clip[i].xyz, position) + clip[i].w;
+    gl_PointSize = point_size + 1.0; // room for a soft edge; counts for points only
     surface.place = place.xyz * scale;
     surface.normal = mat3(view) * normal;
     surface.value = scalar * range.x + range.y;
     surface.color = color;
     surface.style = style;
+    surface.position = position;
 }
 )";
 
@@ -71,6 +78,7 @@ in Surface {
     float value;
     flat vec4 color;
     flat vec2 style;
+    vec3 position;
 } surface;
 out vec4 picture;
 
@@ -103,6 +111,8 @@ void main() {
 constexpr const char* line_geometry = R"(#version 330 core
 layout(lines) in;
 layout(triangle_strip, max_vertices = 4) out;
+uniform vec4 clip[6];
+out float gl_ClipDistance[6];
 uniform vec2 viewport;
 uniform float half_width;
 in Surface {
@@ -111,6 +121,7 @@ in Surface {
     float value;
     flat vec4 color;
     flat vec2 style;
+    vec3 position;
 } surface[];
 out Line {
     float value;
@@ -119,7 +130,10 @@ out Line {
     flat vec2 style;
 } line;
 
-void corner(vec4 end, float value, vec2 offset, float across) {
+// `along`: where between the two vertices.
+void corner(vec4 end, float value, float along, vec2 offset, float across) {
+    vec3 position = mix(surface[0].position, surface[1].position, along);
+    for (int i = 0; i < 6; ++i) gl_ClipDistance[i] = dot(clip[i].xyz, position) + clip[i].w;
     gl_Position = end + vec4(offset / viewport * 2.0 * end.w, 0.0, 0.0);
     line.value = value;
     line.across = across;
@@ -135,24 +149,26 @@ void main() {
     float value_b = surface[1].value;
     float in_a = a.z + a.w; // behind the nearest plane when negative: cut there, a point behind the eye has no pixel
     float in_b = b.z + b.w;
+    float from = 0.0;
+    float to = 1.0;
     if (in_a < 0.0 && in_b < 0.0) return;
     if (in_a < 0.0) {
-        float t = in_a / (in_a - in_b);
-        a = mix(a, b, t);
-        value_a = mix(value_a, value_b, t);
+        from = in_a / (in_a - in_b);
+        a = mix(a, b, from);
+        value_a = mix(value_a, value_b, from);
     } else if (in_b < 0.0) {
-        float t = in_b / (in_b - in_a);
-        b = mix(b, a, t);
-        value_b = mix(value_b, value_a, t);
+        to = in_a / (in_a - in_b);
+        b = mix(a, b, to);
+        value_b = mix(value_a, value_b, to);
     }
     vec2 along = (b.xy / b.w - a.xy / a.w) * viewport * 0.5;
     along = length(along) > 1e-6 ? normalize(along) : vec2(1.0, 0.0);
     vec2 side = vec2(-along.y, along.x) * (half_width + 0.5);
     vec2 cap = along * half_width * 0.5; // so that lines that meet leave no notch
-    corner(a, value_a, side - cap, half_width + 0.5);
-    corner(a, value_a, -side - cap, -half_width - 0.5);
-    corner(b, value_b, side + cap, half_width + 0.5);
-    corner(b, value_b, -side + cap, -half_width - 0.5);
+    corner(a, value_a, from, side - cap, half_width + 0.5);
+    corner(a, value_a, from, -side - cap, -half_width - 0.5);
+    corner(b, value_b, to, side + cap, half_width + 0.5);
+    corner(b, value_b, to, -side + cap, -half_width - 0.5);
     EndPrimitive();
 }
 )";
@@ -170,6 +186,30 @@ void main() {
     float cover = clamp(half_width + 0.5 - abs(line.across), 0.0, 1.0);
     if (cover < 0.02) discard; // else an unseen edge would still hide what is behind it
     picture = vec4(base_color(line.value, line.color.rgb, line.style.x), line.color.a * cover);
+}
+)";
+
+// A point is a disc with soft edges, shaded as the ball that it stands for.
+constexpr const char* point_fragment = R"(
+uniform float point_size;
+in Surface {
+    vec3 place;
+    vec3 normal;
+    float value;
+    flat vec4 color;
+    flat vec2 style;
+    vec3 position;
+} surface;
+out vec4 picture;
+void main() {
+    vec2 from_center = (gl_PointCoord - 0.5) * (point_size + 1.0);
+    float radius = length(from_center);
+    float cover = clamp(point_size * 0.5 + 0.5 - radius, 0.0, 1.0);
+    if (cover < 0.02) discard;
+    vec3 base = base_color(surface.value, surface.color.rgb, surface.style.x);
+    vec2 side = from_center / (point_size * 0.5 + 0.5);
+    base *= 0.55 + 0.45 * sqrt(max(1.0 - dot(side, side), 0.0));
+    picture = vec4(base, surface.color.a * cover);
 }
 )";
 
@@ -209,6 +249,8 @@ Program link(const Gl& gl, const std::vector<Stage>& stages) {
     program.parallel = uniform("parallel");
     program.maps = uniform("maps");
     program.map_rows = uniform("map_rows");
+    program.clip = uniform("clip");
+    program.point_size = uniform("point_size");
     program.viewport = uniform("viewport");
     program.half_width = uniform("half_width");
     program.top = uniform("top");
@@ -227,6 +269,10 @@ Program make_background_program(const Gl& gl) {
 
 Program make_triangle_program(const Gl& gl) {
     return link(gl, {{GL_VERTEX_SHADER, surface_vertex}, {GL_FRAGMENT_SHADER, with_color_map(triangle_fragment)}});
+}
+
+Program make_point_program(const Gl& gl) {
+    return link(gl, {{GL_VERTEX_SHADER, surface_vertex}, {GL_FRAGMENT_SHADER, with_color_map(point_fragment)}});
 }
 
 Program make_line_program(const Gl& gl) {

@@ -1,4 +1,4 @@
-// The three programs: background, triangles, lines.
+// The four programs: background, triangles, lines, points.
 #pragma once
 
 #include "render/gl.hpp"
@@ -16,9 +16,13 @@ enum Attribute : GLuint {
     attribute_style = 5, // (row of the colour map's texture, or 255 for solid; 1 when lit)
 };
 
+inline constexpr std::size_t most_clip_planes = 6;
+
 struct Program {
     GLuint id = 0;
     GLint view = -1, projection = -1, scale = -1, parallel = -1, maps = -1, map_rows = -1; // triangles and lines
+    GLint clip = -1;                                                                       // triangles and lines
+    GLint point_size = -1;                                                                 // points
     GLint viewport = -1, half_width = -1;                                                  // lines
     GLint top = -1, bottom = -1, height = -1;                                              // background
 };
@@ -27,5 +31,6 @@ struct Program {
 [[nodiscard]] Program make_background_program(const Gl& gl);
 [[nodiscard]] Program make_triangle_program(const Gl& gl);
 [[nodiscard]] Program make_line_program(const Gl& gl);
+[[nodiscard]] Program make_point_program(const Gl& gl);
 
 } // namespace ciel::render

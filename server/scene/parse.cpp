@@ -40,19 +40,56 @@ Camera camera_of(const json& object) {
     return camera;
 }
 
+// `name` of `object`, a range or null.
+std::optional<std::array<double, 2>> range_of(const json& object, const char* name, const std::string& path) {
+    const auto member = object.find(name);
+    if (member == object.end() || member->is_null()) return {};
+    const auto range = member->get<std::array<double, 2>>();
+    if (range[0] > range[1]) throw Invalid(path + "/" + name, "a range is [minimum, maximum]");
+    return range;
+}
+
 Coloring coloring_of(const json& layer, const std::string& path) {
     Coloring coloring;
     const auto color = layer.find("color");
     if (color == layer.end()) return coloring;
     read(*color, "array", coloring.array);
     read(*color, "map", coloring.map);
-    if (const auto range = color->find("range"); range != color->end() && !range->is_null()) {
-        coloring.range = range->get<std::array<double, 2>>();
-        if ((*coloring.range)[0] > (*coloring.range)[1])
-            throw Invalid(path + "/color/range", "a range is [minimum, maximum]");
-    }
+    coloring.range = range_of(*color, "range", path + "/color");
     if (const auto solid = color->find("solid"); solid != color->end()) coloring.solid = color_of(*solid);
     return coloring;
+}
+
+void read_lines(const json& object, LineStyle& style) {
+    if (const auto color = object.find("color"); color != object.end()) style.color = color_of(*color);
+    read(object, "width", style.width);
+}
+
+bool is_shown(const json& layer, const char* name) {
+    const auto member = layer.find(name);
+    return member != layer.end() && member->value("visible", true);
+}
+
+std::optional<LineStyle> edges_of(const json& layer) {
+    if (!is_shown(layer, "edges")) return {};
+    LineStyle style;
+    read_lines(layer["edges"], style);
+    return style;
+}
+
+std::optional<Contours> contours_of(const json& layer, const std::string& path) {
+    if (!is_shown(layer, "contours")) return {};
+    const json& object = layer["contours"];
+    if (object.contains("values") && (object.contains("count") || object.contains("range")))
+        throw Invalid(path + "/contours", "contours have either values, or count and range");
+    Contours contours;
+    read(object, "array", contours.array);
+    read(object, "values", contours.values);
+    if (object.contains("values")) contours.count = 0;
+    read(object, "count", contours.count);
+    contours.range = range_of(object, "range", path + "/contours");
+    read_lines(object, contours.line);
+    return contours;
 }
 
 IsoLayer iso_of(const json& object, const std::string& path) {
@@ -61,37 +98,101 @@ IsoLayer iso_of(const json& object, const std::string& path) {
     read(object, "values", iso.values);
     read(object, "smooth", iso.smooth);
     iso.color = coloring_of(object, path);
+    iso.edges = edges_of(object);
     return iso;
 }
 
-SliceLayer slice_of(const json& object, const std::string& path) {
-    SliceLayer slice;
-    slice.color = coloring_of(object, path);
+struct Plane {
+    Point origin{}, normal{};
+};
+
+// `what` it is of: "slice".
+Plane plane_of(const json& object, const std::string& path, const std::string& what) {
+    Plane plane;
     const bool by_axis = object.contains("axis") && object.contains("value");
     const bool by_plane = object.contains("origin") && object.contains("normal");
     const bool mixed = object.contains("axis") || object.contains("value")
                            ? object.contains("origin") || object.contains("normal")
                            : false;
-    if (by_axis == by_plane || mixed) throw Invalid(path, "a slice has either axis and value, or origin and normal");
+    if (by_axis == by_plane || mixed)
+        throw Invalid(path, "a " + what + " has either axis and value, or origin and normal");
     if (by_axis) {
         const auto axis = static_cast<std::size_t>(object["axis"].get_ref<const std::string&>()[0] - 'x');
-        slice.normal = {};
-        slice.normal[axis] = 1;
-        slice.origin[axis] = object["value"].get<double>();
-        return slice;
+        plane.normal[axis] = 1;
+        plane.origin[axis] = object["value"].get<double>();
+        return plane;
     }
-    read(object, "origin", slice.origin);
-    read(object, "normal", slice.normal);
-    const double length = std::hypot(slice.normal[0], slice.normal[1], slice.normal[2]);
-    if (!(length > 0) || !std::isfinite(length)) throw Invalid(path + "/normal", "a slice's normal must not be zero");
-    for (double& component : slice.normal) component /= length;
+    read(object, "origin", plane.origin);
+    read(object, "normal", plane.normal);
+    const double length = std::hypot(plane.normal[0], plane.normal[1], plane.normal[2]);
+    if (!(length > 0) || !std::isfinite(length))
+        throw Invalid(path + "/normal", "a " + what + "'s normal must not be zero");
+    for (double& component : plane.normal) component /= length;
+    return plane;
+}
+
+SliceLayer slice_of(const json& object, const std::string& path) {
+    SliceLayer slice;
+    slice.color = coloring_of(object, path);
+    slice.contours = contours_of(object, path);
+    slice.edges = edges_of(object);
+    const Plane plane = plane_of(object, path, "slice");
+    slice.origin = plane.origin;
+    slice.normal = plane.normal;
     return slice;
+}
+
+ClipLayer clip_of(const json& object, const std::string& path) {
+    ClipLayer clip;
+    const Plane plane = plane_of(object, path, "clip");
+    clip.origin = plane.origin;
+    clip.normal = plane.normal;
+    if (object.value("invert", false))
+        for (double& component : clip.normal) component = -component;
+    read(object, "caps", clip.caps);
+    return clip;
+}
+
+std::optional<Threshold> threshold_of(const json& layer, const std::string& path) {
+    const auto member = layer.find("threshold");
+    if (member == layer.end() || !member->value("enabled", true)) return {};
+    Threshold threshold;
+    read(*member, "array", threshold.array);
+    threshold.range = *range_of(*member, "range", path + "/threshold");
+    threshold.any = member->value("keep", "all") == "any";
+    return threshold;
+}
+
+EdgesLayer edges_layer_of(const json& object, const std::string& path) {
+    EdgesLayer edges;
+    read(object, "groups", edges.groups);
+    edges.threshold = threshold_of(object, path);
+    if (object.contains("angle")) edges.angle = object["angle"].get<double>();
+    read(object, "width", edges.width);
+    edges.color = coloring_of(object, path);
+    return edges;
+}
+
+PointsLayer points_of(const json& object, const std::string& path) {
+    PointsLayer points;
+    points.all = object.value("of", "boundary") == "all";
+    read(object, "groups", points.groups);
+    if (points.all && !points.groups.empty())
+        throw Invalid(path + "/groups",
+                      "patches have points of the boundary only; leave out groups or \"of\": \"all\"");
+    points.threshold = threshold_of(object, path);
+    read(object, "size", points.size);
+    read(object, "most", points.most);
+    points.color = coloring_of(object, path);
+    return points;
 }
 
 SurfaceLayer surface_of(const json& object, const std::string& path) {
     SurfaceLayer surface;
     read(object, "groups", surface.groups);
     surface.color = coloring_of(object, path);
+    surface.threshold = threshold_of(object, path);
+    surface.edges = edges_of(object);
     return surface;
 }
 
@@ -103,6 +204,9 @@ const std::map<std::string, Kind (*)(const json&, const std::string&)> kinds{
     {"slice", [](const json& o, const std::string& p) -> Kind { return slice_of(o, p); }},
     {"surface", [](const json& o, const std::string& p) -> Kind { return surface_of(o, p); }},
     {"outline", [](const json& o, const std::string& p) -> Kind { return outline_of(o, p); }},
+    {"edges", [](const json& o, const std::string& p) -> Kind { return edges_layer_of(o, p); }},
+    {"points", [](const json& o, const std::string& p) -> Kind { return points_of(o, p); }},
+    {"clip", [](const json& o, const std::string& p) -> Kind { return clip_of(o, p); }},
 };
 
 Layer layer_of(const std::string& id, const json& object) {
@@ -113,6 +217,14 @@ Layer layer_of(const std::string& id, const json& object) {
     read(object, "opacity", layer.opacity);
     layer.kind = kinds.at(object["type"])(object, pointer_step("/layers", id));
     return layer;
+}
+
+void check_clip_planes(const std::vector<Layer>& layers) {
+    std::size_t planes = 0;
+    for (const Layer& layer : layers)
+        if (layer.visible && std::holds_alternative<ClipLayer>(layer.kind) && ++planes > most_clip_planes)
+            throw Invalid(pointer_step("/layers", layer.id), "at most " + std::to_string(most_clip_planes) +
+                                                                 " clip planes can cut at a time; hide or remove one");
 }
 
 } // namespace
@@ -134,6 +246,7 @@ Scene parse(const json& document) {
         for (const auto& [id, layer] : layers->items()) scene.layers.push_back(layer_of(id, layer));
     std::sort(scene.layers.begin(), scene.layers.end(),
               [](const Layer& a, const Layer& b) { return std::tie(a.order, a.id) < std::tie(b.order, b.id); });
+    check_clip_planes(scene.layers);
     return scene;
 }
 

@@ -27,22 +27,67 @@ struct Coloring { // by a scalar through a map, or solid when `array` is empty
     std::array<float, 3> solid{0.8F, 0.8F, 0.8F};
 };
 
+struct LineStyle { // of polygon edges and the like: one colour, a width in pixels
+    std::array<float, 3> color{0x1a / 255.0F, 0x1a / 255.0F, 0x1a / 255.0F};
+    float width = 1;
+};
+
+struct Contours { // where an array takes values on a slice
+    std::string array;
+    std::vector<double> values;
+    int count = 10; // of values evenly inside the range; 0 where `values` says it
+    std::optional<std::array<double, 2>> range;
+    LineStyle line{{0x1a / 255.0F, 0x1a / 255.0F, 0x1a / 255.0F}, 1.5F};
+};
+
 struct IsoLayer {
     std::string array;
     std::vector<double> values;
     Coloring color;
     bool smooth = true; // normals from the field's gradient
+    std::optional<LineStyle> edges;
 };
 struct SliceLayer {
     std::array<double, 3> origin{}, normal{1, 0, 0};
     Coloring color;
+    std::optional<Contours> contours;
+    std::optional<LineStyle> edges;
+};
+struct Threshold { // cells whose values lie in a range
+    std::string array;
+    std::array<double, 2> range{};
+    bool any = false; // of a cell's vertices; else all
 };
 struct SurfaceLayer { // boundary faces; all of them when `groups` is empty
     std::vector<std::string> groups;
     Coloring color;
+    std::optional<Threshold> threshold;
+    std::optional<LineStyle> edges;
 };
 struct OutlineLayer { // the bounding box
     Coloring color;   // its solid colour
+};
+
+struct ClipLayer {                                   // a plane that cuts all layers
+    std::array<double, 3> origin{}, normal{1, 0, 0}; // the normal points to what is cut away
+    bool caps = true;                                // where it cuts the mesh's surface layers open
+};
+inline constexpr std::size_t most_clip_planes = 6; // visible ones: what every OpenGL has at least, less two
+
+struct EdgesLayer { // of the boundary's faces
+    std::vector<std::string> groups;
+    std::optional<Threshold> threshold;
+    std::optional<double> angle; // degrees: only where the boundary bends by more
+    float width = 1.5F;
+    Coloring color;
+};
+struct PointsLayer {  // the mesh's vertices
+    bool all = false; // else those of the boundary's faces
+    std::vector<std::string> groups;
+    std::optional<Threshold> threshold;
+    float size = 4;
+    std::size_t most = 1'000'000;
+    Coloring color;
 };
 
 struct Layer {
@@ -50,7 +95,7 @@ struct Layer {
     double order = 0;
     bool visible = true;
     float opacity = 1;
-    std::variant<IsoLayer, SliceLayer, SurfaceLayer, OutlineLayer> kind;
+    std::variant<IsoLayer, SliceLayer, SurfaceLayer, OutlineLayer, ClipLayer, EdgesLayer, PointsLayer> kind;
 };
 
 struct Scene {

@@ -1,5 +1,6 @@
 #include "session/batches.hpp"
 
+#include "session/clip.hpp"
 #include "session/frame_workers.hpp"
 #include "wire/geometry_batch.hpp"
 
@@ -9,13 +10,25 @@ namespace ciel::session {
 
 std::vector<std::vector<std::uint8_t>> geometry_messages(wire::FrameHeader& header, const Geometry& geometry) {
     const auto started = Clock::now();
+    const auto planes = shader_planes(geometry);
     std::vector<wire::GeometryMesh> meshes;
     for (const Drawable& drawable : geometry.drawables) {
         const Surface& surface = drawable.shape->surface;
-        meshes.push_back({drawable.layer, surface.positions, surface.normals,
-                          drawable.scalars ? std::span<const float>(*drawable.scalars) : std::span<const float>(),
-                          drawable.shape->indices, drawable.shape->lines, drawable.map, drawable.range, drawable.color,
-                          drawable.lit});
+        wire::GeometryMesh mesh;
+        mesh.layer = drawable.layer;
+        mesh.positions = surface.positions;
+        if (drawable.polygons()) mesh.normals = surface.normals;
+        if (drawable.scalars) mesh.scalars = *drawable.scalars;
+        mesh.indices = drawable.indices();
+        mesh.lines = drawable.lines();
+        mesh.points = drawable.points();
+        mesh.line_width = drawable.line_width;
+        mesh.map = drawable.map;
+        mesh.range = drawable.range;
+        mesh.color = drawable.color;
+        mesh.lit = drawable.lit;
+        mesh.clip = planes;
+        meshes.push_back(std::move(mesh));
     }
     auto messages = wire::encode_geometry(meshes, geometry.origin);
     header.encode_ms = std::chrono::duration<float, std::milli>(Clock::now() - started).count();
@@ -33,10 +46,10 @@ std::vector<std::vector<std::uint8_t>> geometry_messages(wire::FrameHeader& head
 }
 
 ContentKey content_of(const Geometry& geometry) {
-    nlohmann::json key = nlohmann::json::array({geometry.time, geometry.origin});
+    nlohmann::json key = nlohmann::json::array({geometry.time, geometry.origin, shader_planes(geometry)});
     for (const Drawable& drawable : geometry.drawables)
-        key.push_back(
-            {drawable.layer, drawable.identity, drawable.revision, drawable.map, drawable.range, drawable.color});
+        key.push_back({drawable.layer, drawable.identity, drawable.revision, drawable.map, drawable.range,
+                       drawable.color, drawable.line_width});
     return key.dump();
 }
 

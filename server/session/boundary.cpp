@@ -1,3 +1,6 @@
+#include "ciel/feature_edges.hpp"
+#include "ciel/polygon_edges.hpp"
+#include "ciel/threshold_surface.hpp"
 #include "session/cut.hpp"
 
 #include <algorithm>
@@ -6,51 +9,76 @@
 namespace ciel::session {
 namespace {
 
-constexpr Index polygons_per_chunk = 4096;
-
-std::vector<Index> boundary_faces(const store::Dataset& dataset, const store::Step& step,
-                                  const std::vector<std::string>& names) {
-    std::vector<Index> faces;
+std::vector<CellFace> boundary_faces(const store::Dataset& dataset, const store::Step& step,
+                                     const std::vector<std::string>& names, std::span<const std::uint8_t> kept) {
     const FaceMeshView mesh = dataset.mesh(step.mesh, step.coordinates);
+    std::vector<CellFace> faces;
     if (names.empty()) {
+        if (!kept.empty()) return threshold_faces(mesh, kept);
         for (Index face = 0; face < mesh.face_count(); ++face)
-            if (mesh.neighbour[face] == none) faces.push_back(face);
+            if (mesh.neighbour[face] == none) faces.push_back({face, mesh.owner[face]});
         return faces;
     }
+    std::vector<Index> ids;
     for (const store::Group& group : dataset.groups(step.mesh))
         if (group.of == store::Group::Of::faces && std::find(names.begin(), names.end(), group.name) != names.end())
-            faces.insert(faces.end(), group.ids.begin(), group.ids.end());
-    std::sort(faces.begin(), faces.end());
-    faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+            ids.insert(ids.end(), group.ids.begin(), group.ids.end());
+    std::sort(ids.begin(), ids.end());
+    ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+    for (const Index face : ids)
+        if (kept.empty() || kept[mesh.owner[face]] != 0) faces.push_back({face, mesh.owner[face]});
     return faces;
 }
 
 } // namespace
 
-std::shared_ptr<const Shape> boundary_shape(const store::Dataset& dataset, const store::Step& step,
-                                            const std::vector<std::string>& groups) {
-    const FaceMeshView mesh = dataset.mesh(step.mesh, step.coordinates);
+Surface boundary_surface(const store::Dataset& dataset, const store::Step& step, const std::vector<std::string>& groups,
+                         std::span<const std::uint8_t> kept) {
+    return face_surface(dataset.mesh(step.mesh, step.coordinates), boundary_faces(dataset, step, groups, kept));
+}
+
+std::shared_ptr<const Shape> triangles_shape(Surface&& surface) {
     auto shape = std::make_shared<Shape>();
-    Surface& surface = shape->surface;
-    std::vector<Index> local(mesh.vertex_count(), none);
-    for (const Index face : boundary_faces(dataset, step, groups)) {
-        for (const Index vertex : mesh.loop(face)) {
-            if (local[vertex] == none) {
-                local[vertex] = static_cast<Index>(surface.positions.size());
-                const float* at = &mesh.positions[std::size_t{3} * vertex];
-                surface.positions.push_back({at[0], at[1], at[2]});
-                surface.points.push_back({vertex, vertex, 0});
-            }
-            surface.polygon_vertex.push_back(local[vertex]);
-        }
-        surface.polygon_offset.push_back(static_cast<Index>(surface.polygon_vertex.size()));
-        surface.polygon_cell.push_back(mesh.owner[face]);
-    }
-    const auto polygons = static_cast<Index>(surface.polygon_cell.size());
-    for (Index begin = 0; begin < polygons; begin += polygons_per_chunk)
-        surface.chunks.push_back({begin / polygons_per_chunk, begin, std::min(begin + polygons_per_chunk, polygons)});
-    shape->indices = triangulate(surface);
+    shape->surface = std::move(surface);
+    shape->indices = triangulate(shape->surface);
     return shape;
+}
+
+std::shared_ptr<const Shape> edges_shape(Surface&& boundary, std::optional<double> angle) {
+    auto shape = std::make_shared<Shape>();
+    shape->lines = true;
+    shape->indices = angle ? feature_edges(boundary, *angle) : polygon_edges(boundary);
+    shape->surface.positions = std::move(boundary.positions);
+    shape->surface.points = std::move(boundary.points);
+    return shape;
+}
+
+std::shared_ptr<const Shape> points_shape(const Surface& boundary, std::size_t thinned) {
+    auto shape = std::make_shared<Shape>();
+    shape->points = true;
+    for (std::size_t i = 0; i < boundary.positions.size(); i += thinned) {
+        shape->indices.push_back(static_cast<Index>(shape->surface.positions.size()));
+        shape->surface.positions.push_back(boundary.positions[i]);
+        shape->surface.points.push_back(boundary.points[i]);
+    }
+    return shape;
+}
+
+Surface cell_vertices(const FaceMeshView& mesh, std::span<const std::uint8_t> kept) {
+    std::vector<std::uint8_t> used(mesh.vertex_count());
+    for (Index face = 0; face < mesh.face_count(); ++face) {
+        const Index neighbour = mesh.neighbour[face];
+        if (!kept.empty() && kept[mesh.owner[face]] == 0 && (neighbour == none || kept[neighbour] == 0)) continue;
+        for (const Index vertex : mesh.loop(face)) used[vertex] = 1;
+    }
+    Surface out;
+    for (Index vertex = 0; vertex < used.size(); ++vertex) {
+        if (used[vertex] == 0) continue;
+        const float* at = &mesh.positions[std::size_t{3} * vertex];
+        out.positions.push_back({at[0], at[1], at[2]});
+        out.points.push_back({vertex, vertex, 0});
+    }
+    return out;
 }
 
 std::shared_ptr<const Shape> outline_shape(Vec3d minimum, Vec3d maximum, Vec3d origin) {

@@ -34,11 +34,21 @@ struct Check {
         scalar(iso.array, "/array");
         coloring(iso.color);
     }
-    void operator()(const scene::SliceLayer& slice) const { coloring(slice.color); }
+    void operator()(const scene::SliceLayer& slice) const {
+        coloring(slice.color);
+        if (slice.contours) scalar(slice.contours->array, "/contours/array");
+    }
+    void operator()(const scene::ClipLayer&) const {}
     void operator()(const scene::OutlineLayer& outline) const { coloring(outline.color); }
-    void operator()(const scene::SurfaceLayer& surface) const {
-        coloring(surface.color);
-        for (std::size_t i = 0; i < surface.groups.size(); ++i) patch(surface.groups[i], i);
+    void operator()(const scene::SurfaceLayer& surface) const { solid(surface); }
+    void operator()(const scene::EdgesLayer& edges) const { solid(edges); }
+    void operator()(const scene::PointsLayer& points) const { solid(points); }
+
+    template <class Kind>
+    void solid(const Kind& layer) const {
+        coloring(layer.color);
+        if (layer.threshold) scalar(layer.threshold->array, "/threshold/array");
+        for (std::size_t i = 0; i < layer.groups.size(); ++i) patch(layer.groups[i], i);
     }
 
     void patch(const std::string& name, std::size_t index) const {

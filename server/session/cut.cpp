@@ -1,6 +1,10 @@
 #include "session/cut.hpp"
 
+#include "ciel/contour_lines.hpp"
+#include "ciel/polygon_edges.hpp"
+
 #include <atomic>
+#include <numeric>
 
 namespace ciel::session {
 namespace {
@@ -36,6 +40,34 @@ void Painted::paint(const std::shared_ptr<const Shape>& new_shape, const std::st
     revision = unique_number();
 }
 
+void Outlined::follow(const std::shared_ptr<const Shape>& new_shape) {
+    if (edges && shape == new_shape) return;
+    shape = new_shape;
+    edges = std::make_shared<const std::vector<Index>>(polygon_edges(shape->surface));
+    revision = unique_number();
+}
+
+void Contoured::follow(const std::shared_ptr<const Shape>& shape, const std::string& new_array, std::size_t new_step,
+                       const std::vector<double>& new_values, store::LoadedDataset& loaded) {
+    if (lines && of == shape && array == new_array && step == new_step && values == new_values) return;
+    const auto& points = shape->surface.points;
+    std::vector<float> at_points(points.size());
+    interpolate(points, *loaded.scalar_values(new_array, new_step), 1, at_points);
+    auto made = std::make_shared<Shape>();
+    made->lines = true;
+    made->surface.positions = contour_lines(shape->surface, at_points, new_values);
+    made->indices.resize(made->surface.positions.size());
+    std::iota(made->indices.begin(), made->indices.end(), Index{0});
+    of = shape;
+    array = new_array;
+    step = new_step;
+    values = new_values;
+    lines = std::move(made);
+    revision = unique_number();
+}
+
+std::size_t Contoured::memory_bytes() const { return lines ? bytes_of(*lines) : 0; }
+
 void Cut::use_field(const std::string& name, store::ScalarField new_field, Extraction extraction) {
     const bool same_topology = query && new_field.topology == field.topology;
     shape = nullptr;
@@ -66,9 +98,13 @@ bool Cut::extract(double new_nu, bool new_normals, const std::stop_token& stop) 
 }
 
 std::size_t Cut::memory_bytes() const {
-    return (query ? query->memory_bytes() : 0) + (shape ? bytes_of(*shape) : 0) + painted.memory_bytes();
+    return (query ? query->memory_bytes() : 0) + (shape ? bytes_of(*shape) : 0) + painted.memory_bytes() +
+           outlined.memory_bytes() + contoured.memory_bytes();
 }
 
-std::size_t Boundary::memory_bytes() const { return (shape ? bytes_of(*shape) : 0) + painted.memory_bytes(); }
+std::size_t Boundary::memory_bytes() const {
+    const bool own = shape && shape != of; // a whole cap is counted with its cut
+    return (own ? bytes_of(*shape) : 0) + painted.memory_bytes() + outlined.memory_bytes() + cells.size();
+}
 
 } // namespace ciel::session

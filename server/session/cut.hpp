@@ -22,6 +22,31 @@ struct Painted {
                store::LoadedDataset& loaded);
 };
 
+// The edges of one shape's polygons, found again only when it changes.
+struct Outlined {
+    std::shared_ptr<const Shape> shape;
+    std::shared_ptr<const std::vector<Index>> edges;
+    std::uint64_t identity = unique_number(), revision = 0;
+
+    [[nodiscard]] std::size_t memory_bytes() const { return edges ? edges->size() * sizeof(Index) : 0; }
+    void follow(const std::shared_ptr<const Shape>& new_shape);
+    void forget() { *this = {}; } // nobody looks at them
+};
+
+// Contour lines of one shape, found again only when the shape, the array, its step or the values change.
+struct Contoured {
+    std::shared_ptr<const Shape> of, lines;
+    std::string array;
+    std::size_t step = 0;
+    std::vector<double> values;
+    std::uint64_t identity = unique_number(), revision = 0;
+
+    [[nodiscard]] std::size_t memory_bytes() const;
+    void follow(const std::shared_ptr<const Shape>& shape, const std::string& new_array, std::size_t new_step,
+                const std::vector<double>& new_values, store::LoadedDataset& loaded);
+    void forget() { *this = {}; } // nobody looks at them
+};
+
 // One nu of one field. `field` is declared before `query`, which reads it until it is destroyed.
 struct Cut {
     store::ScalarField field;
@@ -31,6 +56,8 @@ struct Cut {
     bool normals = false;
     std::shared_ptr<const Shape> shape;
     Painted painted;
+    Outlined outlined;
+    Contoured contoured;
 
     void use_field(const std::string& name, store::ScalarField new_field, Extraction extraction);
     // False when stopped; the shape is then made anew by the next call.
@@ -41,13 +68,24 @@ struct Cut {
 struct Boundary {
     std::string key; // what it was made from
     std::shared_ptr<const Shape> shape;
+    std::shared_ptr<const Shape> of;     // the whole cap that `shape` is a part of
+    std::vector<std::uint8_t> cells;     // flags of those that a threshold keeps; empty: no threshold
+    std::size_t thinned = 1, points = 0; // points: every so manyth of so many is in the shape
     Painted painted;
+    Outlined outlined;
 
     [[nodiscard]] std::size_t memory_bytes() const;
 };
 
-[[nodiscard]] std::shared_ptr<const Shape> boundary_shape(const store::Dataset& dataset, const store::Step& step,
-                                                          const std::vector<std::string>& groups);
+// The faces of the patches, or of all cells or those kept; `kept` has a flag per cell or is empty.
+[[nodiscard]] Surface boundary_surface(const store::Dataset& dataset, const store::Step& step,
+                                       const std::vector<std::string>& groups, std::span<const std::uint8_t> kept);
+[[nodiscard]] std::shared_ptr<const Shape> triangles_shape(Surface&& surface);
+// The edges of a boundary as lines: all, or those where it bends by more than `angle` degrees.
+[[nodiscard]] std::shared_ptr<const Shape> edges_shape(Surface&& boundary, std::optional<double> angle);
+// Its vertices, or those of all kept cells.
+[[nodiscard]] std::shared_ptr<const Shape> points_shape(const Surface& boundary, std::size_t thinned);
+[[nodiscard]] Surface cell_vertices(const FaceMeshView& mesh, std::span<const std::uint8_t> kept);
 [[nodiscard]] std::shared_ptr<const Shape> outline_shape(Vec3d minimum, Vec3d maximum, Vec3d origin);
 
 } // namespace ciel::session

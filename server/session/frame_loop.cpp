@@ -44,7 +44,9 @@ void show_frame(View& view, Worker& worker, bool still) {
         } else if (view.is_new_content(content_of(*geometry))) {
             messages = geometry_messages(header, *geometry);
         }
-        view.tell_lacking(*request, geometry->lacking);
+        auto lacking = geometry->lacking;
+        lacking.insert(lacking.end(), geometry->remarks.begin(), geometry->remarks.end());
+        view.tell_lacking(*request, lacking);
         view.deliver(*request, std::move(messages),
                      {header.wait_ms, header.extract_ms, header.draw_ms, header.encode_ms});
     } catch (const std::exception& error) {

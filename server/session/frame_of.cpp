@@ -1,4 +1,5 @@
 #include "render/renderer.hpp"
+#include "session/clip.hpp"
 #include "session/scene_geometry.hpp"
 
 #include <algorithm>
@@ -36,16 +37,19 @@ render::Frame frame_of(const Geometry& geometry, const scene::Scene& scene, int 
     frame.camera = camera_of(geometry, scene, static_cast<double>(width) / height);
     frame.bounds_min = geometry.bounds_min;
     frame.bounds_max = geometry.bounds_max;
+    frame.clip = shader_planes(geometry);
     const Background background = background_of(scene.background);
     frame.background_top = background.top;
     frame.background_bottom = background.bottom;
     for (const Drawable& drawable : geometry.drawables) {
         render::Mesh mesh;
         mesh.positions = drawable.shape->surface.positions;
-        mesh.normals = drawable.shape->surface.normals;
+        if (drawable.polygons()) mesh.normals = drawable.shape->surface.normals;
         if (drawable.scalars) mesh.scalars = *drawable.scalars;
-        mesh.indices = drawable.shape->indices;
-        mesh.lines = drawable.shape->lines;
+        mesh.indices = drawable.indices();
+        mesh.lines = drawable.lines();
+        mesh.points = drawable.points();
+        mesh.line_width = mesh.point_size = drawable.line_width;
         mesh.map = drawable.map;
         mesh.range = drawable.range;
         mesh.color = drawable.color;

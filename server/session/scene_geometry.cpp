@@ -1,5 +1,7 @@
 #include "session/scene_geometry.hpp"
 
+#include "ciel/threshold_surface.hpp"
+#include "session/clip.hpp"
 #include "session/cut.hpp"
 #include "session/errors.hpp"
 
@@ -45,11 +47,22 @@ double on_the_side(double nu, std::array<float, 2> range) {
     return nu;
 }
 
-std::string plane_name(const scene::SliceLayer& slice, const store::Step& step) {
+std::string bits_of(double number) { // all its bits: a key, not a text
+    return {reinterpret_cast<const char*>(&number), sizeof number};
+}
+
+// Of a cut through the whole mesh what belongs to the cells that are shown.
+std::shared_ptr<const Shape> cap_shape(const std::shared_ptr<const Shape>& cut,
+                                       const std::vector<std::uint8_t>& cells) {
+    if (cells.empty()) return cut;
+    return triangles_shape(polygons_of_cells(cut->surface, cells));
+}
+
+std::string plane_name(const std::array<double, 3>& normal, const store::Step& step) {
     std::string name = "plane " + std::to_string(step.mesh) + " " + std::to_string(step.coordinates);
-    for (const double component : slice.normal) {
+    for (const double component : normal) {
         name.push_back(' ');
-        name.append(reinterpret_cast<const char*>(&component), sizeof component); // all its bits: a key, not a text
+        name += bits_of(component);
     }
     return name;
 }
@@ -64,7 +77,8 @@ struct Update {
     std::map<std::pair<std::string, std::size_t>, Cut>& cuts;
     std::map<std::pair<std::string, std::size_t>, Boundary>& boundaries;
     const std::size_t most_bytes;
-    std::size_t bytes; // of all that is kept
+    std::size_t bytes;                           // of all that is kept
+    std::vector<const scene::ClipLayer*> caps{}; // that surfaces get
 
     [[nodiscard]] const store::Step& step() const { return dataset->steps()[out.step]; }
 
@@ -94,8 +108,44 @@ struct Update {
         drawable.identity = painted.identity;
         drawable.revision = painted.revision;
         colour(drawable, shown, layer, *dataset, out.step);
-        if (!shape->lines) out.triangles += shape->indices.size() / 3;
+        if (drawable.polygons()) out.triangles += shape->indices.size() / 3;
         out.drawables.push_back(std::move(drawable));
+    }
+
+    void add_edges(Outlined& outlined, const std::shared_ptr<const Shape>& shape,
+                   const std::optional<scene::LineStyle>& style, const scene::Layer& layer) {
+        if (!style) return outlined.forget();
+        outlined.follow(shape);
+        add_lines(shape, *style, layer, outlined.identity, outlined.revision).edges = outlined.edges;
+    }
+
+    Drawable& add_lines(const std::shared_ptr<const Shape>& shape, const scene::LineStyle& style,
+                        const scene::Layer& layer, std::uint64_t identity, std::uint64_t revision) {
+        Drawable drawable;
+        drawable.layer = layer.id;
+        drawable.shape = shape;
+        drawable.line_width = style.width;
+        drawable.color = {style.color[0], style.color[1], style.color[2], layer.opacity};
+        drawable.lit = false;
+        drawable.identity = identity;
+        drawable.revision = revision;
+        out.drawables.push_back(std::move(drawable));
+        return out.drawables.back();
+    }
+
+    void add_contours(Contoured& contoured, const std::shared_ptr<const Shape>& shape,
+                      const std::optional<scene::Contours>& contours, const scene::Layer& layer) {
+        if (!contours) return contoured.forget();
+        std::vector<double> values = contours->values;
+        const auto own = range_of(*dataset, contours->array, out.step);
+        const auto [low, high] = contours->range.value_or(std::array<double, 2>{own[0], own[1]});
+        for (int i = 1; i <= contours->count; ++i) values.push_back(low + (high - low) * i / (contours->count + 1));
+        try {
+            contoured.follow(shape, contours->array, out.step, values, *loaded);
+        } catch (const store::NotWritten& missing) {
+            return lack(layer, "has no contour lines", missing);
+        }
+        add_lines(contoured.lines, contours->line, layer, contoured.identity, contoured.revision);
     }
 
     void lack(const scene::Layer& layer, const char* what, const store::NotWritten& missing) const {
@@ -115,36 +165,124 @@ struct Update {
             }
             if (!cut.extract(iso.values[i], iso.smooth, stop)) return false;
             add(cut.painted, cut.shape, iso.color, layer, true);
+            add_edges(cut.outlined, cut.shape, iso.edges, layer);
             count(before, cut.memory_bytes());
         }
         return true;
     }
 
-    // The field is measured from the mesh's origin, whatever the slice's, so that a slice that moves along its normal
-    // is only another nu of the same field.
+    // The field is measured from the mesh's origin, whatever the plane's, so that a plane that moves along its normal
+    // is only another nu of the same field. Returns nu.
+    double use_plane(Cut& cut, const std::array<double, 3>& origin, const std::array<double, 3>& normal) {
+        const std::string name = plane_name(normal, step());
+        if (cut.field_name != name) cut.use_field(name, loaded->plane(out.step, out.origin, normal), extraction);
+        double nu = 0;
+        for (std::size_t axis = 0; axis < 3; ++axis) nu += normal[axis] * (origin[axis] - out.origin[axis]);
+        return nu;
+    }
+
     bool operator()(const scene::Layer& layer, const scene::SliceLayer& slice) {
         Cut& cut = cuts[{layer.id, 0}];
         const std::size_t before = cut.memory_bytes();
-        const std::string name = plane_name(slice, step());
-        if (cut.field_name != name) cut.use_field(name, loaded->plane(out.step, out.origin, slice.normal), extraction);
-        double nu = 0;
-        for (std::size_t axis = 0; axis < 3; ++axis) nu += slice.normal[axis] * (slice.origin[axis] - out.origin[axis]);
+        const double nu = use_plane(cut, slice.origin, slice.normal);
         if (!cut.extract(on_the_side(nu, cut.field.field->range()), false, stop)) return false;
         add(cut.painted, cut.shape, slice.color, layer, false);
+        add_edges(cut.outlined, cut.shape, slice.edges, layer);
+        add_contours(cut.contoured, cut.shape, slice.contours, layer);
         count(before, cut.memory_bytes());
         return true;
     }
 
     bool operator()(const scene::Layer& layer, const scene::SurfaceLayer& surface) {
-        std::string key = "surface " + std::to_string(step().mesh) + " " + std::to_string(step().coordinates);
-        for (const auto& group : surface.groups) key += '\0' + group;
-        Boundary& kept = boundary(layer, key);
-        const std::size_t before = kept.memory_bytes();
-        if (!kept.shape) kept.shape = boundary_shape(*dataset, step(), surface.groups);
-        add(kept.painted, kept.shape, surface.color, layer, true);
-        count(before, kept.memory_bytes());
+        Boundary* kept = solid(layer, surface.groups, surface.threshold, "surface");
+        if (kept == nullptr) return true;
+        const std::size_t before = kept->memory_bytes();
+        if (!kept->shape)
+            kept->shape = triangles_shape(boundary_surface(*dataset, step(), surface.groups, kept->cells));
+        add(kept->painted, kept->shape, surface.color, layer, true);
+        add_edges(kept->outlined, kept->shape, surface.edges, layer);
+        count(before, kept->memory_bytes());
+        return !surface.groups.empty() || add_caps(layer, surface, *kept); // patches are no solid
+    }
+
+    // Each is the whole slice of the mesh by its plane: the other planes cut it as they cut everything.
+    bool add_caps(const scene::Layer& layer, const scene::SurfaceLayer& surface, const Boundary& solid) {
+        for (std::size_t i = 0; i < caps.size(); ++i) {
+            Cut& cut = cuts[{layer.id, i}];
+            const std::size_t before = cut.memory_bytes();
+            if (!cut.extract(use_plane(cut, caps[i]->origin, caps[i]->normal), false, stop)) return false;
+            count(before, cut.memory_bytes());
+            Boundary& cap = boundary(layer, solid.key, i + 1);
+            const std::size_t of_cap = cap.memory_bytes();
+            if (!cap.shape || cap.of != cut.shape) cap.shape = cap_shape(cut.shape, solid.cells);
+            cap.of = cut.shape;
+            add(cap.painted, cap.shape, surface.color, layer, true);
+            add_edges(cap.outlined, cap.shape, surface.edges, layer);
+            count(of_cap, cap.memory_bytes());
+        }
         return true;
     }
+
+    // The state of what a layer shows of the mesh's cells; null where its threshold has no values.
+    Boundary* solid(const scene::Layer& layer, const std::vector<std::string>& groups,
+                    const std::optional<scene::Threshold>& threshold, std::string key) {
+        key += ' ' + std::to_string(step().mesh) + ' ' + std::to_string(step().coordinates);
+        for (const auto& group : groups) key += '\0' + group;
+        if (!threshold) return &boundary(layer, key);
+        const auto [low, high] = threshold->range;
+        key += '\0' + std::to_string(out.step) + (threshold->any ? " any " : " all ") + bits_of(low) + bits_of(high) +
+               threshold->array;
+        Boundary& kept = boundary(layer, key);
+        if (kept.shape) return &kept;
+        const std::size_t before = kept.memory_bytes();
+        try {
+            const auto values = loaded->scalar_values(threshold->array, out.step);
+            kept.cells = cells_in_range(dataset->mesh(step().mesh, step().coordinates), *values, threshold->range,
+                                        threshold->any ? InRange::any : InRange::all);
+            count(before, kept.memory_bytes());
+        } catch (const store::NotWritten& missing) {
+            lack(layer, "is not shown", missing);
+            return nullptr;
+        }
+        return &kept;
+    }
+
+    bool operator()(const scene::Layer& layer, const scene::EdgesLayer& edges) {
+        const std::string what = "edges " + (edges.angle ? bits_of(*edges.angle) : std::string("all"));
+        Boundary* kept = solid(layer, edges.groups, edges.threshold, what);
+        if (kept == nullptr) return true;
+        const std::size_t before = kept->memory_bytes();
+        if (!kept->shape)
+            kept->shape = edges_shape(boundary_surface(*dataset, step(), edges.groups, kept->cells), edges.angle);
+        add(kept->painted, kept->shape, edges.color, layer, false);
+        out.drawables.back().line_width = edges.width;
+        count(before, kept->memory_bytes());
+        return true;
+    }
+
+    bool operator()(const scene::Layer& layer, const scene::PointsLayer& points) {
+        const std::string what = (points.all ? "points of all " : "points ") + std::to_string(points.most);
+        Boundary* kept = solid(layer, points.groups, points.threshold, what);
+        if (kept == nullptr) return true;
+        const std::size_t before = kept->memory_bytes();
+        if (!kept->shape) {
+            const Surface vertices = points.all
+                                         ? cell_vertices(dataset->mesh(step().mesh, step().coordinates), kept->cells)
+                                         : boundary_surface(*dataset, step(), points.groups, kept->cells);
+            kept->points = vertices.positions.size();
+            kept->thinned = std::max<std::size_t>(1, (kept->points + points.most - 1) / points.most);
+            kept->shape = points_shape(vertices, kept->thinned);
+        }
+        if (kept->thinned > 1)
+            out.remarks.push_back("layer " + layer.id + " shows one in " + std::to_string(kept->thinned) + " of its " +
+                                  std::to_string(kept->points) + " points; raise \"most\" to see more");
+        add(kept->painted, kept->shape, points.color, layer, true);
+        out.drawables.back().line_width = points.size;
+        count(before, kept->memory_bytes());
+        return true;
+    }
+
+    bool operator()(const scene::Layer&, const scene::ClipLayer&) { return true; } // Geometry::clip and caps
 
     bool operator()(const scene::Layer& layer, const scene::OutlineLayer& outline) {
         Boundary& kept = boundary(layer, "outline " + std::to_string(step().mesh));
@@ -155,10 +293,13 @@ struct Update {
         return true;
     }
 
-    Boundary& boundary(const scene::Layer& layer, const std::string& key) {
-        Boundary& kept = boundaries[{layer.id, 0}];
+    Boundary& boundary(const scene::Layer& layer, const std::string& key, std::size_t index = 0) {
+        Boundary& kept = boundaries[{layer.id, index}];
         const std::size_t before = kept.memory_bytes();
-        if (kept.key != key) kept.shape = nullptr;
+        if (kept.key != key) {
+            kept.shape = kept.of = nullptr;
+            kept.cells.clear();
+        }
         count(before, kept.memory_bytes());
         kept.key = key;
         return kept;
@@ -196,8 +337,10 @@ std::shared_ptr<const Geometry> SceneGeometry::update(const scene::Scene& scene,
     geometry->bounds_min = low(dataset->info().meshes[step.mesh]);
     geometry->bounds_max = high(dataset->info().meshes[step.mesh]);
 
+    geometry->clip = clip_planes(scene, geometry->origin);
     forget_all_but(scene); // first, for what comes needs the room
-    Update run{extraction_, loaded, dataset, stop, *geometry, cuts_, boundaries_, most_bytes, memory_bytes()};
+    Update run{extraction_, loaded,      dataset,    stop,           *geometry,
+               cuts_,       boundaries_, most_bytes, memory_bytes(), capping(scene)};
     for (const scene::Layer& layer : scene.layers) {
         if (!layer.visible) continue;
         const auto make = [&](const auto& kind) { return run(layer, kind); };
@@ -211,11 +354,15 @@ std::shared_ptr<const Geometry> SceneGeometry::update(const scene::Scene& scene,
 void SceneGeometry::forget_all_but(const scene::Scene& scene) {
     std::map<std::string, std::size_t> cuts_of; // how many stay
     std::set<std::string> shown;
+    const std::size_t caps = capping(scene).size();
     for (const scene::Layer& layer : scene.layers) {
         const auto* iso = std::get_if<scene::IsoLayer>(&layer.kind);
+        const auto* surface = std::get_if<scene::SurfaceLayer>(&layer.kind);
         if (layer.visible) shown.insert(layer.id);
         if (!layer.visible)
             cuts_of[layer.id] = SIZE_MAX; // showing it again costs nothing
+        else if (surface != nullptr)
+            cuts_of[layer.id] = surface->groups.empty() ? caps : 0;
         else
             cuts_of[layer.id] = iso != nullptr ? iso->values.size() : 1;
     }
@@ -223,7 +370,9 @@ void SceneGeometry::forget_all_but(const scene::Scene& scene) {
         const auto kept = cuts_of.find(entry.first.first);
         return kept == cuts_of.end() || entry.first.second >= kept->second;
     });
-    std::erase_if(boundaries_, [&](const auto& entry) { return !shown.contains(entry.first.first); });
+    std::erase_if(boundaries_, [&](const auto& entry) {
+        return !shown.contains(entry.first.first) || entry.first.second > cuts_of[entry.first.first];
+    });
 }
 
 std::size_t SceneGeometry::memory_bytes() const {

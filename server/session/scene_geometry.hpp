@@ -2,6 +2,7 @@
 // only what changed is computed again.
 #pragma once
 
+#include "ciel/clip_surface.hpp"
 #include "ciel/extract.hpp"
 #include "render/renderer.hpp"
 #include "scene/scene.hpp"
@@ -19,13 +20,15 @@ namespace ciel::session {
 // Positions are offsets from Geometry::origin. A boundary surface has points with a == b: a mesh vertex itself.
 struct Shape {
     Surface surface;
-    std::vector<Index> indices; // three per triangle, two per line
-    bool lines = false;
+    std::vector<Index> indices; // three per triangle, two per line, one per point
+    bool lines = false, points = false;
 };
 
-struct Drawable { // one iso-value, slice, boundary surface or outline of a layer
+struct Drawable { // one iso-value, slice, boundary surface or outline of a layer, or the edges of its polygons
     std::string layer;
     std::shared_ptr<const Shape> shape;
+    std::shared_ptr<const std::vector<Index>> edges;   // drawn instead of the shape's own indices, two per line
+    float line_width = 1.5F;                           // pixels
     std::shared_ptr<const std::vector<float>> scalars; // one per surface vertex; null: the solid colour
     std::string array, map = "viridis";                // of the scalars
     std::array<float, 2> range{0, 1};
@@ -33,17 +36,24 @@ struct Drawable { // one iso-value, slice, boundary surface or outline of a laye
     bool lit = true;
     std::uint64_t identity = 0; // the same from one scene to the next, unique in the process
     std::uint64_t revision = 0; // changes with shape and scalars, unique in the process
+
+    [[nodiscard]] bool lines() const { return edges != nullptr || shape->lines; }
+    [[nodiscard]] bool points() const { return edges == nullptr && shape->points; }
+    [[nodiscard]] bool polygons() const { return !lines() && !points(); }
+    [[nodiscard]] std::span<const Index> indices() const { return edges ? *edges : shape->indices; }
 };
 
 // What one scene shows. Immutable, owns all its arrays, may be read from any thread.
 struct Geometry {
     std::vector<Drawable> drawables; // visible layers, in drawing order
+    std::vector<HalfSpace> clip;     // cut all drawables, which are whole (clip.hpp); of offsets from the origin
     Vec3d origin{}, bounds_min{}, bounds_max{};
     double time = 0; // of the step shown
     std::size_t step = 0;
     std::size_t triangles = 0, bytes = 0;
     // A sentence for each layer that is left out, or left uncoloured, because its array was not written at this step.
     std::vector<std::string> lacking;
+    std::vector<std::string> remarks; // likewise what is not shown in full, because it is too much
 };
 
 // Throws store::NotWritten when something is lacking: for pictures and files, which nobody can add a word to.

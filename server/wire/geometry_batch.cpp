@@ -16,18 +16,20 @@ struct Batch {
     std::vector<Index> indices;  // into `vertices`
 };
 
+std::size_t corners_of(const GeometryMesh& mesh) { return mesh.points ? 1 : mesh.lines ? 2 : 3; }
+
 void check(const GeometryMesh& mesh) {
     const std::size_t vertices = mesh.positions.size();
     const bool fits = (mesh.normals.empty() || mesh.normals.size() == vertices) &&
                       (mesh.scalars.empty() || mesh.scalars.size() == vertices) &&
-                      mesh.indices.size() % (mesh.lines ? 2 : 3) == 0 &&
+                      mesh.indices.size() % corners_of(mesh) == 0 &&
                       std::all_of(mesh.indices.begin(), mesh.indices.end(), [&](Index v) { return v < vertices; });
     if (!fits) throw Error("the arrays of layer '" + mesh.layer + "' do not fit together and cannot be sent");
 }
 
 // Cuts the mesh where the next triangle or line would be one vertex too many.
 void split(const GeometryMesh& mesh, std::size_t max_vertices, std::vector<Batch>& batches) {
-    const std::size_t corners = mesh.lines ? 2 : 3;
+    const std::size_t corners = corners_of(mesh);
     std::vector<Index> local(mesh.positions.size(), none); // valid when the batch's vertex there is this one
     Batch batch{&mesh, {}, {}};
     const auto is_known = [&](Index vertex) {
@@ -58,14 +60,19 @@ void append_number(std::string& json, double value) {
     json.append(digits.data(), end);
 }
 
-template <typename Numbers>
-void append_array(std::string& json, const Numbers& numbers) {
+template <typename Items, typename Append>
+void append_list(std::string& json, const Items& items, Append append_one) {
     json += '[';
-    for (std::size_t i = 0; i < numbers.size(); ++i) {
+    for (std::size_t i = 0; i < items.size(); ++i) {
         if (i > 0) json += ", ";
-        append_number(json, numbers[i]);
+        append_one(items[i]);
     }
     json += ']';
+}
+
+template <typename Numbers>
+void append_array(std::string& json, const Numbers& numbers) {
+    append_list(json, numbers, [&](double number) { append_number(json, number); });
 }
 
 void append_string(std::string& json, std::string_view text) {
@@ -93,7 +100,7 @@ std::string description(const GeometryMesh& mesh, const Batch& batch, Vec3d orig
                         std::size_t batches) {
     std::string json = "{\"layer\": ";
     append_string(json, mesh.layer);
-    json += std::string(", \"kind\": \"") + (mesh.lines ? "lines" : "triangles") + "\"";
+    json += std::string(", \"kind\": \"") + (mesh.points ? "points" : mesh.lines ? "lines" : "triangles") + "\"";
     json += ", \"vertices\": " + std::to_string(batch.vertices.size());
     json += ", \"indices\": " + std::to_string(batch.indices.size());
     json += std::string(", \"normals\": ") + name_of(!mesh.normals.empty());
@@ -105,6 +112,14 @@ std::string description(const GeometryMesh& mesh, const Batch& batch, Vec3d orig
     json += ", \"color\": ";
     append_array(json, mesh.color);
     json += std::string(", \"lit\": ") + name_of(mesh.lit);
+    if (mesh.lines || mesh.points) {
+        json += ", \"width\": ";
+        append_number(json, mesh.line_width);
+    }
+    if (!mesh.clip.empty()) {
+        json += ", \"clip\": ";
+        append_list(json, mesh.clip, [&](const auto& plane) { append_array(json, plane); });
+    }
     json += ", \"origin\": ";
     append_array(json, origin);
     json += ", \"batch\": " + std::to_string(number) + ", \"batches\": " + std::to_string(batches) + "}";

@@ -10,17 +10,19 @@
 
 namespace ciel::wire {
 
-// Triangles or lines of one layer; borrowed. Range and colour are finite.
+// Triangles, lines or points of one layer; borrowed. Range and colour are finite.
 struct GeometryMesh {
     std::string layer; // id in the scene
     std::span<const Vec3f> positions, normals;
     std::span<const float> scalars;
-    std::span<const Index> indices; // 3 per triangle, 2 per line
-    bool lines = false;
+    std::span<const Index> indices; // 3 per triangle, 2 per line, 1 per point
+    bool lines = false, points = false;
     std::string map;
     std::array<float, 2> range{0, 1};
     std::array<float, 4> color{};
     bool lit = true;
+    float line_width = 1.5F;                    // pixels
+    std::span<const std::array<float, 4>> clip; // (normal, offset): shown where dot(normal, position) + offset >= 0
 };
 
 inline constexpr std::size_t batch_vertices = 65536; // so that 16-bit indices reach every vertex

@@ -332,5 +332,28 @@ TEST_F(Methods, surfaces_are_exported) {
     EXPECT_EQ(client.error_code("surface.export", params), -32001);
 }
 
+// The box of 6 x 6 x 6 with a hole of 2 x 2 x 2, cut in the middle: its file is closed, and is the half that is seen.
+TEST_F(Methods, exports_are_cut_as_pictures_are) {
+    json params{{"scene", iso_scene}, {"layer", "s"}, {"format", "stl"}};
+    json& layers = params["scene"]["layers"];
+    layers = {{"s", {{"type", "surface"}}}, {"c", {{"type", "clip"}, {"axis", "x"}, {"value", box_origin[0] + 3}}}};
+    const std::string bytes = decoded(client.call("surface.export", params)["data"]);
+    double six = 0;
+    for (std::size_t at = 84; at + 50 <= bytes.size(); at += 50) {
+        std::array<std::array<float, 3>, 3> corner{};
+        std::memcpy(&corner, &bytes[at + 12], sizeof corner);
+        const auto rel = [&](std::size_t i, std::size_t axis) { return corner[i][axis] - box_origin[axis]; };
+        six += rel(0, 0) * (rel(1, 1) * rel(2, 2) - rel(1, 2) * rel(2, 1)) +
+               rel(0, 1) * (rel(1, 2) * rel(2, 0) - rel(1, 0) * rel(2, 2)) +
+               rel(0, 2) * (rel(1, 0) * rel(2, 1) - rel(1, 1) * rel(2, 0));
+    }
+    EXPECT_NEAR(six / 6, 3 * 36 - 4, 0.05);
+    for (const char* id : {"c", "e"}) {
+        layers["e"] = {{"type", "edges"}};
+        params["layer"] = id;
+        EXPECT_EQ(client.error_code("surface.export", params), -32602) << id;
+    }
+}
+
 } // namespace
 } // namespace ciel::test

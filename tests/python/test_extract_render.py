@@ -137,6 +137,52 @@ def test_default_view_scene_file_and_every_back_end_agree(box, tmp_path):
         assert np.abs(other - pictures[0]).mean() < 0.5
 
 
+def test_layers_by_options_change_the_picture_each_in_its_way(box, tmp_path):
+    """Each option shows something of its own; a scene with the same layers is the same picture."""
+    shown = {}
+    options = {
+        "surface": ["--surface"],
+        "edges": ["--surface", "--edges"],
+        "clip": ["--surface", "--clip", "x=0"],
+        "other side": ["--surface", "--clip=-x=0"],
+        "threshold": ["--surface", "--threshold", "x=-1,0"],
+        "feature edges": ["--feature-edges", "30"],
+        "points": ["--points", "all"],
+        "slice": ["--slice", "z=0", "--color", "x"],
+        "contours": ["--slice", "z=0", "--color", "x", "--contours", "r"],
+        "some contours": ["--slice", "z=0", "--color", "x", "--contours", "r=0.5,0.75"],
+    }
+    for name, arguments in options.items():
+        works("render", box, *arguments, "--size", "320x200", "-o", tmp_path / "p.png")
+        shown[name] = pixels(tmp_path / "p.png")
+    names = list(shown)
+    for i, a in enumerate(names):
+        for b in names[:i]:
+            assert np.abs(shown[a] - shown[b]).mean() > 0.1, (a, b)
+    scene = {
+        "dataset": "box",
+        "time": 0,
+        "layers": {
+            "clip1": {"type": "clip", "axis": "x", "value": 0},
+            "outline": {"type": "outline", "color": {"solid": "#808890"}},
+            "surface": {"type": "surface"},
+        },
+    }
+    (tmp_path / "scene.json").write_text(json.dumps(scene))
+    works("render", box, "--scene", tmp_path / "scene.json", "--size", "320x200", "-o", tmp_path / "p.png")
+    assert np.abs(pixels(tmp_path / "p.png") - shown["clip"]).mean() < 0.01
+    lit = {name: (picture.max(axis=2) > 70).mean() for name, picture in shown.items()}
+    assert lit["clip"] < 0.8 * lit["surface"]
+
+
+def test_points_that_are_too_many_are_thinned_and_it_is_said(box, tmp_path):
+    scene = {"dataset": "box", "layers": {"p": {"type": "points", "of": "all", "most": 1000}}}
+    (tmp_path / "scene.json").write_text(json.dumps(scene))
+    result = ciel("render", box, "--scene", tmp_path / "scene.json", "--size", "160x100", "-o", tmp_path / "p.png")
+    assert result.returncode == 0
+    assert result.stderr.startswith("ciel: layer p shows one in ") and "raise" in result.stderr
+
+
 REFUSED = [
     ("no layers", ["extract", "-o", "s.ply"], "nothing to extract", 2),
     ("unknown format", ["extract", "--iso", "r=1", "-o", "s.obj"], ".ply, .stl and .vtp", 2),
@@ -164,6 +210,16 @@ REFUSED = [
     ("bad scene file", ["render", "--scene", "bad.json", "-o", "p.png"], "bad.json is not JSON: parse error at line 1", 1),
     ("scene of another dataset", ["render", "--scene", "other.json", "-o", "p.png"], 'of the dataset "post", not of "box"', 1),
     ("bad scene", ["render", "--scene", "wrong.json", "-o", "p.png"], "/layers", 1),
+    ("scene file and edges", ["render", "--scene", "wrong.json", "--edges", "-o", "p.png"], "leave out", 2),
+    ("edges of nothing", ["render", "--points", "all", "--edges", "-o", "p.png"], "give --iso, --slice or --surface", 2),
+    ("contours of nothing", ["render", "--surface", "--contours", "r", "-o", "p.png"], "give --slice or --plane", 2),
+    ("contours of no numbers", ["render", "--slice", "x=0", "--contours", "r=a", "-o", "p.png"], "not a number", 2),
+    ("contours of an unknown array", ["render", "--slice", "x=0", "--contours", "q", "-o", "p.png"], "q", 1),
+    ("threshold of nothing", ["render", "--iso", "r=0.5", "--threshold", "r=0,1", "-o", "p.png"], "give --surface", 2),
+    ("short threshold", ["render", "--surface", "--threshold", "r=0", "-o", "p.png"], "ARRAY=MIN,MAX", 2),
+    ("clip across nothing", ["render", "--surface", "--clip", "w=0", "-o", "p.png"], "x=VALUE", 2),
+    ("short clip plane", ["render", "--surface", "--clip", "0,0,0", "-o", "p.png"], "ox,oy,oz,nx,ny,nz", 2),
+    ("seven clips", ["render", "--surface", *["--clip=x=0"] * 7, "-o", "p.png"], "at most 6 clip planes", 1),
     ("scene file and colours", ["render", "--scene", "wrong.json", "--color", "x", "-o", "p.png"], "leave out", 2),
     ("scene file and background", ["render", "--scene", "wrong.json", "--background", "light", "-o", "p.png"], "leave out", 2),
     ("bad range of the default view", ["render", "--range", "1", "-o", "p.png"], "range", 2),

@@ -31,6 +31,22 @@ TEST(scene, defaults_are_those_of_the_contract) {
     EXPECT_EQ(fallback("Coloring", "solid"), "#cccccc");
     EXPECT_FLOAT_EQ(iso.color.solid[0], 0xcc / 255.0F);
     EXPECT_FALSE(iso.color.range);
+    EXPECT_FALSE(iso.edges) << "absent: none";
+}
+
+TEST(scene, a_line_s_defaults_are_those_of_the_contract) {
+    const auto edges_of = [](const char* edges) {
+        const Scene scene =
+            parse({{"dataset", "d"}, {"layers", {{"s", {{"type", "surface"}, {"edges", json::parse(edges)}}}}}});
+        return std::get<SurfaceLayer>(scene.layers.at(0).kind).edges;
+    };
+    const json& fallback = contract()["components"]["schemas"]["Edges"]["properties"];
+    EXPECT_EQ(edges_of("{}")->width, fallback["width"]["default"]);
+    EXPECT_EQ(fallback["color"]["default"], "#1a1a1a");
+    EXPECT_NEAR(edges_of("{}")->color[0], 0x1a / 255.0F, 0.002);
+    EXPECT_EQ(edges_of(R"({"color": "#ff0000", "width": 2.5})")->color[0], 1);
+    EXPECT_EQ(edges_of(R"({"color": "#ff0000", "width": 2.5})")->width, 2.5);
+    EXPECT_FALSE(edges_of(R"({"visible": false})"));
 }
 
 TEST(scene, every_member_is_read) {
@@ -71,6 +87,57 @@ TEST(scene, every_member_is_read) {
     EXPECT_EQ(iso.color.solid[1], 0.0F);
 }
 
+TEST(scene, six_clip_planes_may_be_visible_and_no_more) {
+    json document{{"dataset", "d"}, {"layers", json::object()}};
+    for (const char* id : {"a", "b", "c", "d", "e", "f", "g"})
+        document["layers"][id] = {{"type", "clip"}, {"axis", "y"}, {"value", 1}};
+    try {
+        (void)parse(document);
+        ADD_FAILURE() << "seven were taken";
+    } catch (const Invalid& error) {
+        EXPECT_EQ(error.path, "/layers/g");
+        EXPECT_STREQ(error.what(), "at most 6 clip planes can cut at a time; hide or remove one");
+    }
+    document["layers"]["b"]["visible"] = false;
+    EXPECT_EQ(parse(document).layers.size(), 7U);
+}
+
+TEST(scene, clips_edges_points_and_thresholds_are_read) {
+    const Scene scene = parse(json::parse(R"({"dataset": "d", "layers": {
+        "c": {"type": "clip", "order": 1, "axis": "z", "value": 2, "invert": true, "caps": false},
+        "e": {"type": "edges", "order": 2, "angle": 30, "width": 2, "groups": ["wall"],
+              "threshold": {"array": "p", "range": [1, 2], "keep": "any"}},
+        "p": {"type": "points", "order": 3, "of": "all", "size": 9, "most": 5},
+        "s": {"type": "surface", "order": 4, "threshold": {"array": "p", "range": [1, 2], "enabled": false}},
+        "t": {"type": "edges", "order": 5}, "u": {"type": "points", "order": 6}}})"));
+    const auto& clip = std::get<ClipLayer>(scene.layers[0].kind);
+    EXPECT_EQ(clip.normal, (std::array<double, 3>{0, 0, -1}));
+    EXPECT_EQ(clip.origin[2], 2);
+    EXPECT_FALSE(clip.caps);
+    const auto& edges = std::get<EdgesLayer>(scene.layers[1].kind);
+    EXPECT_EQ(edges.angle, 30);
+    EXPECT_EQ(edges.width, 2);
+    EXPECT_EQ(edges.groups.size(), 1U);
+    EXPECT_TRUE(edges.threshold->any);
+    EXPECT_EQ(edges.threshold->range, (std::array<double, 2>{1, 2}));
+    const auto& points = std::get<PointsLayer>(scene.layers[2].kind);
+    EXPECT_TRUE(points.all);
+    EXPECT_EQ(points.size, 9);
+    EXPECT_EQ(points.most, 5U);
+    EXPECT_FALSE(std::get<SurfaceLayer>(scene.layers[3].kind).threshold);
+    const json& schemas = contract()["components"]["schemas"];
+    const auto fallback = [&](const char* schema, const char* name) {
+        return schemas[schema]["properties"][name]["default"];
+    };
+    EXPECT_EQ(std::get<EdgesLayer>(scene.layers[4].kind).width, fallback("EdgesLayer", "width"));
+    EXPECT_FALSE(std::get<EdgesLayer>(scene.layers[4].kind).angle);
+    EXPECT_EQ(std::get<PointsLayer>(scene.layers[5].kind).size, fallback("PointsLayer", "size"));
+    EXPECT_EQ(std::get<PointsLayer>(scene.layers[5].kind).most, fallback("PointsLayer", "most"));
+    EXPECT_EQ(fallback("PointsLayer", "of"), "boundary");
+    EXPECT_EQ(fallback("Threshold", "keep"), "all");
+    EXPECT_EQ(fallback("ClipLayer", "caps"), true);
+}
+
 struct Malformed {
     const char *name, *json, *path, *message;
 };
@@ -100,9 +167,9 @@ constexpr Malformed table[] = {
     {"layers_are_a_list", R"({"dataset": "d", "layers": []})", "/layers", "/layers must be an object"},
     {"layer_is_a_number", R"({"dataset": "d", "layers": {"a": 3}})", "/layers/a", "/layers/a must be an object"},
     {"layer_without_type", R"({"dataset": "d", "layers": {"a": {}}})", "/layers/a/type",
-     "/layers/a/type must be one of \"iso\", \"slice\", \"surface\", \"outline\""},
+     "/layers/a/type must be one of \"iso\", \"slice\", \"surface\", \"outline\", \"clip\", \"edges\", \"points\""},
     {"layer_of_unknown_type", R"({"dataset": "d", "layers": {"a": {"type": "fog"}}})", "/layers/a/type",
-     "/layers/a/type must be one of \"iso\", \"slice\", \"surface\", \"outline\""},
+     "/layers/a/type must be one of \"iso\", \"slice\", \"surface\", \"outline\", \"clip\", \"edges\", \"points\""},
     {"iso_without_values", R"({"dataset": "d", "layers": {"a": {"type": "iso", "array": "p"}}})", "/layers/a/values",
      "/layers/a/values is missing"},
     {"iso_value_is_text", R"({"dataset": "d", "layers": {"a": {"type": "iso", "array": "p", "values": [1, "2"]}}})",
@@ -113,6 +180,44 @@ constexpr Malformed table[] = {
      "/layers/a~1b~0c/opacity", "/layers/a~1b~0c/opacity must be at least 0"},
     {"member_of_another_kind", R"({"dataset": "d", "layers": {"a": {"type": "outline", "values": []}}})",
      "/layers/a/values", "/layers/a/values is not known here"},
+    {"edges_is_a_flag", R"({"dataset": "d", "layers": {"a": {"type": "surface", "edges": true}}})", "/layers/a/edges",
+     "/layers/a/edges must be an object"},
+    {"edges_without_width", R"({"dataset": "d", "layers": {"a": {"type": "surface", "edges": {"width": 0}}}})",
+     "/layers/a/edges/width", "/layers/a/edges/width must be more than 0"},
+    {"edges_of_an_outline", R"({"dataset": "d", "layers": {"a": {"type": "outline", "edges": {}}}})", "/layers/a/edges",
+     "/layers/a/edges is not known here"},
+    {"contours_of_nothing",
+     R"({"dataset": "d", "layers": {"a": {"type": "slice", "axis": "x", "value": 0, "contours": {}}}})",
+     "/layers/a/contours/array", "/layers/a/contours/array is missing"},
+    {"contours_twice",
+     R"({"dataset": "d", "layers": {"a": {"type": "slice", "axis": "x", "value": 0, "contours": {"array": "p", "values": [1], "count": 3}}}})",
+     "/layers/a/contours", "contours have either values, or count and range"},
+    {"contours_backwards",
+     R"({"dataset": "d", "layers": {"a": {"type": "slice", "axis": "x", "value": 0, "contours": {"array": "p", "range": [1, 0]}}}})",
+     "/layers/a/contours/range", "a range is [minimum, maximum]"},
+    {"clip_of_nothing", R"({"dataset": "d", "layers": {"a": {"type": "clip"}}})", "/layers/a",
+     "a clip has either axis and value, or origin and normal"},
+    {"clip_without_direction",
+     R"({"dataset": "d", "layers": {"a": {"type": "clip", "origin": [0, 0, 0], "normal": [0, 0, 0]}}})",
+     "/layers/a/normal", "a clip's normal must not be zero"},
+    {"clip_with_opacity",
+     R"({"dataset": "d", "layers": {"a": {"type": "clip", "axis": "x", "value": 0, "opacity": 1}}})",
+     "/layers/a/opacity", "/layers/a/opacity is not known here"},
+    {"threshold_of_nothing", R"({"dataset": "d", "layers": {"a": {"type": "surface", "threshold": {"array": "p"}}}})",
+     "/layers/a/threshold/range", "/layers/a/threshold/range is missing"},
+    {"threshold_backwards",
+     R"({"dataset": "d", "layers": {"a": {"type": "edges", "threshold": {"array": "p", "range": [2, 1]}}}})",
+     "/layers/a/threshold/range", "a range is [minimum, maximum]"},
+    {"threshold_of_an_iso_surface",
+     R"({"dataset": "d", "layers": {"a": {"type": "iso", "array": "p", "values": [], "threshold": {"array": "p", "range": [2, 1]}}}})",
+     "/layers/a/threshold", "/layers/a/threshold is not known here"},
+    {"points_of_patches_and_all",
+     R"({"dataset": "d", "layers": {"a": {"type": "points", "of": "all", "groups": ["wall"]}}})", "/layers/a/groups",
+     "patches have points of the boundary only; leave out groups or \"of\": \"all\""},
+    {"no_points", R"({"dataset": "d", "layers": {"a": {"type": "points", "most": 0}}})", "/layers/a/most",
+     "/layers/a/most must be at least 1"},
+    {"edges_of_a_wide_angle", R"({"dataset": "d", "layers": {"a": {"type": "edges", "angle": 181}}})",
+     "/layers/a/angle", "/layers/a/angle must be at most 180"},
     {"slice_of_nothing", R"({"dataset": "d", "layers": {"a": {"type": "slice"}}})", "/layers/a",
      "a slice has either axis and value, or origin and normal"},
     {"slice_of_both",

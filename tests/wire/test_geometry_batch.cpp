@@ -163,5 +163,32 @@ TEST(GeometryBatch, ArraysThatDoNotFitAreRefused) {
     }
 }
 
+TEST(GeometryBatch, LinesPointsAndClipPlanesAreDescribed) {
+    const Sheet sheet(2);
+    const std::vector<std::array<float, 4>> planes{{1, 0, 0, 0.5F}, {0, -0.25F, 1, -2}};
+    const std::vector<Index> all{0, 1, 2, 3, 4, 5, 6, 7};
+    GeometryMesh points = sheet.mesh("p");
+    points.normals = {};
+    points.indices = all;
+    points.points = true;
+    points.line_width = 7.5F;
+    points.clip = planes;
+    GeometryMesh lines = points;
+    lines.points = false;
+    lines.lines = true;
+    lines.clip = {};
+    const auto payloads = encode_geometry(std::vector{points, lines, sheet.mesh("t")}, {1, 2, 3});
+    ASSERT_EQ(payloads.size(), 3U);
+    const Decoded first = decode(payloads[0]);
+    EXPECT_EQ(first.description["kind"], "points");
+    EXPECT_EQ(first.description["width"], 7.5);
+    EXPECT_EQ(first.description["clip"], nlohmann::json::parse("[[1, 0, 0, 0.5], [0, -0.25, 1, -2]]"));
+    EXPECT_EQ(first.indices, all);
+    EXPECT_EQ(decode(payloads[1]).description["kind"], "lines");
+    EXPECT_FALSE(decode(payloads[1]).description.contains("clip"));
+    EXPECT_FALSE(decode(payloads[2]).description.contains("width"));
+    EXPECT_EQ(encode_geometry(std::vector{points}, {}, 3).size(), 3U) << "a point may stand alone in a batch";
+}
+
 } // namespace
 } // namespace ciel::wire

@@ -1,6 +1,7 @@
 import { describe, expect, test } from "vitest";
 import { decodeGeometry } from "../src/decoders/geometry";
 import { pngOf } from "../src/decoders/image";
+import { lineEnds } from "../src/display/lines";
 import { decodeHeader } from "../src/protocol/frame_header";
 import { frameBytes, geometryPayload, PNG_SIGNATURE } from "./frames";
 
@@ -85,6 +86,7 @@ describe("geometry", () => {
     expect(decodeGeometry(message)).toEqual({
       layer: "iso",
       lines: false,
+      points: false,
       positions,
       normals,
       scalars,
@@ -93,6 +95,8 @@ describe("geometry", () => {
       range: [0, 2],
       color: [0.5, 0.5, 0.5, 1],
       lit: true,
+      width: 1,
+      clip: [],
       origin: [1e6, 0, 0],
     });
   });
@@ -101,6 +105,22 @@ describe("geometry", () => {
     const lines = { ...batch, kind: "lines", indices: 2, normals: false, scalars: false };
     const decoded = decodeGeometry(frameBytes({ kind: 2 }, geometryPayload(lines, [positions, Uint32Array.of(0, 2)])));
     expect(decoded).toMatchObject({ lines: true, normals: null, scalars: null, indices: Uint32Array.of(0, 2) });
+  });
+
+  test("lines become the ends of rectangles", () => {
+    const lines = {
+      ...batch,
+      kind: "lines",
+      indices: 2,
+      normals: false,
+      scalars: true,
+      width: 2.5,
+      clip: [[1, 0, 0, 0.5]],
+    };
+    const payload = geometryPayload(lines, [positions, scalars, Uint32Array.of(1, 2)]);
+    const decoded = decodeGeometry(frameBytes({ kind: 2 }, payload));
+    expect(decoded).toMatchObject({ width: 2.5, clip: [[1, 0, 0, 0.5]] });
+    expect(decoded && lineEnds(decoded)).toEqual(Float32Array.of(1, 0, 0, 1, 0, 1, 0, 2));
   });
 
   test("a frame without polygons", () => {

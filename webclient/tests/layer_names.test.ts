@@ -12,6 +12,12 @@ describe("what a layer is called", () => {
     [{ type: "surface" }, "Whole boundary"],
     [{ type: "surface", groups: ["inlet", "wall"] }, "Boundary: inlet, wall"],
     [{ type: "outline" }, "Outline"],
+    [{ type: "clip", axis: "x", value: 2 }, "Clip at x = 2"],
+    [{ type: "clip", origin: [0, 0, 1], normal: [1, 1, 0] }, "Clip: Plane through (0, 0, 1), normal (1, 1, 0)"],
+    [{ type: "edges" }, "Edges of the boundary"],
+    [{ type: "edges", angle: 30 }, "Edges that bend by 30°"],
+    [{ type: "points" }, "Points of the boundary"],
+    [{ type: "points", of: "all" }, "All points"],
   ])("%j", (layer, name) => {
     expect(layerName(layer)).toBe(name);
   });

@@ -57,6 +57,8 @@ describe("scalars", () => {
     expect(wantsSurfaces(scene)).toBe(true);
     expect(of({ outline: { type: "outline" }, off: { type: "surface", visible: false } })).toBe(false);
     expect(of({ iso: { type: "iso", array: "p", values: [] } })).toBe(false);
+    expect(of({ clip: { type: "clip", axis: "x", value: 1 } })).toBe(false);
+    expect(of({ points: { type: "points" } })).toBe(true);
     expect([of({}), wantsSurfaces(null)]).toEqual([false, false]);
   });
 

@@ -24,6 +24,35 @@ class Coloring(TypedDict):
     solid: NotRequired[str]
 
 
+class Edges(TypedDict):
+    """Lines along the edges of a layer's polygons: those of the cells, never those of a triangulation. Absent: none."""
+
+    visible: NotRequired[bool]
+    color: NotRequired[str]
+    width: NotRequired[float]  # pixels
+
+
+class Contours(TypedDict):
+    """Lines where an array takes values on a slice: either values, or count of them."""
+
+    visible: NotRequired[bool]
+    array: str  # a scalar name
+    values: NotRequired[list[float]]
+    count: NotRequired[int]  # without values: so many, evenly inside the range
+    range: NotRequired[Range | None]  # of count; absent: the array's range at the shown time
+    color: NotRequired[str]
+    width: NotRequired[float]  # pixels
+
+
+class Threshold(TypedDict):
+    """Shows the mesh as if it had only the cells whose values lie in the range. They stay whole: the boundary is then theirs, with the faces towards cells that are left out. Absent: all cells."""
+
+    enabled: NotRequired[bool]
+    array: str  # a scalar name
+    range: Range
+    keep: NotRequired[Literal["all", "any"]]  # cells with all vertices in the range, ends included, or with any
+
+
 class IsoLayer(TypedDict):
     type: Literal["iso"]
     order: NotRequired[float]
@@ -32,7 +61,8 @@ class IsoLayer(TypedDict):
     array: str
     values: list[float]
     color: NotRequired[Coloring]
-    smooth: NotRequired[bool]
+    smooth: NotRequired[bool]  # normals from the field's gradient; false: each polygon's own
+    edges: NotRequired[Edges]
 
 
 class SliceLayer(TypedDict):
@@ -47,6 +77,8 @@ class SliceLayer(TypedDict):
     origin: NotRequired[Vec3]
     normal: NotRequired[Vec3]
     color: NotRequired[Coloring]
+    contours: NotRequired[Contours]
+    edges: NotRequired[Edges]
 
 
 class SurfaceLayer(TypedDict):
@@ -55,7 +87,9 @@ class SurfaceLayer(TypedDict):
     visible: NotRequired[bool]
     opacity: NotRequired[float]
     groups: NotRequired[list[str]]  # patch names; absent or empty: the whole boundary
+    threshold: NotRequired[Threshold]
     color: NotRequired[Coloring]
+    edges: NotRequired[Edges]
 
 
 class OutlineLayer(TypedDict):
@@ -66,7 +100,50 @@ class OutlineLayer(TypedDict):
     color: NotRequired[Coloring]
 
 
-Layer = IsoLayer | SliceLayer | SurfaceLayer | OutlineLayer
+class EdgesLayer(TypedDict):
+    """The edges of the mesh's boundary faces, as lines."""
+
+    type: Literal["edges"]
+    order: NotRequired[float]
+    visible: NotRequired[bool]
+    opacity: NotRequired[float]
+    groups: NotRequired[list[str]]  # patch names; absent or empty: the whole boundary
+    threshold: NotRequired[Threshold]
+    angle: NotRequired[float]  # degrees: only where the boundary bends by more, ends or branches; absent: all edges
+    width: NotRequired[float]  # pixels
+    color: NotRequired[Coloring]
+
+
+class PointsLayer(TypedDict):
+    """The mesh's vertices, as points."""
+
+    type: Literal["points"]
+    order: NotRequired[float]
+    visible: NotRequired[bool]
+    opacity: NotRequired[float]
+    of: NotRequired[Literal["boundary", "all"]]  # vertices of boundary faces, or of all cells
+    groups: NotRequired[list[str]]  # patch names; absent or empty: the whole boundary; with of: boundary
+    threshold: NotRequired[Threshold]
+    size: NotRequired[float]  # pixels across
+    most: NotRequired[int]  # where there are more, every second, third ... is shown, and view.lacking says so
+    color: NotRequired[Coloring]
+
+
+class ClipLayer(TypedDict):
+    """A plane that cuts all layers: either axis and value, or origin and normal. At most 6 may be visible. Pictures, probes under a pixel, polygon batches and surface.export show what is left."""
+
+    type: Literal["clip"]
+    order: NotRequired[float]
+    visible: NotRequired[bool]
+    axis: NotRequired[Literal["x", "y", "z"]]
+    value: NotRequired[float]  # position along the axis; with axis
+    origin: NotRequired[Vec3]
+    normal: NotRequired[Vec3]
+    invert: NotRequired[bool]  # false: what the normal or the axis points to is cut away; true: the other side
+    caps: NotRequired[bool]  # close the surface layers that show the whole boundary, which stand for the solid mesh, with a slice coloured as they are
+
+
+Layer = IsoLayer | SliceLayer | SurfaceLayer | OutlineLayer | ClipLayer | EdgesLayer | PointsLayer
 
 
 class Scene(TypedDict):
@@ -372,7 +449,7 @@ ProbePointResult = ProbeResult
 
 
 class SurfaceExportParams(TypedDict):
-    """surface.export: A layer's surface as a file."""
+    """surface.export: A layer's surface as a file, cut by the visible clip planes and with their caps, as pictures show it."""
 
     layer: str
     format: Literal["ply", "stl", "vtp"]
@@ -413,7 +490,7 @@ class ViewFailedParams(TypedDict):
 
 
 class ViewLackingParams(TypedDict):
-    """view.lacking: What the next frame lacks, a sentence each: layers whose array was not written at its time. Empty when nothing is lacking any more."""
+    """view.lacking: What the next frame lacks, a sentence each: layers whose array was not written at its time, points that are too many to show all. Empty when nothing is lacking any more."""
 
     view: int
     revision: int

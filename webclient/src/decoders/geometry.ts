@@ -2,9 +2,13 @@
 import { HEADER_BYTES } from "../protocol/frame_header";
 import type { Range, Vec3 } from "../generated/protocol";
 
+/** nx, ny, nz, d: shown where dot(normal, offset) + d >= 0. */
+export type ClipPlane = [number, number, number, number];
+
 export interface GeometryBatch {
   layer: string;
   lines: boolean;
+  points: boolean;
   positions: Float32Array; // offsets from origin
   normals: Float32Array | null;
   scalars: Float32Array | null;
@@ -13,12 +17,14 @@ export interface GeometryBatch {
   range: Range;
   color: [number, number, number, number];
   lit: boolean;
+  width: number; // of lines and points, in the server's pixels
+  clip: ClipPlane[];
   origin: Vec3;
 }
 
 interface BatchHeader {
   layer: string;
-  kind: "triangles" | "lines";
+  kind: "triangles" | "lines" | "points";
   vertices: number;
   indices: number;
   normals: boolean;
@@ -27,6 +33,8 @@ interface BatchHeader {
   range: Range;
   color: [number, number, number, number];
   lit: boolean;
+  width?: number;
+  clip?: ClipPlane[];
   origin: Vec3;
   batches: number;
 }
@@ -59,6 +67,7 @@ export function decodeGeometry(message: ArrayBuffer): GeometryBatch | null {
   return {
     layer,
     lines: header.kind === "lines",
+    points: header.kind === "points",
     positions,
     normals,
     scalars,
@@ -67,6 +76,8 @@ export function decodeGeometry(message: ArrayBuffer): GeometryBatch | null {
     range,
     color,
     lit,
+    width: header.width ?? 1,
+    clip: header.clip ?? [],
     origin,
   };
 }

@@ -2,10 +2,20 @@
 import { boundsRadius, type Bounds, type FullCamera } from "../camera/camera";
 import { depthRange, projectionMatrix, viewMatrix } from "../camera/matrices";
 import type { GeometryBatch } from "../decoders/geometry";
+import { clamp } from "../scene/numbers";
 import type { Rgb } from "./background";
 import { colorMap, missingColor } from "./color_maps";
 import { buildProgram, type Program } from "./gl_program";
-import { BACKGROUND_FRAGMENT, BACKGROUND_VERTEX, SURFACE_FRAGMENT, SURFACE_VERTEX } from "./shaders";
+import { uploadLines } from "./lines";
+import {
+  BACKGROUND_FRAGMENT,
+  BACKGROUND_VERTEX,
+  LINE_FRAGMENT,
+  LINE_VERTEX,
+  POINT_FRAGMENT,
+  SURFACE_FRAGMENT,
+  SURFACE_VERTEX,
+} from "./shaders";
 
 export interface Look {
   camera: FullCamera;
@@ -20,10 +30,14 @@ interface Uploaded {
   buffers: WebGLBuffer[];
 }
 
+const isSurface = (batch: GeometryBatch): boolean => !batch.lines && !batch.points;
+
 /** Throws where the browser has no WebGL2. */
 export class GeometryCanvas {
   private readonly gl: WebGL2RenderingContext;
   private surface!: Program;
+  private lines!: Program;
+  private points!: Program;
   private background!: Program;
   private readonly textures = new Map<string, WebGLTexture>();
   private uploaded: Uploaded[] = [];
@@ -66,34 +80,54 @@ export class GeometryCanvas {
     gl.depthMask(true);
     gl.clear(gl.DEPTH_BUFFER_BIT);
     this.drawBackground(look);
-    gl.useProgram(this.surface.program);
     gl.enable(gl.DEPTH_TEST);
     gl.depthFunc(gl.LEQUAL);
-    const depths = depthRange(look.camera, look.bounds);
-    gl.uniformMatrix4fv(this.surface.at("projection"), false, projectionMatrix(look.camera, width / height, depths));
-    gl.uniform1i(this.surface.at("parallel"), look.camera.parallel ? 1 : 0);
-    gl.uniform1f(this.surface.at("scale"), 1 / (boundsRadius(look.bounds) || 1));
-    gl.uniform3fv(this.surface.at("missing"), missingColor);
-    const opaque = this.uploaded.filter(({ batch }) => batch.color[3] >= 1);
-    for (const part of opaque) this.drawPart(part, look.camera);
+    for (const program of [this.surface, this.lines, this.points]) this.prepareProgram(program, look, width, height);
+    gl.polygonOffset(this.reachOfOverlays(), 1); // surfaces a little back, so that lines on them are not half buried
+    gl.enable(gl.POLYGON_OFFSET_FILL);
+    this.drawParts(({ batch }) => isSurface(batch) && batch.color[3] >= 1, look.camera);
+    gl.enable(gl.BLEND);
+    gl.blendFunc(gl.SRC_ALPHA, gl.ONE_MINUS_SRC_ALPHA);
+    this.drawParts(({ batch }) => batch.lines, look.camera);
+    this.drawParts(({ batch }) => batch.points, look.camera);
     this.drawTransparent(look.camera);
+    gl.disable(gl.BLEND);
+    gl.disable(gl.POLYGON_OFFSET_FILL);
+  }
+
+  /** As the server has it: pixels by which lines and points reach over the place where they are. */
+  private reachOfOverlays(): number {
+    const widths = this.batches.map((batch) => (isSurface(batch) ? 0 : batch.width / 2 + 0.5));
+    return clamp(Math.max(...widths, 1), 1, 6);
+  }
+
+  private prepareProgram(program: Program, look: Look, width: number, height: number): void {
+    const { gl } = this;
+    const depths = depthRange(look.camera, look.bounds);
+    gl.useProgram(program.program);
+    gl.uniformMatrix4fv(program.at("projection"), false, projectionMatrix(look.camera, width / height, depths));
+    gl.uniform1i(program.at("parallel"), look.camera.parallel ? 1 : 0);
+    gl.uniform1f(program.at("scale"), 1 / (boundsRadius(look.bounds) || 1));
+    gl.uniform2f(program.at("viewport"), width, height);
+    gl.uniform3fv(program.at("missing"), missingColor);
+  }
+
+  private drawParts(wanted: (part: Uploaded) => boolean, camera: FullCamera): void {
+    for (const part of this.uploaded) if (wanted(part)) this.drawPart(part, camera);
   }
 
   // Each layer's nearest surface only: what lies behind it in the same layer would be mixed in no right order.
   private drawTransparent(camera: FullCamera): void {
     const { gl } = this;
-    const transparent = this.uploaded.filter(({ batch }) => batch.color[3] < 1);
-    const layers = new Set(transparent.map(({ batch }) => batch.layer));
-    gl.enable(gl.BLEND);
-    gl.blendFunc(gl.SRC_ALPHA, gl.ONE_MINUS_SRC_ALPHA);
+    const isTransparent = ({ batch }: Uploaded): boolean => isSurface(batch) && batch.color[3] < 1;
+    const layers = new Set(this.uploaded.filter(isTransparent).map(({ batch }) => batch.layer));
     for (const layer of layers) {
-      const parts = transparent.filter(({ batch }) => batch.layer === layer);
+      const ofLayer = (part: Uploaded): boolean => isTransparent(part) && part.batch.layer === layer;
       gl.colorMask(false, false, false, false);
-      for (const part of parts) this.drawPart(part, camera);
+      this.drawParts(ofLayer, camera);
       gl.colorMask(true, true, true, true);
-      for (const part of parts) this.drawPart(part, camera);
+      this.drawParts(ofLayer, camera);
     }
-    gl.disable(gl.BLEND);
   }
 
   private drawBackground(look: Look): void {
@@ -107,23 +141,44 @@ export class GeometryCanvas {
   }
 
   private drawPart({ batch, vertexArray }: Uploaded, camera: FullCamera): void {
-    const { gl, surface } = this;
-    gl.uniformMatrix4fv(surface.at("view"), false, viewMatrix(camera, batch.origin));
-    gl.uniform4fv(surface.at("color"), batch.color);
-    gl.uniform2fv(surface.at("range"), batch.range);
-    gl.uniform1i(surface.at("mapped"), batch.scalars === null ? 0 : 1);
-    gl.uniform1i(surface.at("lit"), batch.lit && !batch.lines ? 1 : 0);
-    gl.uniform1i(surface.at("has_normals"), batch.normals === null ? 0 : 1);
+    const { gl } = this;
+    const program = batch.lines ? this.lines : batch.points ? this.points : this.surface;
+    gl.useProgram(program.program);
+    gl.uniformMatrix4fv(program.at("view"), false, viewMatrix(camera, batch.origin));
+    gl.uniform4fv(program.at("color"), batch.color);
+    gl.uniform2fv(program.at("range"), batch.range);
+    gl.uniform1i(program.at("mapped"), batch.scalars === null ? 0 : 1);
+    gl.uniform1i(program.at("clip_planes"), batch.clip.length);
+    if (batch.clip.length > 0) gl.uniform4fv(program.at("clip"), batch.clip.flat());
     gl.bindTexture(gl.TEXTURE_2D, this.texture(batch.map));
     gl.bindVertexArray(vertexArray);
-    gl.drawElements(batch.lines ? gl.LINES : gl.TRIANGLES, batch.indices.length, gl.UNSIGNED_INT, 0);
+    if (batch.lines) {
+      gl.uniform1f(program.at("half_width"), batch.width / 2);
+      gl.drawArraysInstanced(gl.TRIANGLE_STRIP, 0, 4, batch.indices.length / 2);
+      return;
+    }
+    if (batch.points) {
+      gl.uniform1f(program.at("point_size"), batch.width);
+      gl.drawElements(gl.POINTS, batch.indices.length, gl.UNSIGNED_INT, 0);
+      return;
+    }
+    gl.uniform1i(program.at("lit"), batch.lit ? 1 : 0);
+    gl.uniform1i(program.at("has_normals"), batch.normals === null ? 0 : 1);
+    gl.drawElements(gl.TRIANGLES, batch.indices.length, gl.UNSIGNED_INT, 0);
   }
 
   private upload(batch: GeometryBatch): Uploaded {
     const { gl } = this;
     const vertexArray = gl.createVertexArray();
-    const buffers: WebGLBuffer[] = [];
     gl.bindVertexArray(vertexArray);
+    const buffers = batch.lines ? uploadLines(gl, batch) : this.uploadSurface(batch);
+    gl.bindVertexArray(null);
+    return { batch, vertexArray, buffers };
+  }
+
+  private uploadSurface(batch: GeometryBatch): WebGLBuffer[] {
+    const { gl } = this;
+    const buffers: WebGLBuffer[] = [];
     [batch.positions, batch.normals, batch.scalars].forEach((values, location) => {
       if (values === null) return;
       const buffer = gl.createBuffer();
@@ -137,8 +192,7 @@ export class GeometryCanvas {
     buffers.push(indices);
     gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, indices);
     gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, batch.indices, gl.STATIC_DRAW);
-    gl.bindVertexArray(null);
-    return { batch, vertexArray, buffers };
+    return buffers;
   }
 
   private texture(map: string): WebGLTexture {
@@ -163,6 +217,8 @@ export class GeometryCanvas {
 
   private prepare(): void {
     this.surface = buildProgram(this.gl, SURFACE_VERTEX, SURFACE_FRAGMENT);
+    this.lines = buildProgram(this.gl, LINE_VERTEX, LINE_FRAGMENT);
+    this.points = buildProgram(this.gl, SURFACE_VERTEX, POINT_FRAGMENT);
     this.background = buildProgram(this.gl, BACKGROUND_VERTEX, BACKGROUND_FRAGMENT);
   }
 }

@@ -7,31 +7,38 @@ layout(location = 2) in float scalar;
 uniform mat4 view;
 uniform mat4 projection;
 uniform float scale;
+uniform float point_size;
 out vec3 place; // in units of the bounds' radius: derivatives of small scenes must not underflow
 out vec3 eye_normal;
 out float value;
+out vec3 offset;
 void main() {
+  offset = position;
   vec4 at = view * vec4(position, 1.0);
   place = at.xyz * scale;
   eye_normal = mat3(view) * normal;
   value = scalar;
+  gl_PointSize = point_size + 1.0; // room for a soft edge; counts for points only
   gl_Position = projection * at;
 }`;
 
-export const SURFACE_FRAGMENT = `#version 300 es
+const COLORED = `#version 300 es
 precision highp float;
-in vec3 place;
-in vec3 eye_normal;
 in float value;
+in vec3 offset; // from the batch's origin
+uniform vec4 clip[6];
+uniform int clip_planes;
 uniform sampler2D map;
 uniform vec2 range;
 uniform vec4 color;
 uniform vec3 missing;
 uniform bool mapped;
-uniform bool lit;
-uniform bool has_normals;
-uniform bool parallel;
 out vec4 result;
+
+void leave_out_what_is_clipped() {
+  for (int i = 0; i < clip_planes; ++i)
+    if (dot(clip[i].xyz, offset) + clip[i].w < 0.0) discard;
+}
 
 vec3 base_color() {
   if (!mapped) return color.rgb;
@@ -40,6 +47,14 @@ vec3 base_color() {
   float at = span > 0.0 ? clamp((value - range.x) / span, 0.0, 1.0) : 0.5;
   return texture(map, vec2((at * 255.0 + 0.5) / 256.0, 0.5)).rgb;
 }
+`;
+
+export const SURFACE_FRAGMENT = `${COLORED}
+in vec3 place;
+in vec3 eye_normal;
+uniform bool lit;
+uniform bool has_normals;
+uniform bool parallel;
 
 vec3 facing_normal(vec3 viewer) {
   vec3 plane = cross(dFdx(place), dFdy(place));
@@ -51,6 +66,7 @@ vec3 facing_normal(vec3 viewer) {
 }
 
 void main() {
+  leave_out_what_is_clipped();
   vec3 base = base_color();
   if (lit) {
     vec3 viewer = parallel ? vec3(0.0, 0.0, 1.0) : normalize(-place);
@@ -62,6 +78,66 @@ void main() {
     base = base * (0.30 + 0.38 * head + 0.40 * wrapped * wrapped) + vec3(0.10 * shine);
   }
   result = vec4(base, color.a);
+}`;
+
+// A disc with soft edges, shaded as the ball that it stands for.
+export const POINT_FRAGMENT = `${COLORED}
+uniform float point_size;
+void main() {
+  leave_out_what_is_clipped();
+  vec2 from_center = (gl_PointCoord - 0.5) * (point_size + 1.0);
+  float cover = clamp(point_size * 0.5 + 0.5 - length(from_center), 0.0, 1.0);
+  if (cover < 0.02) discard;
+  vec2 side = from_center / (point_size * 0.5 + 0.5);
+  vec3 base = base_color() * (0.55 + 0.45 * sqrt(max(1.0 - dot(side, side), 0.0)));
+  result = vec4(base, color.a * cover);
+}`;
+
+// A line as a rectangle of its width in pixels with soft edges, cut at the nearest plane: behind the eye is no pixel.
+export const LINE_VERTEX = `#version 300 es
+layout(location = 0) in vec4 from; // x, y, z, value
+layout(location = 1) in vec4 to;
+uniform mat4 view;
+uniform mat4 projection;
+uniform vec2 viewport;
+uniform float half_width;
+out float value;
+out vec3 offset;
+out float across;
+out float weight;
+void main() {
+  vec4 a = projection * (view * vec4(from.xyz, 1.0));
+  vec4 b = projection * (view * vec4(to.xyz, 1.0));
+  float in_a = a.z + a.w;
+  float in_b = b.z + b.w;
+  float start = in_a < 0.0 && in_b > 0.0 ? in_a / (in_a - in_b) : 0.0;
+  float end = in_b < 0.0 && in_a > 0.0 ? in_a / (in_a - in_b) : 1.0;
+  vec4 first = mix(a, b, start);
+  vec4 last = mix(a, b, end);
+  vec2 along = (last.xy / last.w - first.xy / first.w) * viewport * 0.5;
+  along = length(along) > 1e-6 ? normalize(along) : vec2(1.0, 0.0);
+  bool at_end = (gl_VertexID & 1) == 1;
+  float side = (gl_VertexID & 2) == 2 ? 1.0 : -1.0;
+  float t = at_end ? end : start;
+  across = side * (half_width + 0.5);
+  vec2 moved = vec2(-along.y, along.x) * across + along * half_width * (at_end ? 0.5 : -0.5);
+  offset = mix(from.xyz, to.xyz, t);
+  vec4 here = at_end ? last : first;
+  value = mix(from.w, to.w, t);
+  across *= here.w; // perspective takes it back: straight in the picture
+  weight = here.w;
+  gl_Position = here + vec4(moved / viewport * 2.0 * here.w, 0.0, 0.0);
+}`;
+
+export const LINE_FRAGMENT = `${COLORED}
+in float across;
+in float weight;
+uniform float half_width;
+void main() {
+  leave_out_what_is_clipped();
+  float cover = clamp(half_width + 0.5 - abs(across / weight), 0.0, 1.0);
+  if (cover < 0.02) discard; // else an unseen edge would still hide what is behind it
+  result = vec4(base_color(), color.a * cover);
 }`;
 
 export const BACKGROUND_VERTEX = `#version 300 es

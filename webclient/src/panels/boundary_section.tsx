@@ -5,6 +5,8 @@ import { layersOf } from "../scene/scalars";
 import { ColoringFields, OpacityField } from "./coloring";
 import { Check, Section } from "./controls";
 import { useApp, useAppState } from "./context";
+import { EdgesFields } from "./line_fields";
+import { ThresholdFields } from "./threshold_fields";
 
 export function BoundarySection(): JSX.Element {
   const { actions } = useApp();
@@ -49,6 +51,8 @@ export function BoundarySection(): JSX.Element {
         <>
           <ColoringFields layers={[entry[0]]} coloring={entry[1].color ?? {}} />
           <OpacityField layers={[entry[0]]} opacity={entry[1].opacity ?? 1} />
+          <ThresholdFields id={entry[0]} threshold={entry[1].threshold} color={entry[1].color?.array} />
+          <EdgesFields layers={[entry[0]]} edges={entry[1].edges} />
         </>
       )}
     </Section>

@@ -5,9 +5,10 @@ import type { IsoLayer, Range } from "../generated/protocol";
 import { formatNumber, logarithmicStart, niceStep, widestGap } from "../scene/numbers";
 import { arrayOf, scalarsOf, shownTime, unitsOf } from "../scene/scalars";
 import { ColoringFields, OpacityField } from "./coloring";
-import { IconButton, NumberField, SelectField } from "./controls";
+import { Check, IconButton, NumberField, SelectField } from "./controls";
 import { useApp, useAppState } from "./context";
 import { HistogramSlider } from "./histogram_slider";
+import { EdgesFields } from "./line_fields";
 
 const MOST_VALUES = 64;
 
@@ -158,6 +159,8 @@ export function IsoCard({ id, layer }: { id: string; layer: IsoLayer }): JSX.Ele
       <OutsideHint values={layer.values} range={range} />
       <ColoringFields layers={[id]} coloring={layer.color ?? {}} />
       <OpacityField layers={[id]} opacity={layer.opacity ?? 1} />
+      <Check label="Smooth" checked={layer.smooth !== false} onChange={(smooth) => actions.setLayer(id, { smooth })} />
+      <EdgesFields layers={[id]} edges={layer.edges} />
     </article>
   );
 }

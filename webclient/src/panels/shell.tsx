@@ -3,10 +3,12 @@ import { useEffect } from "preact/hooks";
 import { handleKey } from "../app/keys";
 import { isDark } from "../app/preferences";
 import { BoundarySection } from "./boundary_section";
+import { ClipSection } from "./clip_section";
 import { useApp, useAppState } from "./context";
 import { Help } from "./help";
 import { InfoSection } from "./info_section";
 import { IsoSection } from "./iso_section";
+import { LinesAndPointsSection } from "./lines_and_points_section";
 import { SlicesSection } from "./slices_section";
 import { Stage } from "./stage";
 import { StatusBar } from "./status_bar";
@@ -54,6 +56,8 @@ export function Shell(): JSX.Element {
               <IsoSection />
               <SlicesSection />
               <BoundarySection />
+              <LinesAndPointsSection />
+              <ClipSection />
               <ViewSection />
               <InfoSection />
             </>

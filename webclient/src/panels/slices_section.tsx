@@ -4,8 +4,10 @@ import type { SliceLayer } from "../generated/protocol";
 import { formatNumber, niceStep } from "../scene/numbers";
 import { layersOf, scalarsOf } from "../scene/scalars";
 import { ColoringFields, OpacityField } from "./coloring";
+import { ContourFields } from "./contour_fields";
 import { Check, IconButton, NumberField, Section, Slider } from "./controls";
 import { useApp, useAppState } from "./context";
+import { EdgesFields } from "./line_fields";
 
 const AXES = ["x", "y", "z"] as const;
 type Axis = (typeof AXES)[number];
@@ -95,6 +97,8 @@ export function SlicesSection(): JSX.Element {
         <>
           <ColoringFields layers={slices.map(([id]) => id)} coloring={first[1].color ?? {}} />
           <OpacityField layers={slices.map(([id]) => id)} opacity={first[1].opacity ?? 1} />
+          <ContourFields layers={slices.map(([id]) => id)} contours={first[1].contours} color={first[1].color?.array} />
+          <EdgesFields layers={slices.map(([id]) => id)} edges={first[1].edges} />
         </>
       )}
     </Section>

@@ -25,6 +25,14 @@ export function layerName(layer: Layer): string {
         : `Slice at ${layer.axis} = ${formatNumber(layer.value ?? 0)}`;
     case "surface":
       return (layer.groups ?? []).length === 0 ? "Whole boundary" : `Boundary: ${list(layer.groups ?? [])}`;
+    case "edges":
+      return layer.angle === undefined ? "Edges of the boundary" : `Edges that bend by ${formatNumber(layer.angle)}°`;
+    case "points":
+      return layer.of === "all" ? "All points" : "Points of the boundary";
+    case "clip":
+      return layer.axis === undefined
+        ? `Clip: ${plane(layer.origin, layer.normal)}`
+        : `Clip at ${layer.axis} = ${formatNumber(layer.value ?? 0)}`;
     case "outline":
       return "Outline";
   }

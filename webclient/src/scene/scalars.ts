@@ -58,7 +58,10 @@ export function layersOf<T extends Layer["type"]>(scene: Scene | null, type: T):
 /** Whether there is a layer in the scene of which something should be seen; the outline is always. */
 export const wantsSurfaces = (scene: Scene | null): boolean =>
   Object.values(scene?.layers ?? {}).some(
-    (layer) => layer.visible !== false && layer.type !== "outline" && (layer.type !== "iso" || layer.values.length > 0),
+    (layer) =>
+      layer.visible !== false &&
+      !["outline", "clip"].includes(layer.type) &&
+      (layer.type !== "iso" || layer.values.length > 0),
   );
 
 /** An id that no layer has: prefix, prefix2, prefix3 ... */
@@ -77,8 +80,9 @@ export const topOrder = (scene: Scene): number =>
 export function legendsOf(scene: Scene | null): { coloring: Coloring & { array: string }; layers: string[] }[] {
   const found = new Map<string, { coloring: Coloring & { array: string }; layers: string[] }>();
   for (const [id, layer] of Object.entries(scene?.layers ?? {})) {
+    if (layer.visible === false || layer.type === "outline" || layer.type === "clip") continue;
     const { color } = layer;
-    if (layer.visible === false || layer.type === "outline" || color?.array === undefined) continue;
+    if (color?.array === undefined) continue;
     const key = JSON.stringify([color.array, color.map ?? "viridis", color.range ?? null]);
     const same = found.get(key);
     if (same === undefined) found.set(key, { coloring: { ...color, array: color.array }, layers: [id] });

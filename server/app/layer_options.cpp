@@ -1,0 +1,110 @@
+#include "app/layer_options.hpp"
+
+#include "app/commands.hpp"
+#include "app/scene_options.hpp"
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+namespace ciel::app {
+namespace {
+
+bool has_polygons(const nlohmann::json& layer) {
+    return layer["type"] == "iso" || layer["type"] == "slice" || layer["type"] == "surface";
+}
+
+bool is_slice(const nlohmann::json& layer) { return layer["type"] == "slice"; }
+
+bool is_of_cells(const nlohmann::json& layer) {
+    return layer["type"] == "surface" || layer["type"] == "edges" || layer["type"] == "points";
+}
+
+nlohmann::json threshold_of(const std::string& text) {
+    const auto equals = text.rfind('=');
+    if (equals != std::string::npos && equals > 0)
+        if (const auto range = parse_numbers("--threshold", text.substr(equals + 1)); range.size() == 2)
+            return {{"array", text.substr(0, equals)}, {"range", range}};
+    throw UsageError("--threshold " + text + " is not of the form ARRAY=MIN,MAX");
+}
+
+// How many there were.
+template <class Wanted, class Change>
+int change(nlohmann::json& layers, Wanted wanted, Change make) {
+    int changed = 0;
+    for (auto& layer : layers)
+        if (wanted(layer)) {
+            make(layer);
+            ++changed;
+        }
+    return changed;
+}
+
+// "p" or "p=1,2,3"; an array's own name may hold an '='.
+nlohmann::json contours_of(const std::string& text) {
+    const auto equals = text.rfind('=');
+    if (equals == std::string::npos || equals == 0) return {{"array", text}};
+    return {{"array", text.substr(0, equals)}, {"values", parse_numbers("--contours", text.substr(equals + 1))}};
+}
+
+constexpr const char* clip_form =
+    " is not of the form x=VALUE, y=VALUE or z=VALUE, with a - before it for the other side, or ox,oy,oz,nx,ny,nz";
+
+nlohmann::json clip_of(const std::string& text) {
+    const auto equals = text.find('=');
+    if (equals == std::string::npos) {
+        const std::vector<double> n = parse_numbers("--clip", text);
+        if (n.size() != 6) throw UsageError("--clip " + text + clip_form);
+        return {{"type", "clip"}, {"origin", {n[0], n[1], n[2]}}, {"normal", {n[3], n[4], n[5]}}};
+    }
+    const bool inverted = text.starts_with('-');
+    const std::string axis = text.substr(inverted ? 1 : 0, equals - (inverted ? 1 : 0));
+    const std::vector<double> value = parse_numbers("--clip", text.substr(equals + 1));
+    if ((axis != "x" && axis != "y" && axis != "z") || value.size() != 1)
+        throw UsageError("--clip " + text + clip_form);
+    return {{"type", "clip"}, {"axis", axis}, {"value", value[0]}, {"invert", inverted}};
+}
+
+} // namespace
+
+void LayerOptions::add_to(CLI::App& command) {
+    command.add_flag("--surface", surface, "The boundary of the mesh.");
+    command
+        .add_option("--feature-edges", feature_edges,
+                    "Edges at which the boundary bends by more than so many degrees; 0 for all that bend.")
+        ->type_name("DEGREES");
+    command.add_option("--points", points, "Vertices of the boundary, or all.")
+        ->check(CLI::IsMember({"boundary", "all"}));
+    command
+        .add_option("--threshold", threshold,
+                    "Only cells whose vertices all lie in this range: of --surface, --feature-edges and --points.")
+        ->type_name("ARRAY=MIN,MAX");
+    command.add_flag("--edges", edges, "Lines along the edges of all polygons: those of the cells.");
+    command.add_option("--contours", contours, "Contour lines of a point scalar on slices: ten, or at these values.")
+        ->type_name("ARRAY[=VALUE,...]");
+    command
+        .add_option("--clip", clips,
+                    "Cut away what lies beyond a plane, with a cap where --surface is cut open; up to six. "
+                    "--clip=-x=1 takes the other side of --clip x=1.")
+        ->type_name("[-]x|y|z=VALUE or ox,oy,oz,nx,ny,nz");
+}
+
+void LayerOptions::apply(nlohmann::json& layers) const {
+    double order = static_cast<double>(layers.size());
+    if (surface) layers["surface"] = {{"type", "surface"}, {"order", order++}};
+    if (feature_edges) layers["edges"] = {{"type", "edges"}, {"order", order++}, {"angle", *feature_edges}};
+    if (points) layers["points"] = {{"type", "points"}, {"order", order++}, {"of", *points}};
+    if (threshold) {
+        const nlohmann::json range = threshold_of(*threshold);
+        if (change(layers, is_of_cells, [&](auto& layer) { layer["threshold"] = range; }) == 0)
+            throw UsageError("--threshold chooses cells; give --surface, --feature-edges or --points");
+    }
+    if (edges && change(layers, has_polygons, [](auto& layer) { layer["edges"] = nlohmann::json::object(); }) == 0)
+        throw UsageError("nothing has polygons whose edges could be drawn; give --iso, --slice or --surface");
+    for (std::size_t i = 0; i < clips.size(); ++i) layers["clip" + std::to_string(i + 1)] = clip_of(clips[i]);
+    if (contours.empty()) return;
+    const nlohmann::json lines = contours_of(contours);
+    if (change(layers, is_slice, [&](auto& layer) { layer["contours"] = lines; }) == 0)
+        throw UsageError("contour lines are drawn on slices; give --slice or --plane");
+}
+
+} // namespace ciel::app

@@ -1,0 +1,110 @@
+#include "ciel/threshold_surface.hpp"
+
+#include "ciel/parallel.hpp"
+#include "ciel/polygon.hpp"
+
+#include <algorithm>
+
+namespace ciel {
+
+namespace {
+
+constexpr Index polygons_per_chunk = 4096;
+
+void add_chunks(Surface& surface) {
+    const auto polygons = static_cast<Index>(surface.polygon_cell.size());
+    for (Index begin = 0; begin < polygons; begin += polygons_per_chunk)
+        surface.chunks.push_back({begin / polygons_per_chunk, begin, std::min(begin + polygons_per_chunk, polygons)});
+}
+
+bool is_polygon(std::span<const Index> loop) {
+    Index other = none; // than the first
+    for (const Index vertex : loop) {
+        if (vertex == loop[0] || vertex == other) continue;
+        if (other != none) return true;
+        other = vertex;
+    }
+    return false;
+}
+
+} // namespace
+
+std::vector<std::uint8_t> cells_in_range(const FaceMeshView& mesh, std::span<const float> values,
+                                         std::array<double, 2> range, InRange vertices) {
+    if (values.size() != mesh.vertex_count()) fail("a threshold needs one value per vertex of its mesh");
+    std::vector<std::uint8_t> of_face(mesh.face_count());
+    parallel_for(of_face.size(), 65536, [&](std::size_t begin, std::size_t end) {
+        const auto inside = [&](Index v) { return values[v] >= range[0] && values[v] <= range[1]; };
+        for (std::size_t f = begin; f < end; ++f) {
+            const auto loop = mesh.loop(static_cast<Index>(f));
+            of_face[f] =
+                vertices == InRange::all ? std::ranges::all_of(loop, inside) : std::ranges::any_of(loop, inside);
+        }
+    });
+    std::vector<std::uint8_t> kept(mesh.cell_count(), 0), outside(mesh.cell_count(), 0);
+    for (Index f = 0; f < mesh.face_count(); ++f)
+        for (const Index cell : {mesh.owner[f], mesh.neighbour[f]})
+            if (cell != none) (of_face[f] != 0 ? kept : outside)[cell] = 1;
+    if (vertices == InRange::all)
+        for (std::size_t c = 0; c < kept.size(); ++c) kept[c] = kept[c] != 0 && outside[c] == 0 ? 1 : 0;
+    return kept;
+}
+
+std::vector<CellFace> threshold_faces(const FaceMeshView& mesh, std::span<const std::uint8_t> kept) {
+    std::vector<CellFace> faces;
+    const auto keeps = [&](Index cell) { return cell != none && kept[cell] != 0; };
+    for (Index f = 0; f < mesh.face_count(); ++f) {
+        const bool owner = keeps(mesh.owner[f]), neighbour = keeps(mesh.neighbour[f]);
+        if (owner != neighbour) faces.push_back({f, owner ? mesh.owner[f] : mesh.neighbour[f]});
+    }
+    return faces;
+}
+
+Surface face_surface(const FaceMeshView& mesh, std::span<const CellFace> faces) {
+    Surface surface;
+    std::vector<Index> local(mesh.vertex_count(), none);
+    const auto add = [&](Index vertex) {
+        if (local[vertex] == none) {
+            local[vertex] = static_cast<Index>(surface.positions.size());
+            const float* at = &mesh.positions[std::size_t{3} * vertex];
+            surface.positions.push_back({at[0], at[1], at[2]});
+            surface.points.push_back({vertex, vertex, 0});
+        }
+        surface.polygon_vertex.push_back(local[vertex]);
+    };
+    for (const auto& [face, cell] : faces) {
+        const std::span<const Index> loop = mesh.loop(face);
+        if (!is_polygon(loop)) continue;
+        if (cell == mesh.owner[face])
+            std::for_each(loop.begin(), loop.end(), add);
+        else
+            std::for_each(loop.rbegin(), loop.rend(), add);
+        surface.polygon_offset.push_back(static_cast<Index>(surface.polygon_vertex.size()));
+        surface.polygon_cell.push_back(cell);
+    }
+    add_chunks(surface);
+    return surface;
+}
+
+Surface polygons_of_cells(const Surface& surface, std::span<const std::uint8_t> kept) {
+    Surface out;
+    std::vector<Index> place(surface.positions.size(), none);
+    for (std::size_t i = 0; i < surface.polygon_cell.size(); ++i) {
+        if (kept[surface.polygon_cell[i]] == 0) continue;
+        for (const Index point : polygon(surface, i)) {
+            if (place[point] == none) {
+                place[point] = static_cast<Index>(out.positions.size());
+                out.positions.push_back(surface.positions[point]);
+                out.points.push_back(surface.points[point]);
+                if (!surface.normals.empty()) out.normals.push_back(surface.normals[point]);
+            }
+            out.polygon_vertex.push_back(place[point]);
+        }
+        out.polygon_offset.push_back(static_cast<Index>(out.polygon_vertex.size()));
+        out.polygon_cell.push_back(surface.polygon_cell[i]);
+    }
+    add_chunks(out);
+    return out;
+}
+
+} // namespace ciel

@@ -1,0 +1,132 @@
+// The layers' controls: each changes what both streams show.
+import assert from "node:assert/strict";
+import { before, describe, test } from "node:test";
+import type { Locator } from "./chromium.ts";
+import type { Client } from "./page.ts";
+import { difference, share } from "./png.ts";
+import { skip, Stage } from "./stage.ts";
+
+describe("layers", { skip }, () => {
+  const stage = new Stage({ width: 1280, height: 720 });
+  let client: Client;
+  before(async () => {
+    client = await stage.same();
+  });
+
+  const section = (title: string): Locator =>
+    client.page.locator("section.section", { has: client.page.getByRole("heading", { name: title }) });
+  const check = (title: string, label: string): Locator =>
+    section(title).getByRole("checkbox", { name: label }).first();
+  const field = (title: string, label: string): Locator => section(title).getByRole("textbox", { name: label }).first();
+  const stream = async (name: string): Promise<void> => {
+    await client.page.getByLabel("Stream", { exact: true }).selectOption(name);
+    await client.settled(name);
+  };
+  /** Both streams show the scene alike but for how smooth their edges are. */
+  const alike = async (name: string): Promise<void> => {
+    const image = await client.picture();
+    await client.keep(`${name}-image`);
+    await stream("geometry");
+    const geometry = await client.picture();
+    await client.keep(`${name}-geometry`);
+    await stream("image");
+    const differs = difference(image, geometry);
+    assert.ok(differs < 0.04, `${name}: the streams differ by ${differs}`);
+  };
+
+  test("cell edges of an iso-surface", async () => {
+    const plain = await client.picture();
+    await check("Iso-surfaces", "Cell edges").check();
+    await client.settled();
+    const edged = await client.picture();
+    assert.ok(difference(plain, edged) > 0.003);
+    await alike("edges");
+    await field("Iso-surfaces", "Width of the edges in pixels").fill("4");
+    await client.page.keyboard.press("Enter");
+    await client.settled();
+    assert.ok(difference(edged, await client.picture()) > 0.003, "wider edges hide more");
+    await check("Iso-surfaces", "Cell edges").uncheck();
+    await client.settled();
+    assert.ok(difference(plain, await client.picture()) < 0.001);
+  });
+
+  test("contour lines of a slice", async () => {
+    await check("Slices", "Z").check();
+    await client.settled();
+    const plain = await client.picture();
+    await check("Slices", "Contour lines").check();
+    await client.settled();
+    const lined = await client.picture();
+    assert.ok(difference(plain, lined) > 0.002);
+    await alike("contours");
+    await field("Slices", "Number of contour lines").fill("30");
+    await client.page.keyboard.press("Enter");
+    await client.settled();
+    assert.ok(difference(lined, await client.picture()) > 0.002, "more lines");
+    await check("Slices", "Contour lines").uncheck();
+    await client.settled();
+    assert.ok(difference(plain, await client.picture()) < 0.001);
+    await check("Slices", "Z").uncheck();
+    await client.settled();
+  });
+
+  test("a clip cuts the boundary open, closes it with a cap, and goes away again", async () => {
+    await check("Boundary", "Whole boundary").check();
+    await client.settled();
+    const whole = await client.picture();
+    await client.button("Add a clip across x").click();
+    await client.settled();
+    const cut = await client.picture();
+    assert.ok(difference(whole, cut) > 0.05, "half of it is gone");
+    await alike("clip");
+    await check("Clip", "Caps").uncheck();
+    await client.settled();
+    assert.ok(difference(cut, await client.picture()) > 0.005, "one looks inside");
+    await check("Clip", "Caps").check();
+    await check("Clip", "Other side").check();
+    await client.settled();
+    assert.ok(difference(cut, await client.picture()) > 0.05, "the other half");
+    await client.button("Remove this clip").click();
+    await client.settled();
+    assert.ok(difference(whole, await client.picture()) < 0.001);
+    await check("Boundary", "Whole boundary").uncheck();
+    await client.settled();
+  });
+
+  test("edges and points of the mesh", async () => {
+    const before = await client.picture();
+    await client.button("Add edges of the mesh").click();
+    await client.settled();
+    assert.ok(difference(before, await client.picture()) > 0.0003);
+    await client.button("Add points of the mesh").click();
+    await client.settled();
+    const image = await client.picture();
+    assert.ok(difference(before, image) > 0.01);
+    await client.keep("points-image");
+    await stream("geometry");
+    const geometry = await client.picture();
+    await client.keep("points-geometry");
+    await stream("image");
+    // Thousands of small discs differ along their rims, not in how much they cover.
+    const covered = [image, geometry].map((picture) => share(picture, (color) => Math.min(...color) > 185));
+    assert.ok(Math.abs((covered[0] ?? 0) - (covered[1] ?? 1)) < 0.03, `points cover ${covered.join(" and ")}`);
+    await client.button("Remove these points").click();
+    await client.button("Remove these edges").click();
+    await client.settled();
+    assert.ok(difference(before, await client.picture()) < 0.001);
+  });
+
+  test("a threshold shows the boundary of the cells in the range", async () => {
+    await check("Boundary", "Whole boundary").check();
+    await client.settled();
+    const whole = await client.picture();
+    await check("Boundary", "Threshold").check();
+    await client.settled();
+    assert.ok(difference(whole, await client.picture()) > 0.02);
+    await alike("threshold");
+    await check("Boundary", "Threshold").uncheck();
+    await client.settled();
+    assert.ok(difference(whole, await client.picture()) < 0.001);
+    assert.deepEqual(client.problems, []);
+  });
+});

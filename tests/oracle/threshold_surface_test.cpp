@@ -1,0 +1,112 @@
+// Thresholds against cells looked at one by one, without owners, neighbours or blocks.
+#include "ciel/threshold_surface.hpp"
+#include "oracle/kernel_mesh.hpp"
+#include "support/fields.hpp"
+#include "support/meshes.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+#include <map>
+
+namespace ciel::test {
+namespace {
+
+using Sides = std::vector<std::pair<Id, Loop>>; // (cell, its side), of the input, sorted
+
+// Every cell by itself; a side is one of the boundary where no other kept cell has a face of the same vertices.
+Sides kept_boundary(const Polyhedra& mesh, const std::vector<float>& values, std::array<double, 2> range,
+                    InRange rule) {
+    Sides all;
+    std::map<std::vector<Id>, int> count;
+    const auto vertices_of = [](Loop loop) {
+        std::sort(loop.begin(), loop.end());
+        return loop;
+    };
+    for (Id cell = 0; cell < mesh.cell_count(); ++cell) {
+        bool every = true, some = false;
+        for (const Loop& loop : mesh.loops(cell))
+            for (const Id vertex : loop) {
+                const bool inside = values[vertex] >= range[0] && values[vertex] <= range[1];
+                every = every && inside;
+                some = some || inside;
+            }
+        if (!(rule == InRange::all ? every : some)) continue;
+        for (const Loop& loop : mesh.loops(cell)) {
+            all.emplace_back(cell, canonical(loop));
+            ++count[vertices_of(loop)];
+        }
+    }
+    std::erase_if(all, [&](const auto& side) { return count[vertices_of(side.second)] != 1; });
+    std::sort(all.begin(), all.end());
+    return all;
+}
+
+Sides in_ids_of_the_input(const Surface& surface, const KernelMesh& mesh) {
+    Sides sides;
+    for (std::size_t i = 0; i < surface.polygon_cell.size(); ++i) {
+        Loop loop;
+        for (const Index point : polygon(surface, i)) {
+            EXPECT_EQ(surface.points[point].a, surface.points[point].b);
+            loop.push_back(mesh.assembled.original_vertex[surface.points[point].a]);
+        }
+        sides.emplace_back(mesh.assembled.original_cell[surface.polygon_cell[i]], canonical(loop));
+    }
+    std::sort(sides.begin(), sides.end());
+    return sides;
+}
+
+class ThresholdSurface : public testing::TestWithParam<NamedMesh> {};
+
+TEST_P(ThresholdSurface, IsTheBoundaryOfTheCellsKept) {
+    if (GetParam().has_repeated_ids) GTEST_SKIP() << "collapsed faces have no counterpart";
+    const Polyhedra input = GetParam().make();
+    const KernelMesh mesh(input, {32});
+    std::vector<float> values = random_field(input.vertex_count(), 8);
+    for (std::size_t v = 0; v < values.size(); v += 17) values[v] = std::numeric_limits<float>::quiet_NaN();
+    const std::vector<float> stored = mesh.stored(values);
+    for (const InRange rule : {InRange::all, InRange::any})
+        for (const std::array<double, 2> range : {std::array{0.1, 0.95}, {0.4, 0.5}, {0.0, 1.0}, {2.0, 3.0}}) {
+            const auto kept = cells_in_range(mesh.mesh(), stored, range, rule);
+            EXPECT_EQ(in_ids_of_the_input(threshold_surface(mesh.mesh(), kept), mesh),
+                      kept_boundary(input, values, range, rule))
+                << range[0] << ' ' << range[1] << ' ' << (rule == InRange::all ? "all" : "any");
+        }
+}
+
+INSTANTIATE_TEST_SUITE_P(meshes, ThresholdSurface, testing::ValuesIn(all_meshes()),
+                         [](const auto& mesh) { return mesh.param.name; });
+
+TEST(Threshold, EndsBelongToTheRangeAndWrongSizesAreRefused) {
+    const Polyhedra input = hexahedra({{3, 1, 1}});
+    const KernelMesh mesh(input);
+    const std::vector<float> x = mesh.stored(linear_field(input, {{1, 0, 0}}));
+    const auto count = [&](double low, double high, InRange rule) {
+        const auto kept = cells_in_range(mesh.mesh(), x, {low, high}, rule);
+        return std::count(kept.begin(), kept.end(), 1);
+    };
+    EXPECT_EQ(count(1, 2, InRange::all), 1);
+    EXPECT_EQ(count(1, 2, InRange::any), 3);
+    EXPECT_EQ(count(1.01, 2, InRange::all), 0);
+    EXPECT_EQ(count(1, 3, InRange::all), 2);
+    EXPECT_THROW((void)cells_in_range(mesh.mesh(), std::span(x).first(3), {0, 1}, InRange::all), Error);
+}
+
+TEST(Threshold, OfACutKeepsThePolygonsOfItsCells) {
+    const Polyhedra input = hexahedra({{4, 4, 4}});
+    const KernelMesh mesh(input);
+    const Field field = make_field(mesh.topology, mesh.stored(linear_field(input, {{0, 0, 1}})));
+    Query query = mesh.query();
+    query.set_field(field);
+    Surface cut;
+    ASSERT_TRUE(query.extract(1.5, false, cut));
+    const auto kept = cells_in_range(mesh.mesh(), mesh.stored(linear_field(input, {{1, 0, 0}})), {1, 3}, InRange::all);
+    const Surface part = polygons_of_cells(cut, kept);
+    EXPECT_EQ(part.polygon_cell.size(), 8U) << "two of four columns";
+    EXPECT_EQ(part.positions.size(), 15U);
+    for (const Vec3f& at : part.positions) EXPECT_TRUE(at[0] >= 1 && at[0] <= 3);
+}
+
+} // namespace
+} // namespace ciel::test

@@ -1,0 +1,66 @@
+// Contour lines of slices: of which array, at how many values.
+import type { JSX } from "preact";
+import type { Contours } from "../generated/protocol";
+import { clamp } from "../scene/numbers";
+import { scalarsOf } from "../scene/scalars";
+import { Check, NumberField, SelectField } from "./controls";
+import { useApp, useAppState } from "./context";
+import { LineStyleFields } from "./line_fields";
+
+const DEFAULT_COUNT = 10;
+const MOST = 64;
+
+/** `color`: the array that colours the slices, which is what contours begin with. */
+export function ContourFields({
+  layers,
+  contours,
+  color,
+}: {
+  layers: string[];
+  contours: Contours | undefined;
+  color: string | undefined;
+}): JSX.Element | null {
+  const { editor } = useApp();
+  const scalars = scalarsOf(useAppState((state) => state.description));
+  const first = color ?? scalars[0]?.name;
+  const shown = contours !== undefined && contours.visible !== false;
+  const set = (change: { [K in keyof Contours]?: Contours[K] | null }): void =>
+    editor.change({ layers: Object.fromEntries(layers.map((id) => [id, { contours: change }])) });
+  if (first === undefined) return null;
+  return (
+    <>
+      <Check
+        label="Contour lines"
+        checked={shown}
+        onChange={(visible) => set(contours === undefined ? { array: first } : { visible })}
+      />
+      {shown && (
+        <>
+          <div class="fields">
+            <SelectField
+              label="Lines of"
+              value={contours.array}
+              options={scalars.map(({ name }) => ({ value: name, text: name }))}
+              onChange={(array) => set({ array, values: null, range: null })} // they belonged to the array before
+            />
+            <label class="field">
+              <span>Number</span>
+              <NumberField
+                label="Number of contour lines"
+                value={contours.values?.length ?? contours.count ?? DEFAULT_COUNT}
+                step={1}
+                onChange={(typed) => set({ values: null, count: clamp(Math.round(typed), 1, MOST) })}
+              />
+            </label>
+          </div>
+          <LineStyleFields
+            label="the contour lines"
+            color={contours.color ?? "#1a1a1a"}
+            width={contours.width ?? 1.5}
+            onChange={set}
+          />
+        </>
+      )}
+    </>
+  );
+}

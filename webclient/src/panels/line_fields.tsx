@@ -1,0 +1,60 @@
+// Lines of a layer: on or off, their colour and width.
+import type { JSX } from "preact";
+import type { Edges } from "../generated/protocol";
+import { Check, NumberField } from "./controls";
+import { useApp } from "./context";
+
+const DEFAULT_COLOR = "#1a1a1a";
+
+interface LineStyleProps {
+  label: string;
+  color: string;
+  width: number;
+  onChange: (change: { color?: string; width?: number }) => void;
+}
+
+export function LineStyleFields({ label, color, width, onChange }: LineStyleProps): JSX.Element {
+  return (
+    <div class="fields">
+      <label class="field">
+        <span>Colour</span>
+        <input
+          type="color"
+          aria-label={`Colour of ${label}`}
+          value={color}
+          onChange={(event) => onChange({ color: event.currentTarget.value })}
+        />
+      </label>
+      <label class="field">
+        <span>Width</span>
+        <NumberField
+          label={`Width of ${label} in pixels`}
+          value={width}
+          step={0.5}
+          onChange={(typed) => onChange({ width: Math.min(Math.max(typed, 0.1), 32) })}
+        />
+      </label>
+    </div>
+  );
+}
+
+/** Of one layer, or of several that are changed together. */
+export function EdgesFields({ layers, edges }: { layers: string[]; edges: Edges | undefined }): JSX.Element {
+  const { editor } = useApp();
+  const shown = edges !== undefined && edges.visible !== false;
+  const set = (change: Edges): void =>
+    editor.change({ layers: Object.fromEntries(layers.map((id) => [id, { edges: change }])) });
+  return (
+    <>
+      <Check label="Cell edges" checked={shown} onChange={(visible) => set({ visible })} />
+      {shown && (
+        <LineStyleFields
+          label="the edges"
+          color={edges.color ?? DEFAULT_COLOR}
+          width={edges.width ?? 1}
+          onChange={set}
+        />
+      )}
+    </>
+  );
+}
