@@ -1,29 +1,11 @@
 #include "render/painter.hpp"
 
-#include "render/color_map.hpp"
-
 #include <algorithm>
 #include <glm/gtc/type_ptr.hpp>
 #include <glm/matrix.hpp>
 
 namespace ciel::render {
 namespace {
-
-GLuint make_color_maps(const Gl& gl) {
-    std::vector<std::uint8_t> pixels;
-    for (const std::string& name : color_map_names())
-        for (const auto& color : color_map(name)) pixels.insert(pixels.end(), {color[0], color[1], color[2], 255});
-    GLuint texture = 0;
-    gl.GenTextures(1, &texture);
-    gl.BindTexture(GL_TEXTURE_2D, texture);
-    gl.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, 256, static_cast<GLsizei>(color_map_names().size()), 0, GL_RGBA,
-                  GL_UNSIGNED_BYTE, pixels.data());
-    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
-    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
-    return texture;
-}
 
 std::string text_of(const Gl& gl, GLenum name) {
     const GLubyte* text = gl.GetString(name);
@@ -39,7 +21,7 @@ Painter::Painter(const Gl& gl)
       is_software_(renderer_name_.find("llvmpipe") != std::string::npos ||
                    renderer_name_.find("softpipe") != std::string::npos),
       background_(make_background_program(gl_)), triangles_(make_triangle_program(gl_)), lines_(make_line_program(gl_)),
-      color_maps_(make_color_maps(gl_)), target_(gl_), transparent_(gl_) {
+      scales_(gl_), target_(gl_), transparent_(gl_) {
     gl_.GenVertexArrays(1, &no_array_);
     gl_.DepthFunc(GL_LEQUAL);
     gl_.BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
@@ -49,6 +31,7 @@ void Painter::draw(const Frame& frame, Image& image) {
     transform_ = view_transform(frame);
     origin_ = frame.origin;
     width_ = height_ = 0; // nothing to pick from if this throws
+    load_scales(frame);
     target_.begin(frame.width, frame.height, frame.samples);
     draw_background(frame);
     draw_meshes(frame, false);
@@ -59,6 +42,13 @@ void Painter::draw(const Frame& frame, Image& image) {
     target_.read_color(image);
     width_ = frame.width;
     height_ = frame.height;
+}
+
+void Painter::load_scales(const Frame& frame) {
+    scales_.begin();
+    scale_rows_.clear();
+    for (const Mesh& mesh : frame.meshes) scale_rows_.push_back(mesh.scalars.empty() ? -1 : scales_.row_of(mesh.scale));
+    scales_.upload();
 }
 
 void Painter::draw_background(const Frame& frame) {
@@ -87,11 +77,10 @@ void Painter::use(const Program& program, const Frame& frame) {
     gl_.UniformMatrix4fv(program.projection, 1, GL_FALSE, glm::value_ptr(projection));
     gl_.Uniform1f(program.scale, static_cast<float>(transform_.scale));
     gl_.Uniform1f(program.parallel, frame.camera.parallel ? 1.0F : 0.0F);
-    gl_.Uniform1i(program.maps, 0);
-    gl_.Uniform1f(program.map_rows, static_cast<float>(color_map_names().size()));
+    gl_.Uniform1i(program.scale_colors, 0);
+    gl_.Uniform1i(program.scale_rules, 1);
     gl_.Uniform2f(program.viewport, static_cast<float>(frame.width), static_cast<float>(frame.height));
-    gl_.ActiveTexture(GL_TEXTURE0);
-    gl_.BindTexture(GL_TEXTURE_2D, color_maps_);
+    scales_.bind();
 }
 
 MeshBuffers& Painter::buffers(std::size_t slot) {
@@ -111,7 +100,7 @@ void Painter::draw_meshes(const Frame& frame, bool lines) {
         if (mesh.lines != lines || is_transparent(mesh) || mesh.indices.empty()) continue;
         MeshBuffers& slot = buffers(i);
         // From llvmpipe buffers that are uploaded anew draw faster than kept ones.
-        slot.load(mesh, !is_software_);
+        slot.load(mesh, scale_rows_[i], !is_software_);
         if (lines) gl_.Uniform1f(program.half_width, mesh.line_width / 2);
         slot.draw();
     }
@@ -121,8 +110,9 @@ void Painter::draw_meshes(const Frame& frame, bool lines) {
 void Painter::draw_transparent(const Frame& frame) {
     const glm::mat4 view(transform_.view);
     transparent_.begin(glm::vec4(view[0].z, view[1].z, view[2].z, view[3].z));
-    for (const Mesh& mesh : frame.meshes)
-        if (is_transparent(mesh) && mesh.color[3] > 0) transparent_.add(mesh);
+    for (std::size_t i = 0; i < frame.meshes.size(); ++i)
+        if (is_transparent(frame.meshes[i]) && frame.meshes[i].color[3] > 0)
+            transparent_.add(frame.meshes[i], scale_rows_[i]);
     transparent_depth_drawn_ = transparent_.is_empty();
     if (transparent_.is_empty()) return;
     transparent_.sort_and_upload();

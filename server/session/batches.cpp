@@ -1,5 +1,6 @@
 #include "session/batches.hpp"
 
+#include "session/color_scale_of.hpp"
 #include "session/frame_workers.hpp"
 #include "wire/geometry_batch.hpp"
 
@@ -14,8 +15,8 @@ std::vector<std::vector<std::uint8_t>> geometry_messages(wire::FrameHeader& head
         const Surface& surface = drawable.shape->surface;
         meshes.push_back({drawable.layer, surface.positions, surface.normals,
                           drawable.scalars ? std::span<const float>(*drawable.scalars) : std::span<const float>(),
-                          drawable.shape->indices, drawable.shape->lines, drawable.map, drawable.range, drawable.color,
-                          drawable.lit});
+                          drawable.shape->indices, drawable.shape->lines, drawable.scale.map, drawable.scale.range,
+                          drawable.color, drawable.lit, json_of(drawable.scale).dump()});
     }
     auto messages = wire::encode_geometry(meshes, geometry.origin);
     header.encode_ms = std::chrono::duration<float, std::milli>(Clock::now() - started).count();
@@ -35,8 +36,8 @@ std::vector<std::vector<std::uint8_t>> geometry_messages(wire::FrameHeader& head
 ContentKey content_of(const Geometry& geometry) {
     nlohmann::json key = nlohmann::json::array({geometry.time, geometry.origin});
     for (const Drawable& drawable : geometry.drawables)
-        key.push_back(
-            {drawable.layer, drawable.identity, drawable.revision, drawable.map, drawable.range, drawable.color});
+        key.push_back({drawable.layer, drawable.identity, drawable.revision, drawable.scale.map, drawable.scale.range,
+                       json_of(drawable.scale), drawable.color});
     return key.dump();
 }
 

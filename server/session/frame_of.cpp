@@ -46,8 +46,7 @@ render::Frame frame_of(const Geometry& geometry, const scene::Scene& scene, int 
         if (drawable.scalars) mesh.scalars = *drawable.scalars;
         mesh.indices = drawable.shape->indices;
         mesh.lines = drawable.shape->lines;
-        mesh.map = drawable.map;
-        mesh.range = drawable.range;
+        mesh.scale = drawable.scale;
         mesh.color = drawable.color;
         mesh.revision = drawable.revision;
         mesh.identity = drawable.identity;

@@ -21,6 +21,7 @@ struct GeometryMesh {
     std::array<float, 2> range{0, 1};
     std::array<float, 4> color{};
     bool lit = true;
+    std::string scale = "{}"; // a JSON object: what protocol/frame.md says of `scale`
 };
 
 inline constexpr std::size_t batch_vertices = 65536; // so that 16-bit indices reach every vertex

@@ -82,7 +82,7 @@ TEST_P(scene_geometry, iso_surface_has_the_value_and_the_interpolated_colours) {
             EXPECT_NEAR(test::pressure(at, time), 7.5, 1e-4);
             EXPECT_NEAR((*drawable.scalars)[i], test::velocity(at)[0], 1e-4);
         }
-        EXPECT_EQ(drawable.range, (std::array<float, 2>{0, 6}));
+        EXPECT_EQ(drawable.scale.range, (std::array<float, 2>{0, 6}));
     }
 }
 

@@ -17,10 +17,23 @@ class Camera(TypedDict):
     parallel_height: NotRequired[float]  # of the view, in length units, when parallel
 
 
+class ColorPoint(TypedDict):
+    at: float  # along the range, of its logarithm with log
+    color: str
+
+
 class Coloring(TypedDict):
     array: NotRequired[str]  # a scalar name; absent: the solid colour
-    map: NotRequired[str]
-    range: NotRequired[Range | None]
+    map: NotRequired[str]  # a name of server.info's color_maps
+    points: NotRequired[list[ColorPoint] | None]  # colours of one's own instead of the map, in ascending order; linear between them
+    reverse: NotRequired[bool]
+    range: NotRequired[Range | None]  # of the values on the map; absent: the array's at the shown time
+    symmetric: NotRequired[bool]  # widens the range to as much below zero as above it; not with log
+    log: NotRequired[bool]  # logarithmic; a given range lies above zero, and of the array's only what does is on the map, six decades at most where it holds zero
+    steps: NotRequired[int | None]  # so many equal parts of one colour each; absent: smooth
+    nan: NotRequired[str]  # of values that are missing
+    below: NotRequired[str | None]  # of values below the range; absent: that of its lower end
+    above: NotRequired[str | None]  # of values above the range; absent: that of its upper end
     solid: NotRequired[str]
 
 
