@@ -10,7 +10,7 @@ uniform sampler2D scale_colors;
 uniform sampler2D scale_rules;
 vec3 scale_color(float value, float row_of) {
     int row = int(row_of + 0.5);
-    if ((floatBitsToUint(value) & 0x7fffffffu) > 0x7f800000u) return texelFetch(scale_rules, ivec2(4, row), 0).rgb;
+    if ((floatBitsToUint(value) & 0x7fffffffu) >= 0x7f800000u) return texelFetch(scale_rules, ivec2(4, row), 0).rgb;
     vec4 inside = texelFetch(scale_rules, ivec2(1, row), 0);
     if (value < inside.x) return texelFetch(scale_rules, ivec2(2, row), 0).rgb;
     if (value > inside.y) return texelFetch(scale_rules, ivec2(3, row), 0).rgb;

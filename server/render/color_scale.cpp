@@ -94,7 +94,7 @@ ColorLimits limits_of(const ColorScale& scale) {
 }
 
 Rgb8 color_of(const ColorScale& scale, double value) {
-    if (std::isnan(value)) return scale.nan;
+    if (!std::isfinite(value)) return scale.nan;
     const ColorLimits inside = limits_of(scale);
     if (value < inside.low && scale.below) return *scale.below;
     if (value > inside.high && scale.above) return *scale.above;

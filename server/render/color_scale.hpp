@@ -6,7 +6,7 @@
 //     steps    n: the k-th of n equal parts of the scale has one colour, the map's at k / (n - 1)
 //     outside  `below`, `above`, by default the colour of that end; what is off by no more than the rounding of an
 //              interpolated float is inside, so that a flat maximum has no specks of the colour above
-//     NaN      `nan`
+//     nothing  NaN and infinities, which are NaN beside any other value, have `nan`
 #pragma once
 
 #include <array>
