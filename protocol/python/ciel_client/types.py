@@ -384,6 +384,19 @@ class ProbePointParams(TypedDict):
 ProbePointResult = ProbeResult
 
 
+class ColorRangeParams(TypedDict):
+    """color.range: The range of the values that colour layers, as far as they are in view."""
+
+    layers: list[str]
+    session: NotRequired[str]  # without it, `scene` is used and nothing is kept
+    scene: NotRequired[Scene]
+    aspect: NotRequired[float]  # width / height of the view; without it, what lies beside the view counts, too
+
+
+class ColorRangeResult(TypedDict):
+    range: Range | None  # null where no value is in view
+
+
 class SurfaceExportParams(TypedDict):
     """surface.export: A layer's surface as a file."""
 

@@ -3,7 +3,8 @@ import { boundsRadius, type Bounds, type FullCamera } from "../camera/camera";
 import { depthRange, projectionMatrix, viewMatrix } from "../camera/matrices";
 import type { GeometryBatch } from "../decoders/geometry";
 import type { Rgb } from "./background";
-import { colorMap, missingColor } from "./color_maps";
+import type { ColorScale } from "./color_scale";
+import { ScaleTextures, scaleUniforms } from "./scale_textures";
 import { buildProgram, type Program } from "./gl_program";
 import { BACKGROUND_FRAGMENT, BACKGROUND_VERTEX, SURFACE_FRAGMENT, SURFACE_VERTEX } from "./shaders";
 
@@ -25,7 +26,7 @@ export class GeometryCanvas {
   private readonly gl: WebGL2RenderingContext;
   private surface!: Program;
   private background!: Program;
-  private readonly textures = new Map<string, WebGLTexture>();
+  private textures!: ScaleTextures;
   private uploaded: Uploaded[] = [];
   private batches: GeometryBatch[] = [];
 
@@ -39,7 +40,6 @@ export class GeometryCanvas {
     this.prepare();
     canvas.addEventListener("webglcontextlost", (event) => event.preventDefault());
     canvas.addEventListener("webglcontextrestored", () => {
-      this.textures.clear();
       this.uploaded = [];
       this.prepare();
       this.setBatches(this.batches);
@@ -73,7 +73,6 @@ export class GeometryCanvas {
     gl.uniformMatrix4fv(this.surface.at("projection"), false, projectionMatrix(look.camera, width / height, depths));
     gl.uniform1i(this.surface.at("parallel"), look.camera.parallel ? 1 : 0);
     gl.uniform1f(this.surface.at("scale"), 1 / (boundsRadius(look.bounds) || 1));
-    gl.uniform3fv(this.surface.at("missing"), missingColor);
     const opaque = this.uploaded.filter(({ batch }) => batch.color[3] >= 1);
     for (const part of opaque) this.drawPart(part, look.camera);
     this.drawTransparent(look.camera);
@@ -110,11 +109,10 @@ export class GeometryCanvas {
     const { gl, surface } = this;
     gl.uniformMatrix4fv(surface.at("view"), false, viewMatrix(camera, batch.origin));
     gl.uniform4fv(surface.at("color"), batch.color);
-    gl.uniform2fv(surface.at("range"), batch.range);
     gl.uniform1i(surface.at("mapped"), batch.scalars === null ? 0 : 1);
     gl.uniform1i(surface.at("lit"), batch.lit && !batch.lines ? 1 : 0);
     gl.uniform1i(surface.at("has_normals"), batch.normals === null ? 0 : 1);
-    gl.bindTexture(gl.TEXTURE_2D, this.texture(batch.map));
+    if (batch.scalars !== null) this.useScale(batch.scale);
     gl.bindVertexArray(vertexArray);
     gl.drawElements(batch.lines ? gl.LINES : gl.TRIANGLES, batch.indices.length, gl.UNSIGNED_INT, 0);
   }
@@ -141,27 +139,19 @@ export class GeometryCanvas {
     return { batch, vertexArray, buffers };
   }
 
-  private texture(map: string): WebGLTexture {
-    const { gl } = this;
-    let texture = this.textures.get(map);
-    if (texture === undefined) {
-      texture = gl.createTexture();
-      gl.bindTexture(gl.TEXTURE_2D, texture);
-      gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA, 256, 1, 0, gl.RGBA, gl.UNSIGNED_BYTE, colorMap(map));
-      for (const [name, value] of [
-        [gl.TEXTURE_MIN_FILTER, gl.LINEAR],
-        [gl.TEXTURE_MAG_FILTER, gl.LINEAR],
-        [gl.TEXTURE_WRAP_S, gl.CLAMP_TO_EDGE],
-        [gl.TEXTURE_WRAP_T, gl.CLAMP_TO_EDGE],
-      ] as const) {
-        gl.texParameteri(gl.TEXTURE_2D, name, value);
-      }
-      this.textures.set(map, texture);
-    }
-    return texture;
+  private useScale(scale: ColorScale): void {
+    const { gl, surface } = this;
+    const { rule, inside, below, above, missing } = scaleUniforms(scale);
+    gl.uniform4fv(surface.at("rule"), rule);
+    gl.uniform2fv(surface.at("inside"), inside);
+    gl.uniform3fv(surface.at("below"), below);
+    gl.uniform3fv(surface.at("above"), above);
+    gl.uniform3fv(surface.at("missing"), missing);
+    gl.bindTexture(gl.TEXTURE_2D, this.textures.of(scale));
   }
 
   private prepare(): void {
+    this.textures = new ScaleTextures(this.gl);
     this.surface = buildProgram(this.gl, SURFACE_VERTEX, SURFACE_FRAGMENT);
     this.background = buildProgram(this.gl, BACKGROUND_VERTEX, BACKGROUND_FRAGMENT);
   }
