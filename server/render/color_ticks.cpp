@@ -24,8 +24,9 @@ std::vector<double> round_values(double low, double high, int wanted) {
     for (const double factor : {5.0, 2.5, 2.0, 1.0})
         if (factor * power >= raw * 0.99) step = factor * power;
     std::vector<double> values;
-    for (double k = std::ceil(low / step - 1e-9); k * step <= high + 1e-9 * span; ++k)
-        values.push_back(rounded(k * step));
+    for (auto k = static_cast<std::int64_t>(std::ceil(low / step - 1e-9));
+         static_cast<double>(k) * step <= high + 1e-9 * span; ++k)
+        values.push_back(rounded(static_cast<double>(k) * step));
     return values;
 }
 

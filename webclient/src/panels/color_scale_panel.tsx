@@ -1,8 +1,7 @@
 // Everything about a colour scale but which array it is of: map, direction, logarithm, steps, range, what is outside.
 import type { JSX } from "preact";
 import { useState } from "preact/hooks";
-import { scaleUniforms } from "../display/scale_textures";
-import { hexOf, type ColorScale } from "../display/color_scale";
+import { colorRow, hexOf, type ColorScale } from "../display/color_scale";
 import type { Coloring, Range } from "../generated/protocol";
 import {
   MOST_STEPS,
@@ -108,14 +107,14 @@ function OutsideFields({
   scale: ColorScale;
   change: Change;
 }): JSX.Element {
-  const ends = scaleUniforms({ ...scale, below: null, above: null });
-  const hex = (color: readonly number[]): string => hexOf(color.map((channel) => Math.round(255 * channel)));
+  const [low = [0, 0, 0], high = low] = colorRow({ ...scale, steps: 0 }, 2);
+  const ends = { below: hexOf(low), above: hexOf(high) };
   const end = (member: "below" | "above", label: string): JSX.Element => (
     <div class="outside-row">
       <Check
         label={label}
         checked={Boolean(coloring[member])}
-        onChange={(on) => change({ [member]: on ? hex(ends[member]) : undefined })}
+        onChange={(on) => change({ [member]: on ? ends[member] : undefined })}
       />
       {coloring[member] && (
         <ColorField
@@ -146,7 +145,7 @@ function Ways({ coloring, scale, change }: { coloring: Coloring; scale: ColorSca
         <Check label="Reverse" checked={scale.reverse} onChange={(on) => change({ reverse: on || undefined })} />
         <Check label="Logarithmic" checked={scale.log} onChange={(on) => change(withLog(coloring, on))} />
         <Check
-          label="Symmetric about 0"
+          label="Symmetric"
           checked={coloring.symmetric === true}
           onChange={(on) => change(withSymmetric(on))}
         />
