@@ -144,11 +144,7 @@ function Ways({ coloring, scale, change }: { coloring: Coloring; scale: ColorSca
       <div class="scale-checks">
         <Check label="Reverse" checked={scale.reverse} onChange={(on) => change({ reverse: on || undefined })} />
         <Check label="Logarithmic" checked={scale.log} onChange={(on) => change(withLog(coloring, on))} />
-        <Check
-          label="Symmetric"
-          checked={coloring.symmetric === true}
-          onChange={(on) => change(withSymmetric(on))}
-        />
+        <Check label="Symmetric" checked={coloring.symmetric === true} onChange={(on) => change(withSymmetric(on))} />
         <div class="outside-row">
           <Check label="Steps" checked={steps !== null} onChange={(on) => change({ steps: on ? 10 : undefined })} />
           {steps !== null && (
