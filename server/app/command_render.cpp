@@ -1,4 +1,5 @@
 // ciel render NAME.ciel -o FILE.png: a still picture, made as the server makes it.
+#include "app/color_options.hpp"
 #include "app/commands.hpp"
 #include "app/layer_options.hpp"
 #include "app/scene_options.hpp"
@@ -26,9 +27,8 @@ struct RenderCommand {
     SceneOptions scene;
     LayerOptions layers;
     std::string scene_file, size = "1280x720", gl = "auto", output;
-    std::optional<std::string> color, map, range, background;
-
-    [[nodiscard]] bool colors() const { return color || map || range; }
+    std::optional<std::string> background;
+    ColorOptions colors;
 };
 
 struct Size {
@@ -62,12 +62,6 @@ nlohmann::json read_scene_file(const std::string& path) {
     }
 }
 
-std::vector<double> parse_range(const std::string& text) {
-    auto range = parse_numbers("--range", text);
-    if (range.size() != 2) throw UsageError("--range " + text + " is not of the form MIN,MAX");
-    return range;
-}
-
 // What was asked for, on everything that can have the colours of an array.
 void color_layers(const RenderCommand& render, nlohmann::json& layers) {
     bool any = false;
@@ -75,13 +69,11 @@ void color_layers(const RenderCommand& render, nlohmann::json& layers) {
         if (layer["type"] == "outline" || layer["type"] == "clip") continue;
         any = true;
         nlohmann::json color = layer.value("color", nlohmann::json::object());
-        if (render.color) color["array"] = *render.color;
-        if (render.map) color["map"] = *render.map;
-        if (render.range) color["range"] = parse_range(*render.range);
+        render.colors.apply_to(color);
         if (!color.contains("array") && layer["type"] == "iso") color["array"] = layer["array"];
         layer["color"] = std::move(color);
     }
-    if (!any && render.colors())
+    if (!any && render.colors.any())
         throw UsageError("nothing has colours of an array; give --iso, --slice, --plane or --surface");
 }
 
@@ -98,9 +90,9 @@ nlohmann::json default_document(const RenderCommand& render, store::LoadedDatase
 }
 
 nlohmann::json document_of_file(const RenderCommand& render, const std::string& dataset) {
-    if (render.scene.has_layers() || render.layers.any() || render.colors() || render.background)
-        throw UsageError("--scene says what to show and how; leave out --iso, --slice, --plane, --color, --map, "
-                         "--range, --background and the options of layers");
+    if (render.scene.has_layers() || render.layers.any() || render.colors.any() || render.background)
+        throw UsageError("--scene says what to show and how; leave out --iso, --slice, --plane, --background, the "
+                         "options of layers, and what is about colours");
     nlohmann::json document = read_scene_file(render.scene_file);
     if (!document.is_object()) return document; // refused with the place by who checks it
     if (!document.contains("dataset")) document["dataset"] = dataset;
@@ -155,10 +147,7 @@ void add_render(CLI::App& app, Run& run) {
         ->add_option("--scene", render->scene_file,
                      "A scene document; without it and without layers, the default view.")
         ->type_name("FILE.json");
-    command->add_option("--color", render->color, "Point scalar that colours the layers.")->type_name("ARRAY");
-    command->add_option("--map", render->map, "Colour map.")->type_name("NAME")->default_str("viridis");
-    command->add_option("--range", render->range, "Values of the map's two ends; the array's range by default.")
-        ->type_name("MIN,MAX");
+    render->colors.add_to(*command);
     command->add_option("--background", render->background, "dark, light or #rrggbb.")
         ->type_name("COLOR")
         ->default_str("dark");

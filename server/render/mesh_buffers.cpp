@@ -1,23 +1,10 @@
 #include "render/mesh_buffers.hpp"
 
-#include "render/color_map.hpp"
 #include "render/shaders.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace ciel::render {
-
-std::array<float, 2> normalisation(const std::array<float, 2>& range) {
-    const double low = range[0];
-    const double width = static_cast<double>(range[1]) - low;
-    if (!std::isfinite(width) || width == 0) return {0, 0.5F};
-    return {static_cast<float>(1 / width), static_cast<float>(-low / width)};
-}
-
-float color_map_row(const Mesh& mesh) {
-    return mesh.scalars.empty() ? 255.0F : static_cast<float>(color_map_index(mesh.map));
-}
 
 void check_mesh(const Mesh& mesh) {
     const std::size_t vertices = mesh.positions.size();
@@ -52,7 +39,7 @@ void MeshBuffers::attribute(GLuint index, GLuint buffer, int components, std::si
     gl_.VertexAttribPointer(index, components, GL_FLOAT, GL_FALSE, 0, nullptr);
 }
 
-void MeshBuffers::load(const Mesh& mesh, bool may_keep) {
+void MeshBuffers::load(const Mesh& mesh, float scale_row, bool may_keep) {
     gl_.BindVertexArray(array_);
     if (!may_keep || mesh.revision == 0 || mesh.identity != identity_ || mesh.revision != revision_) {
         check_mesh(mesh);
@@ -65,12 +52,10 @@ void MeshBuffers::load(const Mesh& mesh, bool may_keep) {
         primitive_ = mesh.points ? GL_POINTS : mesh.lines ? GL_LINES : GL_TRIANGLES;
         count_ = static_cast<GLsizei>(mesh.indices.size());
     }
-    const auto range = normalisation(mesh.range);
     gl_.VertexAttrib3f(attribute_normal, 0, 0, 0);
     gl_.VertexAttrib1f(attribute_scalar, 0);
-    gl_.VertexAttrib2f(attribute_range, range[0], range[1]);
     gl_.VertexAttrib4f(attribute_color, mesh.color[0], mesh.color[1], mesh.color[2], mesh.color[3]);
-    gl_.VertexAttrib2f(attribute_style, color_map_row(mesh), mesh.lit ? 1.0F : 0.0F);
+    gl_.VertexAttrib2f(attribute_style, scale_row, mesh.lit ? 1.0F : 0.0F);
 }
 
 void MeshBuffers::draw() const { gl_.DrawElements(primitive_, count_, GL_UNSIGNED_INT, nullptr); }

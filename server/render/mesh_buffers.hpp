@@ -8,10 +8,6 @@
 
 namespace ciel::render {
 
-// Scalar * a + b runs from 0 to 1 over the range; a range of no width sends everything to the middle colour.
-[[nodiscard]] std::array<float, 2> normalisation(const std::array<float, 2>& range);
-// Row in the texture of colour maps, or 255 for solid meshes.
-[[nodiscard]] float color_map_row(const Mesh& mesh);
 // Indices of one primitive.
 [[nodiscard]] inline std::size_t corners_of(const Mesh& mesh) { return mesh.points ? 1 : mesh.lines ? 2 : 3; }
 // Throws Error when the mesh's arrays do not fit together: the GL would read past their ends.
@@ -20,8 +16,9 @@ void check_mesh(const Mesh& mesh);
 class MeshBuffers {
 public:
     explicit MeshBuffers(const Gl& gl);
-    // Uploads the mesh unless `may_keep` and the buffers hold this identity and revision already.
-    void load(const Mesh& mesh, bool may_keep);
+    // Uploads the mesh unless `may_keep` and the buffers hold this identity and revision already. `scale_row`: of its
+    // colours in the frame's ColorScales, -1 for a solid mesh.
+    void load(const Mesh& mesh, float scale_row, bool may_keep);
     void draw() const;
 
 private:

@@ -1,29 +1,11 @@
 #include "render/painter.hpp"
 
-#include "render/color_map.hpp"
-
 #include <algorithm>
 #include <glm/gtc/type_ptr.hpp>
 #include <glm/matrix.hpp>
 
 namespace ciel::render {
 namespace {
-
-GLuint make_color_maps(const Gl& gl) {
-    std::vector<std::uint8_t> pixels;
-    for (const std::string& name : color_map_names())
-        for (const auto& color : color_map(name)) pixels.insert(pixels.end(), {color[0], color[1], color[2], 255});
-    GLuint texture = 0;
-    gl.GenTextures(1, &texture);
-    gl.BindTexture(GL_TEXTURE_2D, texture);
-    gl.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, 256, static_cast<GLsizei>(color_map_names().size()), 0, GL_RGBA,
-                  GL_UNSIGNED_BYTE, pixels.data());
-    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
-    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
-    return texture;
-}
 
 std::string text_of(const Gl& gl, GLenum name) {
     const GLubyte* text = gl.GetString(name);
@@ -49,7 +31,7 @@ Painter::Painter(const Gl& gl)
       is_software_(renderer_name_.find("llvmpipe") != std::string::npos ||
                    renderer_name_.find("softpipe") != std::string::npos),
       background_(make_background_program(gl_)), triangles_(make_triangle_program(gl_)), lines_(make_line_program(gl_)),
-      points_(make_point_program(gl_)), color_maps_(make_color_maps(gl_)), target_(gl_), transparent_(gl_) {
+      points_(make_point_program(gl_)), scales_(gl_), target_(gl_), transparent_(gl_) {
     gl_.GenVertexArrays(1, &no_array_);
     gl_.DepthFunc(GL_LEQUAL);
     gl_.Enable(GL_PROGRAM_POINT_SIZE);
@@ -63,6 +45,7 @@ void Painter::draw(const Frame& frame, Image& image) {
         throw Error("a frame cannot be cut by more than " + std::to_string(most_clip_planes) + " clip planes");
     origin_ = frame.origin;
     width_ = height_ = 0; // nothing to pick from if this throws
+    load_scales(frame);
     target_.begin(frame.width, frame.height, frame.samples);
     draw_background(frame);
     enable_clip_planes(true);
@@ -87,6 +70,13 @@ void Painter::enable_clip_planes(bool on) {
         else
             gl_.Disable(plane);
     }
+}
+
+void Painter::load_scales(const Frame& frame) {
+    scales_.begin();
+    scale_rows_.clear();
+    for (const Mesh& mesh : frame.meshes) scale_rows_.push_back(mesh.scalars.empty() ? -1 : scales_.row_of(mesh.scale));
+    scales_.upload();
 }
 
 void Painter::draw_background(const Frame& frame) {
@@ -120,11 +110,10 @@ void Painter::use(const Program& program, const Frame& frame) {
     planes.fill({0, 0, 0, 1});
     std::copy(frame.clip.begin(), frame.clip.end(), planes.begin());
     gl_.Uniform4fv(program.clip, most_clip_planes, planes[0].data());
-    gl_.Uniform1i(program.maps, 0);
-    gl_.Uniform1f(program.map_rows, static_cast<float>(color_map_names().size()));
+    gl_.Uniform1i(program.scale_colors, 0);
+    gl_.Uniform1i(program.scale_rules, 1);
     gl_.Uniform2f(program.viewport, static_cast<float>(frame.width), static_cast<float>(frame.height));
-    gl_.ActiveTexture(GL_TEXTURE0);
-    gl_.BindTexture(GL_TEXTURE_2D, color_maps_);
+    scales_.bind();
 }
 
 MeshBuffers& Painter::buffers(std::size_t slot) {
@@ -144,7 +133,7 @@ void Painter::draw_meshes(const Frame& frame, const Program& program) {
         if (&own != &program || is_transparent(mesh) || mesh.indices.empty()) continue;
         MeshBuffers& slot = buffers(i);
         // From llvmpipe buffers that are uploaded anew draw faster than kept ones.
-        slot.load(mesh, !is_software_);
+        slot.load(mesh, scale_rows_[i], !is_software_);
         if (mesh.lines) gl_.Uniform1f(program.half_width, mesh.line_width / 2);
         if (mesh.points) gl_.Uniform1f(program.point_size, mesh.point_size);
         slot.draw();
@@ -155,8 +144,9 @@ void Painter::draw_meshes(const Frame& frame, const Program& program) {
 void Painter::draw_transparent(const Frame& frame) {
     const glm::mat4 view(transform_.view);
     transparent_.begin(glm::vec4(view[0].z, view[1].z, view[2].z, view[3].z));
-    for (const Mesh& mesh : frame.meshes)
-        if (is_transparent(mesh) && mesh.color[3] > 0) transparent_.add(mesh);
+    for (std::size_t i = 0; i < frame.meshes.size(); ++i)
+        if (is_transparent(frame.meshes[i]) && frame.meshes[i].color[3] > 0)
+            transparent_.add(frame.meshes[i], scale_rows_[i]);
     transparent_depth_drawn_ = transparent_.is_empty();
     if (transparent_.is_empty()) return;
     transparent_.sort_and_upload();

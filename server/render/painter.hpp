@@ -2,6 +2,7 @@
 #pragma once
 
 #include "render/camera.hpp"
+#include "render/color_scales.hpp"
 #include "render/mesh_buffers.hpp"
 #include "render/shaders.hpp"
 #include "render/target.hpp"
@@ -24,6 +25,7 @@ public:
 
 private:
     void enable_clip_planes(bool on);
+    void load_scales(const Frame& frame);
     void draw_background(const Frame& frame);
     void draw_meshes(const Frame& frame, const Program& program);
     void draw_transparent(const Frame& frame);
@@ -34,7 +36,9 @@ private:
     std::string renderer_name_, version_;
     bool is_software_ = false;
     Program background_, triangles_, lines_, points_;
-    GLuint color_maps_ = 0, no_array_ = 0;
+    GLuint no_array_ = 0;
+    ColorScales scales_;
+    std::vector<float> scale_rows_; // of the frame's meshes
     Target target_;
     std::list<MeshBuffers> buffers_; // one per mesh of the largest frame so far
     TransparentTriangles transparent_;

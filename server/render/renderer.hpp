@@ -2,6 +2,7 @@
 #pragma once
 
 #include "ciel/types.hpp"
+#include "render/color_scale.hpp"
 
 #include <cstdint>
 #include <memory>
@@ -25,12 +26,11 @@ struct Camera {
 struct Mesh {
     std::span<const Vec3f> positions; // offsets from the frame's origin
     std::span<const Vec3f> normals;   // empty: flat shading from the triangle
-    std::span<const float> scalars;   // empty: solid colour; NaN is drawn grey
+    std::span<const float> scalars;   // empty: solid colour
     std::span<const Index> indices;   // 3 per triangle, 2 per line, 1 per point
     bool lines = false, points = false;
-    float line_width = 1.5F, point_size = 4; // pixels
-    std::string map = "viridis";
-    std::array<float, 2> range{0, 1};
+    float line_width = 1.5F, point_size = 4;         // pixels
+    ColorScale scale;                                // of the scalars
     std::array<float, 4> color{0.8F, 0.8F, 0.8F, 1}; // alpha is the opacity, also of mapped colours
     std::uint64_t revision = 0;                      // same non-zero revision: same buffers, may be kept on the GPU
     std::uint64_t identity = 0;                      // which layer the buffers belong to

@@ -1,6 +1,7 @@
 #include "render/shaders.hpp"
 
 #include "ciel/types.hpp"
+#include "render/color_glsl.hpp"
 
 #include <string>
 #include <utility>
@@ -28,7 +29,6 @@ constexpr const char* surface_vertex = R"(#version 330 core
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
 layout(location = 2) in float scalar;
-layout(location = 3) in vec2 range;
 layout(location = 4) in vec4 color;
 layout(location = 5) in vec2 style;
 uniform mat4 view;
@@ -52,21 +52,10 @@ void main() {
     gl_PointSize = point_size + 1.0; // room for a soft edge; counts for points only
     surface.place = place.xyz * scale;
     surface.normal = mat3(view) * normal;
-    surface.value = scalar * range.x + range.y;
+    surface.value = scalar;
     surface.color = color;
     surface.style = style;
     surface.position = position;
-}
-)";
-
-// Missing values are told by their bits: compilers may assume that x != x never holds.
-constexpr const char* mapped_color = R"(
-uniform sampler2D maps;
-uniform float map_rows;
-vec3 base_color(float value, vec3 solid, float row) {
-    if (row > 254.5) return solid;
-    if ((floatBitsToUint(value) & 0x7fffffffu) > 0x7f800000u) return vec3(0.5);
-    return texture(maps, vec2((clamp(value, 0.0, 1.0) * 255.0 + 0.5) / 256.0, (row + 0.5) / map_rows)).rgb;
 }
 )";
 
@@ -247,8 +236,8 @@ Program link(const Gl& gl, const std::vector<Stage>& stages) {
     program.projection = uniform("projection");
     program.scale = uniform("scale");
     program.parallel = uniform("parallel");
-    program.maps = uniform("maps");
-    program.map_rows = uniform("map_rows");
+    program.scale_colors = uniform("scale_colors");
+    program.scale_rules = uniform("scale_rules");
     program.clip = uniform("clip");
     program.point_size = uniform("point_size");
     program.viewport = uniform("viewport");
@@ -259,7 +248,7 @@ Program link(const Gl& gl, const std::vector<Stage>& stages) {
     return program;
 }
 
-std::string with_color_map(const char* body) { return std::string("#version 330 core\n") + mapped_color + body; }
+std::string with_color_scale(const char* body) { return std::string("#version 330 core\n") + color_scale_glsl + body; }
 
 } // namespace
 
@@ -268,7 +257,7 @@ Program make_background_program(const Gl& gl) {
 }
 
 Program make_triangle_program(const Gl& gl) {
-    return link(gl, {{GL_VERTEX_SHADER, surface_vertex}, {GL_FRAGMENT_SHADER, with_color_map(triangle_fragment)}});
+    return link(gl, {{GL_VERTEX_SHADER, surface_vertex}, {GL_FRAGMENT_SHADER, with_color_scale(triangle_fragment)}});
 }
 
 Program make_point_program(const Gl& gl) {
@@ -278,7 +267,7 @@ Program make_point_program(const Gl& gl) {
 Program make_line_program(const Gl& gl) {
     return link(gl, {{GL_VERTEX_SHADER, surface_vertex},
                      {GL_GEOMETRY_SHADER, line_geometry},
-                     {GL_FRAGMENT_SHADER, with_color_map(line_fragment)}});
+                     {GL_FRAGMENT_SHADER, with_color_scale(line_fragment)}});
 }
 
 } // namespace ciel::render

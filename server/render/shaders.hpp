@@ -11,20 +11,19 @@ enum Attribute : GLuint {
     attribute_position = 0,
     attribute_normal = 1, // zero: shaded by the triangle's own plane
     attribute_scalar = 2,
-    attribute_range = 3, // (a, b): scalar * a + b runs from 0 to 1 over the range
     attribute_color = 4, // RGB of a solid mesh, and the opacity
-    attribute_style = 5, // (row of the colour map's texture, or 255 for solid; 1 when lit)
+    attribute_style = 5, // (row of the frame's ColorScales, or -1 for solid; 1 when lit)
 };
 
 inline constexpr std::size_t most_clip_planes = 6;
 
 struct Program {
     GLuint id = 0;
-    GLint view = -1, projection = -1, scale = -1, parallel = -1, maps = -1, map_rows = -1; // triangles and lines
-    GLint clip = -1;                                                                       // triangles and lines
-    GLint point_size = -1;                                                                 // points
-    GLint viewport = -1, half_width = -1;                                                  // lines
-    GLint top = -1, bottom = -1, height = -1;                                              // background
+    GLint view = -1, projection = -1, scale = -1, parallel = -1, clip = -1; // triangles, lines and points
+    GLint scale_colors = -1, scale_rules = -1;                              // likewise
+    GLint point_size = -1;                                                  // points
+    GLint viewport = -1, half_width = -1;                                   // lines
+    GLint top = -1, bottom = -1, height = -1;                               // background
 };
 
 // Each throws Error with the compiler's words.

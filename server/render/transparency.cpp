@@ -43,16 +43,15 @@ void TransparentTriangles::begin(const glm::vec4& depth_row) {
     sorted_.clear();
 }
 
-void TransparentTriangles::add(const Mesh& mesh) {
+void TransparentTriangles::add(const Mesh& mesh, float scale_row) {
     check_mesh(mesh);
     const auto first = static_cast<Index>(vertices_.size());
-    const auto range = normalisation(mesh.range);
-    Vertex vertex{{}, {}, 0, mesh.color, {color_map_row(mesh), mesh.lit ? 1.0F : 0.0F}};
+    Vertex vertex{{}, {}, 0, mesh.color, {scale_row, mesh.lit ? 1.0F : 0.0F}};
     vertices_.reserve(vertices_.size() + mesh.positions.size());
     for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
         vertex.position = mesh.positions[i];
         if (!mesh.normals.empty()) vertex.normal = mesh.normals[i];
-        if (!mesh.scalars.empty()) vertex.scalar = mesh.scalars[i] * range[0] + range[1];
+        if (!mesh.scalars.empty()) vertex.scalar = mesh.scalars[i];
         vertices_.push_back(vertex);
     }
     sorted_.reserve(sorted_.size() + mesh.indices.size() / 3);
@@ -98,7 +97,6 @@ void TransparentTriangles::sort_and_upload() {
 
 void TransparentTriangles::draw() const {
     gl_.BindVertexArray(array_);
-    gl_.VertexAttrib2f(attribute_range, 1, 0);
     gl_.DrawElements(GL_TRIANGLES, static_cast<GLsizei>(indices_.size()), GL_UNSIGNED_INT, nullptr);
 }
 

@@ -16,7 +16,7 @@ public:
 
     // depth_row: the row of the view matrix that gives -depth, so that more is nearer.
     void begin(const glm::vec4& depth_row);
-    void add(const Mesh& mesh);
+    void add(const Mesh& mesh, float scale_row);
     void sort_and_upload();
     [[nodiscard]] bool is_empty() const { return sorted_.empty(); }
     void draw() const;
@@ -24,7 +24,7 @@ public:
 private:
     struct Vertex {
         Vec3f position, normal;
-        float scalar; // from 0 to 1 over the range
+        float scalar;
         std::array<float, 4> color;
         std::array<float, 2> style;
     };

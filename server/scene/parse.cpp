@@ -17,11 +17,17 @@ void read(const json& object, const char* name, T& out) {
     if (const auto member = object.find(name); member != object.end() && !member->is_null()) member->get_to(out);
 }
 
-std::array<float, 3> color_of(const std::string& hex) {
+Rgb8 bytes_of(const std::string& hex) {
     const auto channel = [&](std::size_t at) {
-        return static_cast<float>(std::stoi(hex.substr(at, 2), nullptr, 16)) / 255.0F;
+        return static_cast<std::uint8_t>(std::stoi(hex.substr(at, 2), nullptr, 16));
     };
     return {channel(1), channel(3), channel(5)};
+}
+
+std::array<float, 3> color_of(const std::string& hex) {
+    const Rgb8 bytes = bytes_of(hex);
+    return {static_cast<float>(bytes[0]) / 255.0F, static_cast<float>(bytes[1]) / 255.0F,
+            static_cast<float>(bytes[2]) / 255.0F};
 }
 
 Camera camera_of(const json& object) {
@@ -49,13 +55,53 @@ std::optional<std::array<double, 2>> range_of(const json& object, const char* na
     return range;
 }
 
+std::optional<Rgb8> read_color(const json& object, const char* name) {
+    const auto member = object.find(name);
+    if (member == object.end() || member->is_null()) return {};
+    return bytes_of(*member);
+}
+
+std::vector<ColorPoint> points_of(const json& color, const std::string& path) {
+    std::vector<ColorPoint> points;
+    const auto given = color.find("points");
+    if (given == color.end() || given->is_null()) return points;
+    for (const json& point : *given) {
+        const double at = point["at"];
+        if (!points.empty() && at < points.back().at)
+            throw Invalid(path + "/color/points/" + std::to_string(points.size()) + "/at",
+                          "the points of a colour map stand in ascending order of at");
+        points.push_back({at, bytes_of(point["color"])});
+    }
+    return points;
+}
+
+// What no range at all could be drawn with.
+void check_scale(const Coloring& coloring, const std::string& path) {
+    if (!coloring.log) return;
+    if (coloring.symmetric)
+        throw Invalid(path + "/color/symmetric", "a range that is symmetric about zero holds values that have no "
+                                                 "logarithm; leave out either symmetric or log");
+    if (coloring.range && (*coloring.range)[0] <= 0)
+        throw Invalid(path + "/color/range", "a logarithmic scale has no place for zero and below; give a range that "
+                                             "begins above zero, or leave out log");
+}
+
 Coloring coloring_of(const json& layer, const std::string& path) {
     Coloring coloring;
     const auto color = layer.find("color");
     if (color == layer.end()) return coloring;
     read(*color, "array", coloring.array);
     read(*color, "map", coloring.map);
+    read(*color, "reverse", coloring.reverse);
+    read(*color, "symmetric", coloring.symmetric);
+    read(*color, "log", coloring.log);
+    read(*color, "steps", coloring.steps);
+    coloring.nan = read_color(*color, "nan").value_or(coloring.nan);
+    coloring.below = read_color(*color, "below");
+    coloring.above = read_color(*color, "above");
+    coloring.points = points_of(*color, path);
     coloring.range = range_of(*color, "range", path + "/color");
+    check_scale(coloring, path);
     if (const auto solid = color->find("solid"); solid != color->end()) coloring.solid = color_of(*solid);
     return coloring;
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <map>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
@@ -20,10 +21,22 @@ struct Camera {
     double parallel_height = 1; // of the view, in scene units, when parallel
 };
 
+using Rgb8 = std::array<std::uint8_t, 3>;
+
+struct ColorPoint {
+    double at = 0; // along the range, from 0 to 1
+    Rgb8 color{};
+};
+
 struct Coloring { // by a scalar through a map, or solid when `array` is empty
     std::string array;
     std::string map = "viridis";
-    std::optional<std::array<double, 2>> range; // none: the array's range at the shown time
+    std::vector<ColorPoint> points;             // none, or two and more in ascending order, which are the map then
+    std::optional<std::array<double, 2>> range; // none: the array's range at the shown time; above zero when `log`
+    bool reverse = false, symmetric = false, log = false; // not symmetric and log
+    int steps = 0;                                        // 0: smooth
+    Rgb8 nan{128, 128, 128};
+    std::optional<Rgb8> below, above; // none: the colour of that end
     std::array<float, 3> solid{0.8F, 0.8F, 0.8F};
 };
 

@@ -1,6 +1,7 @@
 #include "session/batches.hpp"
 
 #include "session/clip.hpp"
+#include "session/color_scale_of.hpp"
 #include "session/frame_workers.hpp"
 #include "wire/geometry_batch.hpp"
 
@@ -23,10 +24,11 @@ std::vector<std::vector<std::uint8_t>> geometry_messages(wire::FrameHeader& head
         mesh.lines = drawable.lines();
         mesh.points = drawable.points();
         mesh.line_width = drawable.line_width;
-        mesh.map = drawable.map;
-        mesh.range = drawable.range;
+        mesh.map = drawable.scale.map;
+        mesh.range = drawable.scale.range;
         mesh.color = drawable.color;
         mesh.lit = drawable.lit;
+        mesh.scale = json_of(drawable.scale).dump();
         mesh.clip = planes;
         meshes.push_back(std::move(mesh));
     }
@@ -48,8 +50,8 @@ std::vector<std::vector<std::uint8_t>> geometry_messages(wire::FrameHeader& head
 ContentKey content_of(const Geometry& geometry) {
     nlohmann::json key = nlohmann::json::array({geometry.time, geometry.origin, shader_planes(geometry)});
     for (const Drawable& drawable : geometry.drawables)
-        key.push_back({drawable.layer, drawable.identity, drawable.revision, drawable.map, drawable.range,
-                       drawable.color, drawable.line_width});
+        key.push_back({drawable.layer, drawable.identity, drawable.revision, drawable.scale.map, drawable.scale.range,
+                       json_of(drawable.scale), drawable.color, drawable.line_width});
     return key.dump();
 }
 

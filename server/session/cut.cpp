@@ -3,6 +3,7 @@
 #include "ciel/contour_lines.hpp"
 #include "ciel/polygon_edges.hpp"
 
+#include <algorithm>
 #include <atomic>
 #include <numeric>
 
@@ -24,14 +25,17 @@ std::uint64_t unique_number() {
 }
 
 void Painted::paint(const std::shared_ptr<const Shape>& new_shape, const std::string& new_array, std::size_t new_step,
-                    store::LoadedDataset& loaded) {
+                    store::LoadedDataset& loaded, std::optional<double> own) {
     const bool same_step = new_array.empty() || new_step == step;
     if (revision != 0 && new_shape == shape && new_array == array && same_step) return;
     std::shared_ptr<std::vector<float>> values;
     if (!new_array.empty()) {
         const auto& points = new_shape->surface.points;
         values = std::make_shared<std::vector<float>>(points.size());
-        interpolate(points, *loaded.scalar_values(new_array, new_step), 1, *values);
+        if (own)
+            std::fill(values->begin(), values->end(), static_cast<float>(*own));
+        else
+            interpolate(points, *loaded.scalar_values(new_array, new_step), 1, *values);
     }
     shape = new_shape;
     array = new_array;

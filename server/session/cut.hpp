@@ -18,8 +18,10 @@ struct Painted {
     std::uint64_t identity = unique_number(), revision = 0;
 
     [[nodiscard]] std::size_t memory_bytes() const { return scalars ? scalars->size() * sizeof(float) : 0; }
+    // own: what the array is everywhere on the shape. An iso-surface coloured by its own array has one colour: what
+    // interpolation makes of the value would differ by rounding, and so lie on both sides of a step's bound.
     void paint(const std::shared_ptr<const Shape>& new_shape, const std::string& new_array, std::size_t new_step,
-               store::LoadedDataset& loaded);
+               store::LoadedDataset& loaded, std::optional<double> own = {});
 };
 
 // The edges of one shape's polygons, found again only when it changes.

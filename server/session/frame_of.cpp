@@ -50,8 +50,7 @@ render::Frame frame_of(const Geometry& geometry, const scene::Scene& scene, int 
         mesh.lines = drawable.lines();
         mesh.points = drawable.points();
         mesh.line_width = mesh.point_size = drawable.line_width;
-        mesh.map = drawable.map;
-        mesh.range = drawable.range;
+        mesh.scale = drawable.scale;
         mesh.color = drawable.color;
         mesh.revision = drawable.revision;
         mesh.identity = drawable.identity;

@@ -2,6 +2,7 @@
 
 #include "ciel/threshold_surface.hpp"
 #include "session/clip.hpp"
+#include "session/color_scale_of.hpp"
 #include "session/cut.hpp"
 #include "session/errors.hpp"
 
@@ -30,11 +31,7 @@ void colour(Drawable& drawable, const scene::Coloring& coloring, const scene::La
             const store::Dataset& dataset, std::size_t step) {
     drawable.color = {coloring.solid[0], coloring.solid[1], coloring.solid[2], layer.opacity};
     drawable.array = coloring.array;
-    drawable.map = coloring.map;
-    if (coloring.array.empty()) return;
-    drawable.range = range_of(dataset, coloring.array, step);
-    if (coloring.range)
-        drawable.range = {static_cast<float>((*coloring.range)[0]), static_cast<float>((*coloring.range)[1])};
+    if (!coloring.array.empty()) drawable.scale = color_scale_of(coloring, range_of(dataset, coloring.array, step));
 }
 
 // High means value >= nu, so a plane on the low side of the domain would cut nothing. One that is off a side by no more
@@ -90,11 +87,12 @@ struct Update {
                                " MB that a scene may have; show fewer values or layers");
     }
 
+    // `own`: the value that the shape has of the array that it is coloured by, where it has one.
     void add(Painted& painted, const std::shared_ptr<const Shape>& shape, const scene::Coloring& coloring,
-             const scene::Layer& layer, bool lit) {
+             const scene::Layer& layer, bool lit, std::optional<double> own = {}) {
         scene::Coloring shown = coloring;
         try {
-            painted.paint(shape, shown.array, out.step, *loaded);
+            painted.paint(shape, shown.array, out.step, *loaded, own);
         } catch (const store::NotWritten& missing) {
             lack(layer, "has no colours", missing);
             shown.array.clear();
@@ -108,6 +106,10 @@ struct Update {
         drawable.identity = painted.identity;
         drawable.revision = painted.revision;
         colour(drawable, shown, layer, *dataset, out.step);
+        if (!shown.array.empty() && !is_shown_by(shown, range_of(*dataset, shown.array, out.step)))
+            out.lacking.push_back("layer " + layer.id + " has no colours: " + shown.array +
+                                  " has no value above zero at this time, and only those have a place on a "
+                                  "logarithmic scale; choose a linear one");
         if (drawable.polygons()) out.triangles += shape->indices.size() / 3;
         out.drawables.push_back(std::move(drawable));
     }
@@ -164,7 +166,9 @@ struct Update {
                 return true;
             }
             if (!cut.extract(iso.values[i], iso.smooth, stop)) return false;
-            add(cut.painted, cut.shape, iso.color, layer, true);
+            const bool by_itself = iso.color.array == iso.array;
+            add(cut.painted, cut.shape, iso.color, layer, true,
+                by_itself ? std::optional(iso.values[i]) : std::nullopt);
             add_edges(cut.outlined, cut.shape, iso.edges, layer);
             count(before, cut.memory_bytes());
         }

@@ -30,9 +30,9 @@ struct Drawable { // one iso-value, slice, boundary surface or outline of a laye
     std::shared_ptr<const std::vector<Index>> edges;   // drawn instead of the shape's own indices, two per line
     float line_width = 1.5F;                           // pixels
     std::shared_ptr<const std::vector<float>> scalars; // one per surface vertex; null: the solid colour
-    std::string array, map = "viridis";                // of the scalars
-    std::array<float, 2> range{0, 1};
-    std::array<float, 4> color{0.8F, 0.8F, 0.8F, 1}; // alpha: the layer's opacity
+    std::string array;                                 // of the scalars
+    render::ColorScale scale;                          // likewise
+    std::array<float, 4> color{0.8F, 0.8F, 0.8F, 1};   // alpha: the layer's opacity
     bool lit = true;
     std::uint64_t identity = 0; // the same from one scene to the next, unique in the process
     std::uint64_t revision = 0; // changes with shape and scalars, unique in the process

@@ -109,7 +109,7 @@ std::string description(const GeometryMesh& mesh, const Batch& batch, Vec3d orig
     append_string(json, mesh.map);
     json += ", \"range\": ";
     append_array(json, mesh.range);
-    json += ", \"color\": ";
+    json += ", \"scale\": " + mesh.scale + ", \"color\": ";
     append_array(json, mesh.color);
     json += std::string(", \"lit\": ") + name_of(mesh.lit);
     if (mesh.lines || mesh.points) {

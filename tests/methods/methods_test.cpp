@@ -298,6 +298,31 @@ TEST_F(Methods, probe_by_position_and_by_pixel) {
     EXPECT_EQ(background["position"], nullptr);
 }
 
+TEST_F(Methods, color_range_is_that_of_the_values_in_view) {
+    json params{{"layers", {"s"}}, {"scene", json::parse(R"({"dataset": "box",
+        "camera": {"position": [980, 3, -47], "target": [1003, 3, -47], "parallel": true, "parallel_height": 100},
+        "layers": {"s": {"type": "slice", "axis": "x", "value": 1001, "color": {"array": "U:x"}},
+                   "plain": {"type": "slice", "axis": "x", "value": 1002}}})")}};
+    EXPECT_EQ(client.call("color.range", params)["range"], json({0, 6})); // U:x is the height over the box's floor
+    params["aspect"] = 1;
+    EXPECT_EQ(client.call("color.range", params)["range"], json({0, 6}));
+    json& camera = params["scene"]["camera"];
+    camera["parallel_height"] = 2.5; // heights from 1.75 to 4.25 are in view
+    const json part = client.call("color.range", params)["range"];
+    EXPECT_GE(part[0], 1.75);
+    EXPECT_LE(part[0], 3);
+    EXPECT_GE(part[1], 3);
+    EXPECT_LE(part[1], 4.25);
+    camera["target"] = {1003, 3, 1000};
+    EXPECT_EQ(client.call("color.range", params)["range"], nullptr) << "nothing is in view";
+    params.erase("aspect");
+    EXPECT_EQ(client.call("color.range", params)["range"], json({0, 6}));
+    params["layers"] = {"plain"};
+    EXPECT_EQ(client.call("color.range", params)["range"], nullptr) << "a layer without an array has no values";
+    params["layers"] = {"s", "none"};
+    EXPECT_EQ(client.error_code("color.range", params), -32001);
+}
+
 TEST_F(Methods, surfaces_are_exported) {
     json params{{"scene", iso_scene}, {"layer", "iso"}, {"format", "ply"}};
     params["scene"]["layers"]["iso"]["values"] = {12, 20};

@@ -119,6 +119,21 @@ def test_the_default_view_takes_colours_and_a_background(box, tmp_path):
     assert tuple(pixels(tmp_path / "red.png")[2, 2]) == (255, 0, 0)
 
 
+def test_slices_have_the_colours_that_the_options_ask_for(box, tmp_path):
+    """The scalar r on the box's middle plane: what is in the corners and in the middle lies outside the range."""
+    common = ["--slice", "y=0", "--color", "r", "--range", "0.3,0.8", "--below-color", "#ff0000", "--above-color", "#0000ff", "--size", "200x160"]
+    shown = {}
+    for name, options in {"smooth": [], "reverse": ["--reverse"], "steps": ["--steps", "3", "--map", "grayscale"], "log": ["--log"],
+                          "points": ["--points", "0=#00ff00,1=#00ff00"]}.items():
+        works("render", box, *common, *options, "-o", tmp_path / f"{name}.png")
+        shown[name] = [tuple(color) for color in pixels(tmp_path / f"{name}.png").reshape(-1, 3)]
+        assert shown[name].count((255, 0, 0)) > 100 and shown[name].count((0, 0, 255)) > 100, name
+    assert shown["points"].count((0, 255, 0)) > 500
+    for grey in ((0, 0, 0), (128, 128, 128), (255, 255, 255)):
+        assert shown["steps"].count(grey) > 100, grey
+    assert shown["smooth"] != shown["reverse"] != shown["log"] != shown["smooth"]
+
+
 def test_default_view_scene_file_and_every_back_end_agree(box, tmp_path):
     works("render", box, "-o", tmp_path / "default.png", "--size", "160x100")
     assert (pixels(tmp_path / "default.png").max(axis=2) > 70).mean() > 0.02
@@ -224,6 +239,12 @@ REFUSED = [
     ("scene file and background", ["render", "--scene", "wrong.json", "--background", "light", "-o", "p.png"], "leave out", 2),
     ("bad range of the default view", ["render", "--range", "1", "-o", "p.png"], "range", 2),
     ("unknown map of the default view", ["render", "--map", "jet", "-o", "p.png"], "viridis", 1),
+    ("log of zero", ["render", "--iso", "r=0.5", "--log", "--range", "0,1", "-o", "p.png"], "begins above zero", 1),
+    ("log and symmetric", ["render", "--iso", "r=0.5", "--log", "--symmetric", "-o", "p.png"], "no logarithm", 1),
+    ("one step", ["render", "--iso", "r=0.5", "--steps", "1", "-o", "p.png"], "at least 2", 1),
+    ("points without colours", ["render", "--iso", "r=0.5", "--points", "0,1", "-o", "p.png"], "AT=#rrggbb", 2),
+    ("points out of order", ["render", "--iso", "r=0.5", "--points", "1=#000000,0=#ffffff", "-o", "p.png"], "ascending", 1),
+    ("a colour by name", ["render", "--iso", "r=0.5", "--above-color", "red", "-o", "p.png"], "color/above", 1),
     ("bad range", ["render", "--iso", "r=0.5", "--range", "1", "-o", "p.png"], "range", 2),
 ]
 

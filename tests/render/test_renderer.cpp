@@ -121,8 +121,8 @@ TEST_P(RendererTest, UnlitSliceShowsTheColourMapExactly) {
     const Shape shape = square(0);
     for (const std::string& name : color_map_names()) {
         Mesh mesh = shape.mesh();
-        mesh.map = name;
-        mesh.range = {-1, 1};
+        mesh.scale.map = name;
+        mesh.scale.range = {-1, 1};
         mesh.lit = false;
         frame.meshes = {mesh};
         draw();
@@ -143,7 +143,7 @@ TEST_P(RendererTest, ValuesOutsideTheRangeTakeItsEndsAndNaNIsGrey) {
         if (shape.positions[i][2] > 0.5F) shape.scalars[i] = std::numeric_limits<float>::quiet_NaN();
     Mesh mesh = shape.mesh();
     mesh.lit = false;
-    mesh.range = {-0.25F, 0.25F};
+    mesh.scale.range = {-0.25F, 0.25F};
     frame.meshes = {mesh};
     draw();
     const auto& viridis = color_map("viridis");
@@ -153,7 +153,7 @@ TEST_P(RendererTest, ValuesOutsideTheRangeTakeItsEndsAndNaNIsGrey) {
     EXPECT_NEAR(grey.r, 128, 2);
     EXPECT_NEAR(grey.g, 128, 2);
     EXPECT_NEAR(grey.b, 128, 2);
-    mesh.range = {0, 0}; // of a constant field: the middle of the map
+    mesh.scale.range = {0, 0}; // of a constant field: the middle of the map
     frame.meshes = {mesh};
     draw();
     EXPECT_NEAR(center().g, viridis[128][1], 3);
@@ -286,7 +286,7 @@ TEST_P(RendererTest, BadFramesAreRefusedAndTheNextIsDrawn) {
         {"unknown map",
          [&](Frame& f) {
              f.meshes[0].scalars = {&shape.positions[0][0], shape.positions.size()};
-             f.meshes[0].map = "rainbow";
+             f.meshes[0].scale.map = "rainbow";
          },
          "no colour map 'rainbow'"},
         {"camera NaN", [](Frame& f) { f.camera.position[1] = std::nan(""); }, "camera"},

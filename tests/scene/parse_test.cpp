@@ -32,6 +32,14 @@ TEST(scene, defaults_are_those_of_the_contract) {
     EXPECT_FLOAT_EQ(iso.color.solid[0], 0xcc / 255.0F);
     EXPECT_FALSE(iso.color.range);
     EXPECT_FALSE(iso.edges) << "absent: none";
+    EXPECT_EQ(iso.color.reverse, fallback("Coloring", "reverse"));
+    EXPECT_EQ(iso.color.log, fallback("Coloring", "log"));
+    EXPECT_EQ(iso.color.symmetric, fallback("Coloring", "symmetric"));
+    EXPECT_EQ(fallback("Coloring", "nan"), "#808080");
+    EXPECT_EQ(iso.color.nan, (Rgb8{0x80, 0x80, 0x80}));
+    EXPECT_EQ(iso.color.steps, 0);
+    EXPECT_TRUE(iso.color.points.empty());
+    EXPECT_FALSE(iso.color.below || iso.color.above);
 }
 
 TEST(scene, a_line_s_defaults_are_those_of_the_contract) {
@@ -47,6 +55,24 @@ TEST(scene, a_line_s_defaults_are_those_of_the_contract) {
     EXPECT_EQ(edges_of(R"({"color": "#ff0000", "width": 2.5})")->color[0], 1);
     EXPECT_EQ(edges_of(R"({"color": "#ff0000", "width": 2.5})")->width, 2.5);
     EXPECT_FALSE(edges_of(R"({"visible": false})"));
+}
+
+TEST(scene, every_member_of_a_colouring_is_read) {
+    const Scene scene = parse(json::parse(R"({"dataset": "d", "layers": {
+        "a": {"type": "surface", "color": {"array": "p", "log": true, "reverse": true, "steps": 9, "nan": "#010203",
+              "below": "#aabbcc", "above": "#FFEEDD", "points": [{"at": 0.25, "color": "#000102"}, {"at": 0.25, "color": "#ffffff"}]}},
+        "b": {"type": "surface", "color": {"symmetric": true, "steps": null, "below": null, "above": null, "points": null, "range": [-1, 2]}}}})"));
+    const Coloring& a = std::get<SurfaceLayer>(scene.layers.at(0).kind).color;
+    EXPECT_TRUE(a.log && a.reverse && !a.symmetric);
+    EXPECT_EQ(a.steps, 9);
+    EXPECT_EQ(a.nan, (Rgb8{1, 2, 3}));
+    EXPECT_EQ(a.below, (Rgb8{0xaa, 0xbb, 0xcc}));
+    EXPECT_EQ(a.above, (Rgb8{0xff, 0xee, 0xdd}));
+    ASSERT_EQ(a.points.size(), 2U);
+    EXPECT_EQ(a.points[1].at, 0.25);
+    EXPECT_EQ(a.points[0].color, (Rgb8{0, 1, 2}));
+    const Coloring& b = std::get<SurfaceLayer>(scene.layers.at(1).kind).color;
+    EXPECT_TRUE(b.symmetric && !b.log && b.points.empty() && !b.below && b.steps == 0);
 }
 
 TEST(scene, every_member_is_read) {
@@ -239,6 +265,27 @@ constexpr Malformed table[] = {
      "/layers/a/color/range", "/layers/a/color/range must be an array, or must be null"},
     {"color_solid", R"({"dataset": "d", "layers": {"a": {"type": "outline", "color": {"solid": "#12345"}}}})",
      "/layers/a/color/solid", "/layers/a/color/solid must match ^#[0-9a-fA-F]{6}$"},
+    {"color_log_of_zero",
+     R"({"dataset": "d", "layers": {"a": {"type": "surface", "color": {"log": true, "range": [0, 1]}}}})",
+     "/layers/a/color/range",
+     "a logarithmic scale has no place for zero and below; give a range that begins above zero, or leave out log"},
+    {"color_log_symmetric",
+     R"({"dataset": "d", "layers": {"a": {"type": "surface", "color": {"log": true, "symmetric": true}}}})",
+     "/layers/a/color/symmetric",
+     "a range that is symmetric about zero holds values that have no logarithm; leave out either symmetric or log"},
+    {"color_one_step", R"({"dataset": "d", "layers": {"a": {"type": "surface", "color": {"steps": 1}}}})",
+     "/layers/a/color/steps", "/layers/a/color/steps must be at least 2, or must be null"},
+    {"color_nan", R"({"dataset": "d", "layers": {"a": {"type": "surface", "color": {"nan": "red"}}}})",
+     "/layers/a/color/nan", "/layers/a/color/nan must match ^#[0-9a-fA-F]{6}$"},
+    {"color_one_point",
+     R"({"dataset": "d", "layers": {"a": {"type": "surface", "color": {"points": [{"at": 0, "color": "#000000"}]}}}})",
+     "/layers/a/color/points", "/layers/a/color/points has fewer items than 2, or must be null"},
+    {"color_point_outside",
+     R"({"dataset": "d", "layers": {"a": {"type": "surface", "color": {"points": [{"at": 0, "color": "#000000"}, {"at": 1.5, "color": "#000000"}]}}}})",
+     "/layers/a/color/points/1/at", "/layers/a/color/points/1/at must be at most 1"},
+    {"color_points_out_of_order",
+     R"({"dataset": "d", "layers": {"a": {"type": "surface", "color": {"points": [{"at": 0.5, "color": "#000000"}, {"at": 0.4, "color": "#000000"}]}}}})",
+     "/layers/a/color/points/1/at", "the points of a colour map stand in ascending order of at"},
     {"group_is_a_number", R"({"dataset": "d", "layers": {"a": {"type": "surface", "groups": [7]}}})",
      "/layers/a/groups/0", "/layers/a/groups/0 must be a string"},
 };

@@ -82,8 +82,46 @@ TEST_P(scene_geometry, iso_surface_has_the_value_and_the_interpolated_colours) {
             EXPECT_NEAR(test::pressure(at, time), 7.5, 1e-4);
             EXPECT_NEAR((*drawable.scalars)[i], test::velocity(at)[0], 1e-4);
         }
-        EXPECT_EQ(drawable.range, (std::array<float, 2>{0, 6}));
+        EXPECT_EQ(drawable.scale.range, (std::array<float, 2>{0, 6}));
     }
+}
+
+// What interpolation makes of the value differs by rounding: steps of colour would speckle where it is their bound.
+TEST_P(scene_geometry, iso_surfaces_coloured_by_their_own_array_have_one_colour_each) {
+    json layer = iso({7.1, 11.3, 13.7});
+    layer["color"] = {{"array", "p"}, {"steps", 4}};
+    const auto shown = show(scene_of({{"i", layer}}));
+    ASSERT_EQ(shown->drawables.size(), 3U);
+    for (std::size_t i = 0; i < 3; ++i) {
+        const float value = layer["values"][i];
+        ASSERT_FALSE(shown->drawables[i].scalars->empty());
+        for (const float scalar : *shown->drawables[i].scalars) ASSERT_EQ(scalar, value);
+    }
+}
+
+TEST_P(scene_geometry, what_a_scene_says_of_colours_arrives_at_the_renderer) {
+    json layer = slice(1);
+    layer["color"] = {{"array", "p"}, {"log", true}, {"reverse", true}, {"steps", 6}, {"above", "#ff0000"}};
+    const json document = scene_of({{"s", layer}});
+    const auto shown = show(document);
+    const render::ColorScale& scale = shown->drawables.at(0).scale;
+    EXPECT_TRUE(scale.log && scale.reverse);
+    EXPECT_EQ(scale.steps, 6);
+    EXPECT_EQ(scale.above, (render::Rgb8{255, 0, 0}));
+    EXPECT_EQ(scale.range, (std::array<float, 2>{36e-6F, 36})) << "p reaches down to zero: six decades are shown";
+    EXPECT_EQ(frame_of(*shown, scene::parse(document), 32, 32, 1).meshes.at(0).scale, scale);
+    EXPECT_TRUE(shown->lacking.empty());
+}
+
+TEST_P(scene_geometry, an_array_without_a_logarithm_is_said_to_have_no_colours) {
+    json layer = slice(1);
+    layer["color"] = {{"array", "U:z"}, {"log", true}}; // from -6 to 0
+    const auto shown = show(scene_of({{"s", layer}}));
+    ASSERT_EQ(shown->lacking.size(), 1U);
+    EXPECT_EQ(shown->lacking[0],
+              "layer s has no colours: U:z has no value above zero at this time, and only those have "
+              "a place on a logarithmic scale; choose a linear one");
+    EXPECT_EQ(shown->drawables.size(), 1U) << "it is shown all the same";
 }
 
 TEST_P(scene_geometry, only_what_changed_is_computed_again) {

@@ -8,6 +8,7 @@ import "./style/layout.css";
 import "./style/controls.css";
 import "./style/panels.css";
 import "./style/overlays.css";
+import "./style/colors.css";
 
 hideToken();
 const root = document.getElementById("app");

@@ -17,10 +17,23 @@ class Camera(TypedDict):
     parallel_height: NotRequired[float]  # of the view, in length units, when parallel
 
 
+class ColorPoint(TypedDict):
+    at: float  # along the range, of its logarithm with log
+    color: str
+
+
 class Coloring(TypedDict):
     array: NotRequired[str]  # a scalar name; absent: the solid colour
-    map: NotRequired[str]
-    range: NotRequired[Range | None]
+    map: NotRequired[str]  # a name of server.info's color_maps
+    points: NotRequired[list[ColorPoint] | None]  # colours of one's own instead of the map, in ascending order; linear between them
+    reverse: NotRequired[bool]
+    range: NotRequired[Range | None]  # of the values on the map; absent: the array's at the shown time
+    symmetric: NotRequired[bool]  # widens the range to as much below zero as above it; not with log
+    log: NotRequired[bool]  # logarithmic; a given range lies above zero, and of the array's only what does is on the map, six decades at most where it holds zero
+    steps: NotRequired[int | None]  # so many equal parts of one colour each; absent: smooth
+    nan: NotRequired[str]  # of values that are missing
+    below: NotRequired[str | None]  # of values below the range; absent: that of its lower end
+    above: NotRequired[str | None]  # of values above the range; absent: that of its upper end
     solid: NotRequired[str]
 
 
@@ -446,6 +459,19 @@ class ProbePointParams(TypedDict):
 
 
 ProbePointResult = ProbeResult
+
+
+class ColorRangeParams(TypedDict):
+    """color.range: The range of the values that colour layers, as far as they are in view."""
+
+    layers: list[str]
+    session: NotRequired[str]  # without it, `scene` is used and nothing is kept
+    scene: NotRequired[Scene]
+    aspect: NotRequired[float]  # width / height of the view; without it, what lies beside the view counts, too
+
+
+class ColorRangeResult(TypedDict):
+    range: Range | None  # null where no value is in view
 
 
 class SurfaceExportParams(TypedDict):

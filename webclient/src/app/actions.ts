@@ -1,8 +1,9 @@
 // What a person can do, as changes of the scene.
 import { axisView, centre, complete, defaultView, withParallel } from "../camera/camera";
 import type { AxisView, Bounds, FullCamera } from "../camera/camera";
-import type { Coloring, Layer, Vec3 } from "../generated/protocol";
-import type { JsonObject } from "../protocol/merge_patch";
+import type { Layer, Range, Vec3 } from "../generated/protocol";
+import type { Json, JsonObject } from "../protocol/merge_patch";
+import type { ColoringChange } from "../scene/color_edit";
 import { clamp } from "../scene/numbers";
 import { arrayOf, freeId, nearestStep, shownTime, topOrder } from "../scene/scalars";
 import type { App } from "./app";
@@ -102,10 +103,23 @@ export class Actions {
   }
 
   /** One colouring for several layers, as one step. undefined members are taken away. */
-  setColoring(layers: string[], change: { [K in keyof Coloring]: Coloring[K] | undefined }, gesture?: string): void {
+  setColoring(layers: string[], change: ColoringChange, gesture?: string): void {
     const color: JsonObject = {};
-    for (const [key, value] of Object.entries(change)) color[key] = value ?? null;
+    for (const [key, value] of Object.entries(change)) color[key] = (value ?? null) as unknown as Json;
     this.app.editor.change({ layers: Object.fromEntries(layers.map((id) => [id, { color }])) }, gesture);
+  }
+
+  /** Of the values that the layers show in the view; null where there is none, which is said. */
+  async rangeInView(layers: string[]): Promise<Range | null> {
+    const { app } = this;
+    try {
+      const { range } = await app.session.call("color.range", { session: app.tab.id, layers, aspect: app.size.aspect });
+      if (range === null) app.toasts.show("No value of these layers is in view; the range stays as it is", "error");
+      return range;
+    } catch (error) {
+      app.fail(error);
+      return null;
+    }
   }
 
   setStep(step: number, gesture?: string): void {

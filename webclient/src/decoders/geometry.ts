@@ -1,6 +1,8 @@
 // Kind 2: one batch of polygons of one layer (protocol/frame.md).
 import { HEADER_BYTES } from "../protocol/frame_header";
-import type { Range, Vec3 } from "../generated/protocol";
+import type { ColorScale } from "../display/color_scale";
+import type { Coloring, Range, Vec3 } from "../generated/protocol";
+import { scaleOf } from "../scene/color_range";
 
 /** nx, ny, nz, d: shown where dot(normal, offset) + d >= 0. */
 export type ClipPlane = [number, number, number, number];
@@ -13,8 +15,7 @@ export interface GeometryBatch {
   normals: Float32Array | null;
   scalars: Float32Array | null;
   indices: Uint32Array;
-  map: string;
-  range: Range;
+  scale: ColorScale;
   color: [number, number, number, number];
   lit: boolean;
   width: number; // of lines and points, in the server's pixels
@@ -30,7 +31,8 @@ interface BatchHeader {
   normals: boolean;
   scalars: boolean;
   map: string;
-  range: Range;
+  range?: Range; // absent where there are no scalars
+  scale: Coloring;
   color: [number, number, number, number];
   lit: boolean;
   width?: number;
@@ -62,7 +64,8 @@ export function decodeGeometry(message: ArrayBuffer): GeometryBatch | null {
   const positions = floats(3 * header.vertices);
   const normals = header.normals ? floats(3 * header.vertices) : null;
   const scalars = header.scalars ? floats(header.vertices) : null;
-  const { layer, map, range, color, lit, origin } = header;
+  const { layer, map, range = [0, 1], color, lit, origin } = header;
+  const scale = scaleOf({ ...header.scale, map, range }, range);
   const indices = new Uint32Array(message, offset, header.indices);
   return {
     layer,
@@ -72,8 +75,7 @@ export function decodeGeometry(message: ArrayBuffer): GeometryBatch | null {
     normals,
     scalars,
     indices,
-    map,
-    range,
+    scale,
     color,
     lit,
     width: header.width ?? 1,

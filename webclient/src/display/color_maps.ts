@@ -1,5 +1,4 @@
 // The colour maps that the server draws with, from the same table.
-import type { Rgb } from "./background";
 import table from "../../../protocol/colormaps.json";
 
 export type Colors = Uint8Array<ArrayBuffer>; // 256 RGBA
@@ -20,7 +19,13 @@ const first = table.maps[0]?.name ?? "viridis";
 
 export const colorMapNames: readonly string[] = table.maps.map(({ name }) => name);
 export const DEFAULT_MAP = "viridis";
-export const missingColor = [0, 2, 4].map((at) => parseInt(table.nan.slice(at, at + 2), 16) / 255) as Rgb;
+/** Of values that are missing, unless a scene says otherwise. */
+export const missingHex = `#${table.nan}`;
+
+/** The names by what the maps are for, in the table's order. */
+export const colorMapKinds: readonly { kind: string; names: string[] }[] = [
+  ...new Set(table.maps.map(({ kind }) => kind)),
+].map((kind) => ({ kind, names: table.maps.filter((map) => map.kind === kind).map(({ name }) => name) }));
 
 /** The named map, or the first where the server knows one that this page does not. */
 export function colorMap(name: string): Colors {

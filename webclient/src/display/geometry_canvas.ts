@@ -4,7 +4,8 @@ import { depthRange, projectionMatrix, viewMatrix } from "../camera/matrices";
 import type { GeometryBatch } from "../decoders/geometry";
 import { clamp } from "../scene/numbers";
 import type { Rgb } from "./background";
-import { colorMap, missingColor } from "./color_maps";
+import type { ColorScale } from "./color_scale";
+import { ScaleTextures, scaleUniforms } from "./scale_textures";
 import { buildProgram, type Program } from "./gl_program";
 import { uploadLines } from "./lines";
 import {
@@ -39,7 +40,7 @@ export class GeometryCanvas {
   private lines!: Program;
   private points!: Program;
   private background!: Program;
-  private readonly textures = new Map<string, WebGLTexture>();
+  private textures!: ScaleTextures;
   private uploaded: Uploaded[] = [];
   private batches: GeometryBatch[] = [];
 
@@ -53,7 +54,6 @@ export class GeometryCanvas {
     this.prepare();
     canvas.addEventListener("webglcontextlost", (event) => event.preventDefault());
     canvas.addEventListener("webglcontextrestored", () => {
-      this.textures.clear();
       this.uploaded = [];
       this.prepare();
       this.setBatches(this.batches);
@@ -109,7 +109,6 @@ export class GeometryCanvas {
     gl.uniform1i(program.at("parallel"), look.camera.parallel ? 1 : 0);
     gl.uniform1f(program.at("scale"), 1 / (boundsRadius(look.bounds) || 1));
     gl.uniform2f(program.at("viewport"), width, height);
-    gl.uniform3fv(program.at("missing"), missingColor);
   }
 
   private drawParts(wanted: (part: Uploaded) => boolean, camera: FullCamera): void {
@@ -146,11 +145,10 @@ export class GeometryCanvas {
     gl.useProgram(program.program);
     gl.uniformMatrix4fv(program.at("view"), false, viewMatrix(camera, batch.origin));
     gl.uniform4fv(program.at("color"), batch.color);
-    gl.uniform2fv(program.at("range"), batch.range);
     gl.uniform1i(program.at("mapped"), batch.scalars === null ? 0 : 1);
     gl.uniform1i(program.at("clip_planes"), batch.clip.length);
     if (batch.clip.length > 0) gl.uniform4fv(program.at("clip"), batch.clip.flat());
-    gl.bindTexture(gl.TEXTURE_2D, this.texture(batch.map));
+    if (batch.scalars !== null) this.useScale(program, batch.scale);
     gl.bindVertexArray(vertexArray);
     if (batch.lines) {
       gl.uniform1f(program.at("half_width"), batch.width / 2);
@@ -195,27 +193,19 @@ export class GeometryCanvas {
     return buffers;
   }
 
-  private texture(map: string): WebGLTexture {
+  private useScale(program: Program, scale: ColorScale): void {
     const { gl } = this;
-    let texture = this.textures.get(map);
-    if (texture === undefined) {
-      texture = gl.createTexture();
-      gl.bindTexture(gl.TEXTURE_2D, texture);
-      gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA, 256, 1, 0, gl.RGBA, gl.UNSIGNED_BYTE, colorMap(map));
-      for (const [name, value] of [
-        [gl.TEXTURE_MIN_FILTER, gl.LINEAR],
-        [gl.TEXTURE_MAG_FILTER, gl.LINEAR],
-        [gl.TEXTURE_WRAP_S, gl.CLAMP_TO_EDGE],
-        [gl.TEXTURE_WRAP_T, gl.CLAMP_TO_EDGE],
-      ] as const) {
-        gl.texParameteri(gl.TEXTURE_2D, name, value);
-      }
-      this.textures.set(map, texture);
-    }
-    return texture;
+    const { rule, inside, below, above, missing } = scaleUniforms(scale);
+    gl.uniform4fv(program.at("rule"), rule);
+    gl.uniform2fv(program.at("inside"), inside);
+    gl.uniform3fv(program.at("below"), below);
+    gl.uniform3fv(program.at("above"), above);
+    gl.uniform3fv(program.at("missing"), missing);
+    gl.bindTexture(gl.TEXTURE_2D, this.textures.of(scale));
   }
 
   private prepare(): void {
+    this.textures = new ScaleTextures(this.gl);
     this.surface = buildProgram(this.gl, SURFACE_VERTEX, SURFACE_FRAGMENT);
     this.lines = buildProgram(this.gl, LINE_VERTEX, LINE_FRAGMENT);
     this.points = buildProgram(this.gl, SURFACE_VERTEX, POINT_FRAGMENT);

@@ -28,10 +28,13 @@ in float value;
 in vec3 offset; // from the batch's origin
 uniform vec4 clip[6];
 uniform int clip_planes;
-uniform sampler2D map;
-uniform vec2 range;
-uniform vec4 color;
+uniform sampler2D scale_colors;
+uniform vec4 rule; // low, 1 / width, steps, logarithmic: low and width of logarithms to base 2 then
+uniform vec2 inside;
+uniform vec3 below;
+uniform vec3 above;
 uniform vec3 missing;
+uniform vec4 color;
 uniform bool mapped;
 out vec4 result;
 
@@ -42,10 +45,14 @@ void leave_out_what_is_clipped() {
 
 vec3 base_color() {
   if (!mapped) return color.rgb;
-  if ((floatBitsToUint(value) & 0x7fffffffu) > 0x7f800000u) return missing;
-  float span = range.y - range.x;
-  float at = span > 0.0 ? clamp((value - range.x) / span, 0.0, 1.0) : 0.5;
-  return texture(map, vec2((at * 255.0 + 0.5) / 256.0, 0.5)).rgb;
+  if ((floatBitsToUint(value) & 0x7fffffffu) >= 0x7f800000u) return missing;
+  if (value < inside.x) return below;
+  if (value > inside.y) return above;
+  float measure = rule.w > 0.5 ? log2(max(value, 1e-37)) : value;
+  float at = rule.y > 0.0 ? clamp((measure - rule.x) * rule.y, 0.0, 1.0) : 0.5;
+  if (rule.z > 1.5) return texelFetch(scale_colors, ivec2(int(min(at * rule.z, rule.z - 0.5)), 0), 0).rgb;
+  float width = float(textureSize(scale_colors, 0).x);
+  return texture(scale_colors, vec2((at * (width - 1.0) + 0.5) / width, 0.5)).rgb;
 }
 `;
 

@@ -2,12 +2,20 @@
 import type { JSX } from "preact";
 import type { Coloring } from "../generated/protocol";
 import { DEFAULT_MAP, colorMapNames } from "../display/color_maps";
+import { withMap } from "../scene/color_edit";
 import { scalarsOf } from "../scene/scalars";
 import { SelectField, Slider } from "./controls";
+import { ColorScalePanel } from "./color_scale_panel";
 import { useApp, useAppState } from "./context";
+import { useSomeRange } from "./data_range";
 
 const SOLID = "";
+const OWN = "";
 const DEFAULT_SOLID = "#cccccc";
+
+function Scale(props: { layers: string[]; coloring: Coloring & { array: string } }): JSX.Element {
+  return <ColorScalePanel {...props} data={useSomeRange(props.coloring.array)} />;
+}
 
 export function ColoringFields({ layers, coloring }: { layers: string[]; coloring: Coloring }): JSX.Element {
   const { actions } = useApp();
@@ -17,7 +25,8 @@ export function ColoringFields({ layers, coloring }: { layers: string[]; colorin
     { value: SOLID, text: "One colour" },
     ...scalars.map(({ name, units }) => ({ value: name, text: units === "" ? name : `${name} (${units})` })),
   ];
-  const maps = colorMapNames.map((name) => ({ value: name, text: name }));
+  const own = coloring.points ? [{ value: OWN, text: "Own colours" }] : [];
+  const maps = [...own, ...colorMapNames.map((name) => ({ value: name, text: name }))];
   return (
     <div class="fields">
       <SelectField
@@ -42,11 +51,14 @@ export function ColoringFields({ layers, coloring }: { layers: string[]; colorin
       ) : (
         <SelectField
           label="Map"
-          value={coloring.map ?? DEFAULT_MAP}
+          value={coloring.points ? OWN : (coloring.map ?? DEFAULT_MAP)}
           options={maps}
-          onChange={(map) => actions.setColoring(layers, { map })}
+          onChange={(map) => {
+            if (map !== OWN) actions.setColoring(layers, withMap(map));
+          }}
         />
       )}
+      {coloring.array !== undefined && <Scale layers={layers} coloring={{ ...coloring, array: coloring.array }} />}
     </div>
   );
 }

@@ -1,25 +1,54 @@
 // Colour bars over the canvas, one per colouring in use; the range is edited in place.
 import type { JSX } from "preact";
 import { useEffect, useRef } from "preact/hooks";
-import { colorMap, DEFAULT_MAP } from "../display/color_maps";
+import { colorsAlong, hasWidth, type ColorScale } from "../display/color_scale";
 import type { Coloring, Range } from "../generated/protocol";
 import type { Size } from "../camera/camera";
-import { formatNumber, fractionOf, ticks } from "../scene/numbers";
-import { legendsOf, rangeOfAllSteps, shownTime, unitsOf } from "../scene/scalars";
+import { withRange } from "../scene/color_edit";
+import { rangeOf, scaleOf } from "../scene/color_range";
+import { colorTicks, type ColorTick } from "../scene/color_ticks";
+import { clamp, formatNumber } from "../scene/numbers";
+import { legendsOf, rangeOfAllSteps, unitsOf } from "../scene/scalars";
 import { IconButton, NumberField } from "./controls";
 import { useApp, useAppState } from "./context";
+import { useDataRange } from "./data_range";
+
+const BAR_PIXELS = 256;
 
 /** Pixels between the box and a legend. */
 const ROOM: Size = { width: 12, height: 20 };
 
-function ColorBar({ map }: { map: string }): JSX.Element {
+/** Triangles beyond the ends stand for colours that values outside the range have. */
+function ColorBar({ scale }: { scale: ColorScale }): JSX.Element {
   const canvas = useRef<HTMLCanvasElement>(null);
+  const key = JSON.stringify(scale);
   useEffect(() => {
     const context = canvas.current?.getContext("2d");
-    const rows = new Uint32Array(Uint8Array.from(colorMap(map)).buffer).reverse(); // the highest on top
-    context?.putImageData(new ImageData(new Uint8ClampedArray(rows.buffer), 1, rows.length), 0, 0);
-  }, [map]);
-  return <canvas ref={canvas} class="color-bar" width={1} height={256} aria-hidden="true" />;
+    const pixels = colorsAlong(scale, BAR_PIXELS).reverse(); // the highest on top
+    const rgba = Uint8ClampedArray.from(pixels.flatMap((color) => [...color, 255]));
+    context?.putImageData(new ImageData(rgba, 1, BAR_PIXELS), 0, 0);
+  }, [key]);
+  return (
+    <div class="color-bar">
+      {scale.above !== null && <span class="color-end" title="Above the range" style={{ background: scale.above }} />}
+      <canvas ref={canvas} class={scale.steps > 1 ? "stepped" : ""} width={1} height={BAR_PIXELS} aria-hidden="true" />
+      {scale.below !== null && (
+        <span class="color-end below" title="Below the range" style={{ background: scale.below }} />
+      )}
+    </div>
+  );
+}
+
+/** Those whose labels would stand on each other, or on the fields at the ends, are marks alone. */
+function spacedTicks(scale: ColorScale): ColorTick[] {
+  const gap = 14 / clamp(0.22 * window.innerHeight, 84, 172);
+  let last = gap * 0.3;
+  return colorTicks(scale).map((tick) => {
+    if (tick.label === "") return tick;
+    if (tick.at - last < gap || tick.at > 1 - 1.3 * gap) return { ...tick, label: "" };
+    last = tick.at;
+    return tick;
+  });
 }
 
 interface Entry {
@@ -27,34 +56,35 @@ interface Entry {
   layers: string[];
 }
 
-function ColorScale({ coloring, layers, range }: Entry & { range: Range }): JSX.Element {
-  const { actions } = useApp();
-  const span = range[1] - range[0];
-  const setRange = (low: number, high: number): void =>
-    actions.setColoring(layers, { range: low <= high ? [low, high] : [high, low] });
+function LegendScale({ coloring, layers, scale, range }: Entry & { scale: ColorScale; range: Range }): JSX.Element {
+  const { actions, toasts } = useApp();
+  const span = scale.log ? undefined : range[1] - range[0];
+  const setRange = (low: number, high: number): void => {
+    const change = withRange(coloring, low, high);
+    if (typeof change === "string") toasts.show(change, "error");
+    else actions.setColoring(layers, change);
+  };
+  const mirrored = coloring.symmetric === true;
   return (
     <div class="color-scale">
       <NumberField
         label={`Highest value of the ${coloring.array} colours`}
         value={range[1]}
         span={span}
-        onChange={(high) => setRange(range[0], high)}
+        onChange={(high) => setRange(mirrored ? -high : range[0], high)}
       />
       <div class="ticks" aria-hidden="true">
-        {ticks(range)
-          .map((value) => ({ value, at: fractionOf(value, range) }))
-          .filter(({ at }) => at > 0.12 && at < 0.88)
-          .map(({ value, at }) => (
-            <span key={value} style={{ bottom: `${at * 100}%` }}>
-              {formatNumber(value, span)}
-            </span>
-          ))}
+        {spacedTicks(scale).map(({ value, at, label }) => (
+          <span key={value} class={label === "" ? "mark" : ""} style={{ bottom: `${at * 100}%` }}>
+            {label}
+          </span>
+        ))}
       </div>
       <NumberField
         label={`Lowest value of the ${coloring.array} colours`}
         value={range[0]}
         span={span}
-        onChange={(low) => setRange(low, range[1])}
+        onChange={(low) => setRange(low, mirrored ? -low : range[1])}
       />
     </div>
   );
@@ -100,16 +130,14 @@ function RangeButtons({ coloring, layers, range }: Entry & { range: Range }): JS
 }
 
 function LegendEntry({ coloring, layers }: Entry): JSX.Element {
-  const { histograms } = useApp();
-  const scene = useAppState((state) => state.scene);
   const description = useAppState((state) => state.description);
-  useAppState((state) => state.histogramsAt);
   const units = unitsOf(description, coloring.array);
   const [head, ...tail] = coloring.array.split(":"); // a long name is broken where its component begins
-  const own =
-    description === null ? null : histograms.get(description.name, coloring.array, shownTime(description, scene));
-  const range: Range | null = coloring.range ?? own?.range ?? null;
-  const constant = !coloring.range && range !== null && range[0] === range[1];
+  const data = useDataRange(coloring.array);
+  const known = data?.range ?? coloring.range ?? null;
+  const range = known === null ? null : rangeOf(coloring, known);
+  const scale = scaleOf(coloring, known ?? [0, 1]);
+  const constant = range !== null && !hasWidth(scale) && !coloring.range;
   return (
     <figure class="legend" aria-label={`Colours of ${coloring.array}`}>
       <figcaption>
@@ -118,10 +146,19 @@ function LegendEntry({ coloring, layers }: Entry): JSX.Element {
         {units !== "" && <small> {units}</small>}
       </figcaption>
       <div class="legend-scale">
-        <ColorBar map={coloring.map ?? DEFAULT_MAP} />
+        <ColorBar scale={scale} />
         {range !== null &&
-          (constant ? <OneValue value={range[0]} /> : <ColorScale coloring={coloring} layers={layers} range={range} />)}
+          (constant ? (
+            <OneValue value={range[0]} />
+          ) : (
+            <LegendScale coloring={coloring} layers={layers} scale={scale} range={range} />
+          ))}
       </div>
+      {(data?.invalid ?? 0) > 0 && (
+        <p class="missing">
+          <span style={{ background: scale.nan }} /> no value
+        </p>
+      )}
       {range !== null && <RangeButtons coloring={coloring} layers={layers} range={range} />}
     </figure>
   );

@@ -1,4 +1,5 @@
 // What layers can be made from and coloured by: the scalars of a dataset's arrays.
+import { scaleOf } from "./color_range";
 import { prettyUnits } from "./numbers";
 import type { ArrayInfo, Coloring, DatasetDescription, Layer, Range, Scene } from "../generated/protocol";
 
@@ -83,7 +84,7 @@ export function legendsOf(scene: Scene | null): { coloring: Coloring & { array: 
     if (layer.visible === false || layer.type === "outline" || layer.type === "clip") continue;
     const { color } = layer;
     if (color?.array === undefined) continue;
-    const key = JSON.stringify([color.array, color.map ?? "viridis", color.range ?? null]);
+    const key = JSON.stringify([color.array, color.range ?? null, color.symmetric === true, scaleOf(color, [0, 1])]);
     const same = found.get(key);
     if (same === undefined) found.set(key, { coloring: { ...color, array: color.array }, layers: [id] });
     else same.layers.push(id);

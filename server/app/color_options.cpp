@@ -1,0 +1,83 @@
+#include "app/color_options.hpp"
+
+#include "app/commands.hpp"
+#include "app/scene_options.hpp"
+#include "render/color_map.hpp"
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+namespace ciel::app {
+namespace {
+
+constexpr const char* points_form = "AT=#rrggbb,AT=#rrggbb[,...]";
+
+std::vector<double> parse_range(const std::string& text) {
+    auto range = parse_numbers("--range", text);
+    if (range.size() != 2) throw UsageError("--range " + text + " is not of the form MIN,MAX");
+    return range;
+}
+
+// Whether colours and places are good is for the scene's own checks to say.
+nlohmann::json parse_points(const std::string& text) {
+    nlohmann::json points = nlohmann::json::array();
+    for (const std::string& point : CLI::detail::split(text, ',')) {
+        const auto equals = point.find('=');
+        const auto at = parse_numbers("--points", point.substr(0, equals));
+        if (equals == std::string::npos || at.size() != 1)
+            throw UsageError("--points " + text + " is not of the form " + points_form);
+        points.push_back({{"at", at[0]}, {"color", point.substr(equals + 1)}});
+    }
+    return points;
+}
+
+std::string map_names() {
+    std::string names;
+    for (const std::string& name : render::color_map_names()) names += (names.empty() ? "" : ", ") + name;
+    return names;
+}
+
+} // namespace
+
+void ColorOptions::add_to(CLI::App& command) {
+    command.add_option("--color", array, "Point scalar that colours the layers.")->type_name("ARRAY");
+    command.add_option("--map", map, "Colour map: " + map_names() + ".")->type_name("NAME")->default_str("viridis");
+    command.add_option("--points", points, "Colours of your own instead of a map, from 0 to 1 along the range.")
+        ->type_name(points_form);
+    command.add_option("--range", range, "Values of the map's two ends; the array's range by default.")
+        ->type_name("MIN,MAX");
+    command.add_flag("--reverse", reverse, "The map the other way round.");
+    command.add_flag("--log", log, "Logarithmic scale.");
+    command.add_flag("--symmetric", symmetric, "As much of the range below zero as above it.");
+    command.add_option("--steps", steps, "So many colours instead of a smooth map.")->type_name("N");
+    command.add_option("--nan-color", nan, "Of values that are missing.")
+        ->type_name("#rrggbb")
+        ->default_str("\"#808080\"");
+    command.add_option("--below-color", below, "Of values below the range; the lowest colour by default.")
+        ->type_name("#rrggbb");
+    command.add_option("--above-color", above, "Of values above the range; the highest colour by default.")
+        ->type_name("#rrggbb");
+}
+
+bool ColorOptions::any() const {
+    return array || map || points || range || nan || below || above || steps || reverse || log || symmetric;
+}
+
+void ColorOptions::apply_to(nlohmann::json& color) const {
+    const auto set = [&](const char* name, const auto& option) {
+        if (option) color[name] = *option;
+    };
+    set("array", array);
+    set("map", map);
+    set("nan", nan);
+    set("below", below);
+    set("above", above);
+    set("steps", steps);
+    if (range) color["range"] = parse_range(*range);
+    if (points) color["points"] = parse_points(*points);
+    if (reverse) color["reverse"] = true;
+    if (log) color["log"] = true;
+    if (symmetric) color["symmetric"] = true;
+}
+
+} // namespace ciel::app

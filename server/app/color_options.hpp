@@ -1,0 +1,26 @@
+// How `ciel render` is asked to colour layers, as options; the result is a colouring of the scene document.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
+
+namespace CLI {
+class App;
+}
+
+namespace ciel::app {
+
+struct ColorOptions {
+    std::optional<std::string> array, map, points, range, nan, below, above;
+    std::optional<int> steps;
+    bool reverse = false, log = false, symmetric = false;
+
+    void add_to(CLI::App& command);
+    [[nodiscard]] bool any() const;
+    // Puts what was asked for into the colouring of a layer, over what is there. Throws UsageError on an option that
+    // cannot be read.
+    void apply_to(nlohmann::json& color) const;
+};
+
+} // namespace ciel::app

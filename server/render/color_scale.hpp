@@ -1,0 +1,62 @@
+// From a scalar to a colour: the rule that the server's shaders, the browser's (webclient/src/display/color_scale.ts)
+// and every legend follow. A value stays a value up to the pixel: only there is it placed on the scale and looked up.
+//
+//     place    (v - low) / (high - low), or of the logarithms; 0.5 for every value when the range has no width
+//     colour   that of the map, or of the points, at the place; at 1 - place when reversed
+//     steps    n: the k-th of n equal parts of the scale has one colour, the map's at k / (n - 1)
+//     outside  `below`, `above`, by default the colour of that end; what is off by no more than the rounding of an
+//              interpolated float is inside, so that a flat maximum has no specks of the colour above
+//     nothing  NaN and infinities, which are NaN beside any other value, have `nan`
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace ciel::render {
+
+using Rgb8 = std::array<std::uint8_t, 3>; // sRGB
+
+struct ColorPoint {
+    double at = 0; // along the scale, from 0 to 1
+    Rgb8 color{};
+    bool operator==(const ColorPoint&) const = default;
+};
+
+struct ColorScale {
+    std::string map = "viridis";
+    std::vector<ColorPoint> points;   // two or more in ascending order, instead of the map; linear in sRGB between them
+    std::array<float, 2> range{0, 1}; // above zero when `log`
+    bool reverse = false, log = false; // log: equal factors are equally long
+    int steps = 0;                     // 0: smooth; else 2 to most_color_steps
+    Rgb8 nan{128, 128, 128};
+    std::optional<Rgb8> below, above;
+    bool operator==(const ColorScale&) const = default;
+};
+
+inline constexpr int most_color_steps = 256;
+
+// `count` colours from the lower to the upper end, as the scale has them: what fills a texture or a legend's bar.
+// Stepped scales give the colour of the step that each of them lies in. Throws Error when there is no such map.
+[[nodiscard]] std::vector<Rgb8> colors_along(const ColorScale& scale, int count);
+// One colour for each step; `smooth_count` of them, to interpolate between, where the scale has no steps.
+[[nodiscard]] std::vector<Rgb8> color_row(const ColorScale& scale, int smooth_count);
+
+// 0 at the lower end, 1 at the upper one, beyond them outside, as far as a float goes; NaN for NaN.
+[[nodiscard]] double place_of(const ColorScale& scale, double value);
+// The value at a place: place_of the other way round.
+[[nodiscard]] double value_at(const ColorScale& scale, double place);
+// The whole rule, on the CPU.
+[[nodiscard]] Rgb8 color_of(const ColorScale& scale, double value);
+
+// Values from `low` to `high` are inside.
+struct ColorLimits {
+    float low = 0, high = 0;
+};
+[[nodiscard]] ColorLimits limits_of(const ColorScale& scale);
+// Whether values differ in colour at all: a range without width, or too wide for a float, is one colour, the middle.
+[[nodiscard]] bool has_width(const ColorScale& scale);
+
+} // namespace ciel::render

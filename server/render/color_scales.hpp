@@ -1,0 +1,31 @@
+// The colour scales of one frame as textures: what color_glsl.hpp looks up.
+#pragma once
+
+#include "render/color_scale.hpp"
+#include "render/gl.hpp"
+
+#include <vector>
+
+namespace ciel::render {
+
+class ColorScales {
+public:
+    explicit ColorScales(const Gl& gl); // the context is current, here and in every other call
+    ColorScales(const ColorScales&) = delete;
+    ColorScales& operator=(const ColorScales&) = delete;
+
+    void begin() { next_.clear(); }
+    // The scale's row. Equal scales share one. Throws Error when there is no such colour map.
+    [[nodiscard]] float row_of(const ColorScale& scale);
+    // After the last row_of: uploads the rows unless they are there from the frame before.
+    void upload();
+    // To texture units 0 and 1, for the samplers scale_colors and scale_rules.
+    void bind() const;
+
+private:
+    const Gl& gl_;
+    GLuint colors_ = 0, rules_ = 0;
+    std::vector<ColorScale> next_, uploaded_;
+};
+
+} // namespace ciel::render

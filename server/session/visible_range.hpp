@@ -1,0 +1,14 @@
+// The values that are in view: what a colour range is narrowed to, so that what one looks at has all the colours.
+#pragma once
+
+#include "session/scene_geometry.hpp"
+
+namespace ciel::session {
+
+// Smallest and largest finite scalar at the vertices of these layers; nothing where there is none. With an aspect, of
+// those vertices that lie in the view's pyramid, whether something hides them or not.
+[[nodiscard]] std::optional<std::array<double, 2>> visible_range(const Geometry& geometry, const scene::Scene& scene,
+                                                                 const std::vector<std::string>& layers,
+                                                                 std::optional<double> aspect);
+
+} // namespace ciel::session

@@ -1,0 +1,105 @@
+// From a scene's words on colours to colours, by the cases that the browser is held to, too.
+#include "render/color_ticks.hpp"
+#include "session/color_scale_of.hpp"
+
+#include <cmath>
+#include <fstream>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+namespace ciel::session {
+namespace {
+
+using nlohmann::json;
+
+const json& cases() {
+    static const json document = json::parse(std::ifstream(CIEL_SOURCE_DIR "/tests/support/color_cases.json"));
+    return document;
+}
+
+scene::Coloring coloring_of(const json& words) {
+    json document{{"dataset", "d"}, {"layers", {{"s", {{"type", "surface"}, {"color", words}}}}}};
+    return std::get<scene::SurfaceLayer>(scene::parse(document).layers.at(0).kind).color;
+}
+
+std::string hex(const render::Rgb8& color) {
+    std::array<char, 8> text{};
+    std::snprintf(text.data(), text.size(), "#%02x%02x%02x", color[0], color[1], color[2]);
+    return text.data();
+}
+
+TEST(ColorScale, FollowsTheCasesWorkedOutByHand) {
+    for (const json& one : cases()["cases"]) {
+        SCOPED_TRACE(one["name"].get<std::string>());
+        const auto scale = color_scale_of(coloring_of(one["coloring"]), one["data"]);
+        const auto range = one["range"].get<std::array<float, 2>>();
+        EXPECT_FLOAT_EQ(scale.range[0], range[0]);
+        EXPECT_FLOAT_EQ(scale.range[1], range[1]);
+        for (const json& row : one["colors"]) {
+            const double value = row[0].is_null() ? NAN : row[0].get<double>();
+            EXPECT_EQ(hex(color_of(scale, value)), row[1]) << row[0];
+        }
+        if (!one.contains("ticks")) continue;
+        const auto ticks = render::color_ticks(scale);
+        ASSERT_EQ(ticks.size(), one["ticks"].size());
+        for (std::size_t i = 0; i < ticks.size(); ++i) {
+            const json& row = one["ticks"][i];
+            EXPECT_NEAR(ticks[i].value, row[0].get<double>(), 1e-6 * std::abs(row[0].get<double>())) << i;
+            EXPECT_NEAR(ticks[i].at, row[1].get<double>(), 1e-6) << i;
+            EXPECT_EQ(ticks[i].label, row[2]) << i;
+        }
+    }
+}
+
+TEST(ColorScale, LabelsHaveTheDigitsThatCount) {
+    for (const json& row : cases()["labels"])
+        EXPECT_EQ(render::number_label(row[0], row[1]), row[2]) << row[0] << " over " << row[1];
+    EXPECT_EQ(render::number_label(NAN), "n/a");
+}
+
+TEST(ColorScale, TicksStayInsideAndInOrderWhateverTheRange) {
+    for (const bool log : {false, true})
+        for (const int steps : {0, 2, 7, 256})
+            for (const auto& range : std::vector<std::array<float, 2>>{
+                     {1, 1.0000001F}, {1e-30F, 1e30F}, {1e-37F, 1}, {99999, 100001}, {3, 3e12F}, {1e35F, 3e38F}}) {
+                render::ColorScale scale;
+                scale.log = log;
+                scale.steps = steps;
+                scale.range = range;
+                const auto ticks = render::color_ticks(scale);
+                ASSERT_FALSE(ticks.empty());
+                EXPECT_LE(ticks.size(), 300U) << range[0] << ' ' << range[1];
+                int labels = 0;
+                for (std::size_t i = 0; i < ticks.size(); ++i) {
+                    EXPECT_GE(ticks[i].at, i > 0 ? ticks[i - 1].at : 0.0);
+                    EXPECT_LE(ticks[i].at, 1);
+                    labels += ticks[i].label.empty() ? 0 : 1;
+                }
+                EXPECT_GE(labels, 1) << log << ' ' << steps << ' ' << range[0] << ' ' << range[1];
+                EXPECT_LE(labels, 14) << log << ' ' << steps << ' ' << range[0] << ' ' << range[1];
+            }
+}
+
+TEST(ColorScale, WhatIsSentHasTheMembersThatAreNotTheDefault) {
+    EXPECT_EQ(json_of(render::ColorScale()), json::object());
+    const json words = {{"reverse", true},
+                        {"log", true},
+                        {"steps", 7},
+                        {"nan", "#010203"},
+                        {"below", "#0a0b0c"},
+                        {"above", "#ff00ff"},
+                        {"points", {{{"at", 0.0}, {"color", "#000000"}}, {{"at", 1.0}, {"color", "#fffffe"}}}}};
+    EXPECT_EQ(json_of(color_scale_of(coloring_of(words), {1, 2})), words);
+}
+
+TEST(ColorScale, DataWithoutALogarithmAreSaidNotToBeShown) {
+    const auto logarithmic = coloring_of({{"log", true}});
+    EXPECT_TRUE(is_shown_by(logarithmic, {-1, 2}));
+    EXPECT_FALSE(is_shown_by(logarithmic, {-1, 0}));
+    EXPECT_TRUE(is_shown_by(coloring_of({{"log", true}, {"range", {1, 2}}}), {-1, 0}))
+        << "whoever gives a range wants it";
+    EXPECT_TRUE(is_shown_by(coloring_of(json::object()), {-1, 0}));
+}
+
+} // namespace
+} // namespace ciel::session

@@ -1,0 +1,133 @@
+// Colours of one's own: points on a bar that the hand and the keyboard move, and a row for each.
+import type { JSX } from "preact";
+import { useRef } from "preact/hooks";
+import { colorOf, hexOf, placeOf, valueAtPlace, type ColorScale } from "../display/color_scale";
+import type { ColorPoint } from "../generated/protocol";
+import { addedPoint, MOST_POINTS, movedPoint } from "../scene/color_edit";
+import { clamp, formatNumber } from "../scene/numbers";
+import { gradientOf } from "./color_swatch";
+import { IconButton, NumberField } from "./controls";
+import { useApp } from "./context";
+
+const KEY_STEPS: Record<string, number> = {
+  ArrowRight: 0.01,
+  ArrowUp: 0.01,
+  ArrowLeft: -0.01,
+  ArrowDown: -0.01,
+  PageUp: 0.1,
+  PageDown: -0.1,
+  Home: -1,
+  End: 1,
+};
+
+interface Props {
+  scale: ColorScale;
+  onChange: (points: ColorPoint[], gesture?: string) => void;
+}
+
+/** Hundredths of a percent of the bar are finer than any pixel. */
+const rounded = (at: number): number => Number(at.toFixed(4));
+
+function PointsBar({ scale, onChange }: Props): JSX.Element {
+  const { editor } = useApp();
+  const { points } = scale;
+  const bar = useRef<HTMLDivElement>(null);
+  const drag = useRef<{ index: number; gesture: string } | null>(null);
+  const keyGesture = useRef("");
+  const move = (index: number, at: number, gesture: string): void =>
+    onChange(movedPoint(points, index, rounded(clamp(at, 0, 1))), gesture);
+  const onPointerDown = (event: PointerEvent): void => {
+    const handle = (event.target as Element).closest<HTMLElement>("[data-index]");
+    if (handle === null || event.button !== 0) return;
+    drag.current = { index: Number(handle.dataset.index), gesture: editor.newGesture() };
+    handle.focus();
+    bar.current?.setPointerCapture(event.pointerId);
+    event.preventDefault();
+  };
+  const onPointerMove = (event: PointerEvent): void => {
+    const box = bar.current?.getBoundingClientRect();
+    if (drag.current === null || box === undefined) return;
+    move(drag.current.index, (event.clientX - box.left) / box.width, drag.current.gesture);
+  };
+  const onKeyDown = (event: KeyboardEvent, index: number): void => {
+    const step = KEY_STEPS[event.key];
+    if (step === undefined) return;
+    event.preventDefault();
+    event.stopPropagation();
+    if (!event.repeat || keyGesture.current === "") keyGesture.current = editor.newGesture();
+    move(index, (points[index]?.at ?? 0) + step, keyGesture.current);
+  };
+  return (
+    <div
+      class="points-bar"
+      ref={bar}
+      style={{ background: gradientOf({ ...scale, steps: 0, reverse: false }) }}
+      onPointerDown={onPointerDown}
+      onPointerMove={onPointerMove}
+      onPointerUp={() => (drag.current = null)}
+      onPointerCancel={() => (drag.current = null)}
+    >
+      {points.map(({ at, color }, index) => (
+        <div
+          key={index}
+          class="point-handle"
+          data-index={index}
+          role="slider"
+          tabIndex={0}
+          aria-label={`Place of colour ${index + 1}`}
+          aria-valuemin={0}
+          aria-valuemax={100}
+          aria-valuenow={Math.round(100 * at)}
+          aria-valuetext={`${Math.round(100 * at)} %, ${formatNumber(valueAtPlace(scale, at))}`}
+          style={{ left: `${100 * at}%`, background: color }}
+          onKeyDown={(event) => onKeyDown(event, index)}
+        />
+      ))}
+    </div>
+  );
+}
+
+export function PointsEditor({ scale, onChange }: Props): JSX.Element {
+  const { points } = scale;
+  const span = scale.log ? undefined : scale.range[1] - scale.range[0];
+  const unturned = { ...scale, reverse: false, steps: 0 };
+  const colorAt = (place: number): string => hexOf(colorOf(unturned, valueAtPlace(scale, place)));
+  return (
+    <div class="points-editor">
+      <PointsBar scale={scale} onChange={onChange} />
+      {points.map(({ at, color }, index) => (
+        <div class="point-row" key={index}>
+          <input
+            type="color"
+            aria-label={`Colour ${index + 1}`}
+            value={color}
+            onChange={(event) => {
+              const chosen = event.currentTarget.value;
+              onChange(points.map((point, i) => (i === index ? { ...point, color: chosen } : point)));
+            }}
+          />
+          <NumberField
+            label={`Value of colour ${index + 1}`}
+            value={Number(valueAtPlace(scale, at).toPrecision(6))}
+            span={span}
+            onChange={(value) => onChange(movedPoint(points, index, rounded(clamp(placeOf(scale, value), 0, 1))))}
+          />
+          <IconButton
+            icon="close"
+            label={`Remove colour ${index + 1}`}
+            disabled={points.length <= 2}
+            onClick={() => onChange(points.filter((_, i) => i !== index))}
+          />
+        </div>
+      ))}
+      {points.length < MOST_POINTS && (
+        <IconButton
+          icon="plus"
+          label="Add a colour"
+          text="Colour"
+          onClick={() => onChange(addedPoint(points, colorAt))}
+        />
+      )}
+    </div>
+  );
+}

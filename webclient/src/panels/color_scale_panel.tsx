@@ -1,0 +1,203 @@
+// Everything about a colour scale but which array it is of: map, direction, logarithm, steps, range, what is outside.
+import type { JSX } from "preact";
+import { useState } from "preact/hooks";
+import { colorRow, hexOf, type ColorScale } from "../display/color_scale";
+import type { Coloring, Range } from "../generated/protocol";
+import {
+  MOST_STEPS,
+  pointsOf,
+  withLog,
+  withMap,
+  withRange,
+  withSymmetric,
+  type ColoringChange,
+} from "../scene/color_edit";
+import { isShownBy, rangeOf, scaleOf } from "../scene/color_range";
+import { clamp } from "../scene/numbers";
+import { rangeOfAllSteps } from "../scene/scalars";
+import { PointsEditor } from "./color_points";
+import { gradientOf, MapGallery } from "./color_swatch";
+import { Check, NumberField } from "./controls";
+import { useApp, useAppState } from "./context";
+import { Icon } from "./icons";
+
+interface Props {
+  layers: string[];
+  coloring: Coloring & { array: string };
+  /** Of the array at the shown step. */
+  data: Range;
+}
+
+type Change = (change: ColoringChange, gesture?: string) => void;
+
+function ColorField(props: { label: string; value: string; onChange: (color: string) => void }): JSX.Element {
+  const { label, value, onChange } = props;
+  return (
+    <input type="color" aria-label={label} value={value} onChange={(event) => onChange(event.currentTarget.value)} />
+  );
+}
+
+function RangeFields({ layers, coloring, data, change }: Props & { change: Change }): JSX.Element {
+  const { actions, toasts } = useApp();
+  const description = useAppState((state) => state.description);
+  const range = rangeOf(coloring, data);
+  const span = coloring.log === true ? undefined : range[1] - range[0];
+  const set = (low: number, high: number): void => {
+    const changed = withRange(coloring, low, high);
+    if (typeof changed === "string") toasts.show(changed, "error");
+    else change(changed);
+  };
+  const setData = (to: Range | null): void => {
+    if (to !== null) set(...(coloring.log === true ? rangeOf({ log: true }, to) : to));
+  };
+  const everywhere = rangeOfAllSteps(description, coloring.array);
+  return (
+    <div class="field" role="group" aria-label="Range of the colours">
+      <span>Range</span>
+      <div class="range-row">
+        <NumberField
+          label="Range from"
+          value={range[0]}
+          span={span}
+          onChange={(low) => (coloring.symmetric === true ? set(-Math.abs(low), Math.abs(low)) : set(low, range[1]))}
+        />
+        <NumberField
+          label="Range to"
+          value={range[1]}
+          span={span}
+          onChange={(high) =>
+            coloring.symmetric === true ? set(-Math.abs(high), Math.abs(high)) : set(range[0], high)
+          }
+        />
+      </div>
+      <div class="range-choices">
+        <button
+          type="button"
+          class="button small"
+          aria-pressed={!coloring.range}
+          title="The range of the data at each time"
+          onClick={() => change({ range: undefined })}
+        >
+          Data
+        </button>
+        <button
+          type="button"
+          class="button small"
+          title="The range of the values that are in view now"
+          onClick={() => void actions.rangeInView(layers).then(setData)}
+        >
+          In view
+        </button>
+        {everywhere !== null && (description?.times.length ?? 0) > 1 && (
+          <button type="button" class="button small" title="The range at all times" onClick={() => setData(everywhere)}>
+            All times
+          </button>
+        )}
+      </div>
+    </div>
+  );
+}
+
+function OutsideFields({
+  coloring,
+  scale,
+  change,
+}: {
+  coloring: Coloring;
+  scale: ColorScale;
+  change: Change;
+}): JSX.Element {
+  const [low = [0, 0, 0], high = low] = colorRow({ ...scale, steps: 0 }, 2);
+  const ends = { below: hexOf(low), above: hexOf(high) };
+  const end = (member: "below" | "above", label: string): JSX.Element => (
+    <div class="outside-row">
+      <Check
+        label={label}
+        checked={Boolean(coloring[member])}
+        onChange={(on) => change({ [member]: on ? ends[member] : undefined })}
+      />
+      {coloring[member] && (
+        <ColorField
+          label={`Colour of values ${member} the range`}
+          value={coloring[member]}
+          onChange={(color) => change({ [member]: color })}
+        />
+      )}
+    </div>
+  );
+  return (
+    <div role="group" aria-label="Colours outside the range">
+      {end("below", "Below the range")}
+      {end("above", "Above the range")}
+      <div class="outside-row">
+        <span>Missing values</span>
+        <ColorField label="Colour of missing values" value={scale.nan} onChange={(nan) => change({ nan })} />
+      </div>
+    </div>
+  );
+}
+
+function Ways({ coloring, scale, change }: { coloring: Coloring; scale: ColorScale; change: Change }): JSX.Element {
+  const steps = coloring.steps ?? null;
+  return (
+    <>
+      <div class="scale-checks">
+        <Check label="Reverse" checked={scale.reverse} onChange={(on) => change({ reverse: on || undefined })} />
+        <Check label="Logarithmic" checked={scale.log} onChange={(on) => change(withLog(coloring, on))} />
+        <Check label="Symmetric" checked={coloring.symmetric === true} onChange={(on) => change(withSymmetric(on))} />
+        <div class="outside-row">
+          <Check label="Steps" checked={steps !== null} onChange={(on) => change({ steps: on ? 10 : undefined })} />
+          {steps !== null && (
+            <NumberField
+              label="Number of steps"
+              value={steps}
+              step={1}
+              onChange={(count) => change({ steps: clamp(Math.round(count), 2, MOST_STEPS) })}
+            />
+          )}
+        </div>
+      </div>
+    </>
+  );
+}
+
+export function ColorScalePanel({ layers, coloring, data }: Props): JSX.Element {
+  const { actions } = useApp();
+  const [isOpen, setOpen] = useState(false);
+  const scale = scaleOf(coloring, data);
+  const change: Change = (part, gesture) => actions.setColoring(layers, part, gesture);
+  const own = scale.points.length > 0;
+  return (
+    <div class="scale-panel">
+      <button
+        type="button"
+        class="scale-title"
+        aria-expanded={isOpen}
+        aria-label={`Colour scale of ${coloring.array}`}
+        onClick={() => setOpen(!isOpen)}
+      >
+        <Icon name="chevron" />
+        <span class="scale-preview" style={{ background: gradientOf(scale) }} />
+      </button>
+      {isOpen && (
+        <div class="scale-body">
+          {!own && <MapGallery scale={scale} onChoose={(map) => change(withMap(map))} />}
+          <Check
+            label="Colours of my own"
+            checked={own}
+            onChange={(on) => change({ points: on ? pointsOf(scale) : undefined })}
+          />
+          {own && <PointsEditor scale={scale} onChange={(points, gesture) => change({ points }, gesture)} />}
+          <Ways coloring={coloring} scale={scale} change={change} />
+          {!isShownBy(coloring, data) && (
+            <p class="hint" role="status">
+              {coloring.array} has no value above zero now: a logarithmic scale shows none.
+            </p>
+          )}
+          <RangeFields layers={layers} coloring={coloring} data={data} change={change} />
+          <OutsideFields coloring={coloring} scale={scale} change={change} />
+        </div>
+      )}
+    </div>
+  );
+}

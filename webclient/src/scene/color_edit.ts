@@ -1,0 +1,55 @@
+// What a hand does to a colouring: each answers the members that change, so that what cannot stand together never does.
+import { colorRow, hexOf, type ColorScale } from "../display/color_scale";
+import type { Coloring, ColorPoint, Range } from "../generated/protocol";
+import { rangeAboveZero } from "./color_range";
+
+/** undefined takes a member away. */
+export type ColoringChange = { [K in keyof Coloring]?: Coloring[K] | undefined };
+
+export const MOST_POINTS = 64;
+export const MOST_STEPS = 256;
+const FIRST_POINTS = 5;
+
+/** A logarithm and zero in the middle exclude each other; a given range keeps what of it lies above zero. */
+export function withLog({ range }: Coloring, on: boolean): ColoringChange {
+  if (!on) return { log: undefined };
+  if (!range || range[0] > 0) return { log: true, symmetric: undefined };
+  return { log: true, symmetric: undefined, range: range[1] > 0 ? rangeAboveZero(range) : undefined };
+}
+
+export const withSymmetric = (on: boolean): ColoringChange =>
+  on ? { symmetric: true, log: undefined } : { symmetric: undefined };
+
+/** A sentence where the scale has no place for that range. */
+export function withRange({ log, symmetric }: Coloring, a: number, b: number): ColoringChange | string {
+  const range: Range = a <= b ? [a, b] : [b, a];
+  if (log === true && range[0] <= 0) return "A logarithmic scale begins above zero; type a value above zero";
+  if (symmetric !== true) return { range };
+  const reach = Math.max(Math.abs(range[0]), Math.abs(range[1]));
+  return { range: [-reach, reach] };
+}
+
+/** A map by name is shown as it is: points of one's own give way to it. */
+export const withMap = (map: string): ColoringChange => ({ map, points: undefined });
+
+/** Points to begin with: what is seen now. */
+export function pointsOf(scale: ColorScale): ColorPoint[] {
+  const smooth = { ...scale, steps: 0, reverse: false };
+  return colorRow(smooth, FIRST_POINTS).map((color, i) => ({ at: i / (FIRST_POINTS - 1), color: hexOf(color) }));
+}
+
+/** The points with one moved, kept between its neighbours. */
+export function movedPoint(points: readonly ColorPoint[], index: number, at: number): ColorPoint[] {
+  const low = points[index - 1]?.at ?? 0;
+  const high = points[index + 1]?.at ?? 1;
+  return points.map((point, i) => (i === index ? { ...point, at: Math.min(high, Math.max(low, at)) } : point));
+}
+
+/** One more in the widest gap, of the colour that is there. */
+export function addedPoint(points: readonly ColorPoint[], colorAt: (place: number) => string): ColorPoint[] {
+  let best = 0;
+  const gap = (i: number): number => (points[i + 1]?.at ?? 0) - (points[i]?.at ?? 0);
+  for (let i = 1; i + 1 < points.length; i += 1) if (gap(i) > gap(best)) best = i;
+  const at = ((points[best]?.at ?? 0) + (points[best + 1]?.at ?? 1)) / 2;
+  return [...points.slice(0, best + 1), { at, color: colorAt(at) }, ...points.slice(best + 1)];
+}

@@ -1,0 +1,68 @@
+import { describe, expect, test } from "vitest";
+import cases from "../../tests/support/color_cases.json";
+import { colorOf, colorRow, hexOf } from "../src/display/color_scale";
+import type { Coloring, Range } from "../src/generated/protocol";
+import { isShownBy, scaleOf } from "../src/scene/color_range";
+import { colorTicks } from "../src/scene/color_ticks";
+import { formatNumber } from "../src/scene/numbers";
+
+interface Case {
+  name: string;
+  coloring: Coloring;
+  data: Range;
+  range: Range;
+  colors: [number | null, string][];
+  ticks?: [number, number, string][];
+}
+
+describe("the colour scale", () => {
+  test.each(cases.cases as unknown as Case[])("$name", ({ coloring, data, range, colors, ticks }) => {
+    const scale = scaleOf(coloring, data);
+    expect(scale.range).toEqual(range.map(Math.fround));
+    for (const [value, color] of colors) expect([value, hexOf(colorOf(scale, value ?? NaN))]).toEqual([value, color]);
+    if (ticks === undefined) return;
+    const found = colorTicks(scale);
+    expect(found.map(({ label }) => label)).toEqual(ticks.map(([, , label]) => label));
+    found.forEach(({ value, at }, i) => {
+      expect(value).toBeCloseTo(ticks[i]?.[0] ?? NaN, 6);
+      expect(at).toBeCloseTo(ticks[i]?.[1] ?? NaN, 6);
+    });
+  });
+
+  test("labels have the digits that count", () => {
+    for (const [value, span, label] of cases.labels as [number, number, string][])
+      expect(formatNumber(value, span === 0 ? undefined : span)).toBe(label);
+  });
+
+  test("a row has a colour for each step, or as many as are asked for", () => {
+    expect(colorRow(scaleOf({ steps: 7 }, [0, 1]), 256)).toHaveLength(7);
+    expect(colorRow(scaleOf({}, [0, 1]), 256)).toHaveLength(256);
+  });
+
+  test("ticks of any range are few, in order and inside", () => {
+    for (const log of [false, true])
+      for (const steps of [null, 2, 7, 256])
+        for (const range of [
+          [1, 1.0000001],
+          [1e-30, 1e30],
+          [1e-37, 1],
+          [3, 3e12],
+        ] as Range[]) {
+          const found = colorTicks(scaleOf({ log, steps, range }, [0, 1]));
+          expect(found.length).toBeGreaterThan(0);
+          expect(found.length).toBeLessThan(300);
+          const labels = found.filter(({ label }) => label !== "").length;
+          expect(labels).toBeGreaterThan(0);
+          expect(labels).toBeLessThan(15);
+          const places = found.map(({ at }) => at);
+          expect(places).toEqual([...places].sort((a, b) => a - b));
+        }
+  });
+
+  test("data without a logarithm are said not to be shown", () => {
+    expect(isShownBy({ log: true }, [-1, 0])).toBe(false);
+    expect(isShownBy({ log: true, range: [1, 2] }, [-1, 0])).toBe(true);
+    expect(isShownBy({ log: true }, [-1, 1])).toBe(true);
+    expect(isShownBy({}, [-1, 0])).toBe(true);
+  });
+});
