@@ -55,7 +55,7 @@ std::vector<Vec3f> contour_lines(const Surface& surface, std::span<const float> 
     if (values.size() != surface.positions.size()) fail("contour lines need one value per point of their surface");
     if (at.empty()) return {};
     constexpr std::size_t chunk = 4096;
-    const auto [lowest, highest] = std::minmax_element(at.begin(), at.end());
+    const double lowest = *std::min_element(at.begin(), at.end()), highest = *std::max_element(at.begin(), at.end());
     const PolygonContours contours(surface, values);
     const std::size_t polygons = surface.polygon_cell.size(), chunks = (polygons + chunk - 1) / chunk;
     std::vector<std::vector<Vec3f>> parts(chunks * at.size());
@@ -63,7 +63,7 @@ std::vector<Vec3f> contour_lines(const Surface& surface, std::span<const float> 
         for (std::size_t part = begin; part < end; ++part)
             for (std::size_t i = part * chunk; i < std::min(polygons, (part + 1) * chunk); ++i) {
                 const std::span<const Index> loop = polygon(surface, i);
-                if (!contours.crosses(loop, *lowest, *highest)) continue;
+                if (!contours.crosses(loop, lowest, highest)) continue;
                 for (std::size_t k = 0; k < at.size(); ++k) contours.append(loop, at[k], parts[k * chunks + part]);
             }
     });

@@ -11,7 +11,9 @@ namespace {
 
 struct Side { // of a polygon, at its edge's lower point
     Index upper, polygon;
-    friend auto operator<=>(const Side&, const Side&) = default;
+    friend bool operator<(const Side& a, const Side& b) {
+        return a.upper != b.upper ? a.upper < b.upper : a.polygon < b.polygon;
+    }
 };
 
 template <class F>
