@@ -261,7 +261,7 @@ Program make_triangle_program(const Gl& gl) {
 }
 
 Program make_point_program(const Gl& gl) {
-    return link(gl, {{GL_VERTEX_SHADER, surface_vertex}, {GL_FRAGMENT_SHADER, with_color_map(point_fragment)}});
+    return link(gl, {{GL_VERTEX_SHADER, surface_vertex}, {GL_FRAGMENT_SHADER, with_color_scale(point_fragment)}});
 }
 
 Program make_line_program(const Gl& gl) {

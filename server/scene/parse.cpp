@@ -61,7 +61,7 @@ std::optional<Rgb8> read_color(const json& object, const char* name) {
     return bytes_of(*member);
 }
 
-std::vector<ColorPoint> points_of(const json& color, const std::string& path) {
+std::vector<ColorPoint> color_points_of(const json& color, const std::string& path) {
     std::vector<ColorPoint> points;
     const auto given = color.find("points");
     if (given == color.end() || given->is_null()) return points;
@@ -99,7 +99,7 @@ Coloring coloring_of(const json& layer, const std::string& path) {
     coloring.nan = read_color(*color, "nan").value_or(coloring.nan);
     coloring.below = read_color(*color, "below");
     coloring.above = read_color(*color, "above");
-    coloring.points = points_of(*color, path);
+    coloring.points = color_points_of(*color, path);
     coloring.range = range_of(*color, "range", path + "/color");
     check_scale(coloring, path);
     if (const auto solid = color->find("solid"); solid != color->end()) coloring.solid = color_of(*solid);

@@ -23,7 +23,7 @@ struct GeometryMesh {
     bool lit = true;
     float line_width = 1.5F;                    // pixels
     std::span<const std::array<float, 4>> clip; // (normal, offset): shown where dot(normal, position) + offset >= 0
-    std::string scale = "{}"; // a JSON object: what protocol/frame.md says of `scale`
+    std::string scale = "{}";                   // a JSON object: what protocol/frame.md says of `scale`
 };
 
 inline constexpr std::size_t batch_vertices = 65536; // so that 16-bit indices reach every vertex

@@ -80,7 +80,7 @@ TEST_F(cells, caps_look_like_their_surface_and_patches_have_none) {
     ASSERT_EQ(shown->drawables.size(), 4U) << "surface, edges, cap, its edges";
     const Drawable& cap = shown->drawables[2];
     EXPECT_EQ(cap.layer, "s");
-    EXPECT_EQ(cap.map, "inferno");
+    EXPECT_EQ(cap.scale.map, "inferno");
     EXPECT_EQ(cap.color, shown->drawables[0].color);
     EXPECT_TRUE(shown->drawables[3].lines());
     const auto& at = cap.shape->surface.positions;
