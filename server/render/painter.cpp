@@ -39,7 +39,7 @@ Painter::Painter(const Gl& gl)
       is_software_(renderer_name_.find("llvmpipe") != std::string::npos ||
                    renderer_name_.find("softpipe") != std::string::npos),
       background_(make_background_program(gl_)), triangles_(make_triangle_program(gl_)), lines_(make_line_program(gl_)),
-      color_maps_(make_color_maps(gl_)), target_(gl_), transparent_(gl_) {
+      color_maps_(make_color_maps(gl_)), target_(gl_), transparent_(gl_), overlay_(gl_) {
     gl_.GenVertexArrays(1, &no_array_);
     gl_.DepthFunc(GL_LEQUAL);
     gl_.BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
@@ -56,6 +56,7 @@ void Painter::draw(const Frame& frame, Image& image) {
     draw_meshes(frame, true);
     draw_transparent(frame);
     gl_.Disable(GL_BLEND);
+    overlay_.draw(frame);
     target_.read_color(image);
     width_ = frame.width;
     height_ = frame.height;

@@ -3,6 +3,7 @@
 
 #include "render/camera.hpp"
 #include "render/mesh_buffers.hpp"
+#include "render/overlay_painter.hpp"
 #include "render/shaders.hpp"
 #include "render/target.hpp"
 #include "render/transparency.hpp"
@@ -37,6 +38,7 @@ private:
     Target target_;
     std::list<MeshBuffers> buffers_; // one per mesh of the largest frame so far
     TransparentTriangles transparent_;
+    OverlayPainter overlay_;
     ViewTransform transform_;
     Vec3d origin_{};
     int width_ = 0, height_ = 0;           // of the last frame, 0 before the first

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "ciel/types.hpp"
+#include "render/annotations.hpp"
 
 #include <cstdint>
 #include <memory>
@@ -45,7 +46,8 @@ struct Frame {
     std::array<float, 3> background_top{}, background_bottom{};
     // Opaque triangles, then lines, then transparent triangles of all meshes sorted from the back to the front.
     std::vector<Mesh> meshes;
-    int samples = 1; // 4: multisampled, for stills
+    int samples = 1;         // 4: multisampled, for stills
+    Annotations annotations; // over all of it
 };
 
 // Rows from the top, RGB, 8 bits, no padding.

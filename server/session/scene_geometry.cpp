@@ -30,6 +30,7 @@ void colour(Drawable& drawable, const scene::Coloring& coloring, const scene::La
     drawable.array = coloring.array;
     drawable.map = coloring.map;
     if (coloring.array.empty()) return;
+    drawable.units = dataset.find(store::parse_scalar(dataset, coloring.array).array)->units;
     drawable.range = range_of(dataset, coloring.array, step);
     if (coloring.range)
         drawable.range = {static_cast<float>((*coloring.range)[0]), static_cast<float>((*coloring.range)[1])};
@@ -192,6 +193,7 @@ std::shared_ptr<const Geometry> SceneGeometry::update(const scene::Scene& scene,
     geometry->step = dataset->step_at(scene.time);
     const store::Step& step = dataset->steps()[geometry->step];
     geometry->time = step.time;
+    geometry->length_units = dataset->info().length_units;
     geometry->origin = dataset->mesh(step.mesh, step.coordinates).origin;
     geometry->bounds_min = low(dataset->info().meshes[step.mesh]);
     geometry->bounds_max = high(dataset->info().meshes[step.mesh]);

@@ -28,6 +28,7 @@ struct Drawable { // one iso-value, slice, boundary surface or outline of a laye
     std::shared_ptr<const Shape> shape;
     std::shared_ptr<const std::vector<float>> scalars; // one per surface vertex; null: the solid colour
     std::string array, map = "viridis";                // of the scalars
+    std::string units;                                 // of the array, empty where not known
     std::array<float, 2> range{0, 1};
     std::array<float, 4> color{0.8F, 0.8F, 0.8F, 1}; // alpha: the layer's opacity
     bool lit = true;
@@ -41,6 +42,7 @@ struct Geometry {
     Vec3d origin{}, bounds_min{}, bounds_max{};
     double time = 0; // of the step shown
     std::size_t step = 0;
+    std::string length_units; // empty where not known
     std::size_t triangles = 0, bytes = 0;
     // A sentence for each layer that is left out, or left uncoloured, because its array was not written at this step.
     std::vector<std::string> lacking;
