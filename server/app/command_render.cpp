@@ -1,6 +1,7 @@
 // ciel render NAME.ciel -o FILE.png: a still picture, made as the server makes it.
 #include "app/commands.hpp"
 #include "app/scene_options.hpp"
+#include "render/make_room.hpp"
 #include "session/default_scene.hpp"
 #include "session/errors.hpp"
 #include "session/picture.hpp"
@@ -89,6 +90,7 @@ nlohmann::json document_of_options(const RenderCommand& render, const store::Dat
 
 nlohmann::json default_document(const RenderCommand& render, store::LoadedDataset& loaded) {
     nlohmann::json document = session::default_scene(loaded, loaded.dataset()->info().name);
+    document.erase("camera"); // made for a page's canvas; the picture's own shape and annotations decide here
     if (render.scene.time) document["time"] = time_of_step(*loaded.dataset(), *render.scene.time);
     return document;
 }
@@ -148,7 +150,9 @@ int run_command(const RenderCommand& render) {
     const auto geometry = make_geometry(scene, loaded, decider_named(render.scene.decider));
     render::Image image;
     render::Renderer renderer(backend);
-    renderer.draw(session::picture_of(*geometry, scene, size), image);
+    render::Frame frame = session::picture_of(*geometry, scene, size);
+    if (!scene.camera) frame.camera = render::clear_of_annotations(frame);
+    renderer.draw(frame, image);
     std::vector<std::uint8_t> png;
     wire::encode_png(image.width, image.height, image.rgb, wire::PngEffort::still, png);
     store::replace_file(std::filesystem::absolute(render.output), std::as_bytes(std::span(png)));

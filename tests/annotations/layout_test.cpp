@@ -1,6 +1,8 @@
 // The laws of every layout: text lies inside the picture and never on other text. In tables of sizes, scales and
 // directions of view.
 #include "pages.hpp"
+#include "render/box_edges.hpp"
+#include "render/make_room.hpp"
 #include "render/page.hpp"
 
 #include <algorithm>
@@ -123,6 +125,30 @@ TEST_F(Layout, TextGrowsWithThePictureAndTheScale) {
     EXPECT_EQ(pixels(1280, 720, 2), 26);
     EXPECT_EQ(pixels(64, 64, 1), 9) << "never too small to be read";
     EXPECT_LT(pixels(360, 1280, 1), 13) << "a narrow picture has narrow text";
+}
+
+// Nothing of the box under the legends; all ticks' numbers in the picture; the same view for pictures of one shape.
+TEST_F(Layout, HasAViewThatMakesRoomForIt) {
+    for (const auto& [width, height] : {std::pair(640, 360), {1280, 720}, {900, 900}, {800, 1000}}) {
+        Frame frame = annotated_frame(width, height);
+        frame.camera = default_camera(frame.bounds_min, frame.bounds_max, static_cast<double>(width) / height);
+        const Camera before = frame.camera;
+        frame.camera = clear_of_annotations(frame);
+        EXPECT_LT(frame.camera.position[1], before.position[1]) << "further away";
+        const Overlay overlay = lay_out(frame, font);
+        double legends = width;
+        for (const Fill& fill : overlay.fills) legends = std::min(legends, fill.box.left);
+        const Projection projection(frame);
+        for (unsigned corner = 0; corner < 8; ++corner) {
+            const Place at = projection.pixel(
+                {(corner & 1U) != 0 ? 3 : -1, (corner & 2U) != 0 ? 1 : -1, (corner & 4U) != 0 ? 1 : -1});
+            EXPECT_LT(at.x, legends) << width;
+        }
+        for (const char* text : {"x [m]", "y [m]", "z [m]"}) EXPECT_NE(find(overlay, text), nullptr) << width << text;
+        frame.annotations = {};
+        frame.camera = before;
+        EXPECT_EQ(clear_of_annotations(frame).position, before.position) << "nothing is written";
+    }
 }
 
 TEST_F(Layout, ContrastsWithTheBackground) {
