@@ -27,9 +27,9 @@ struct Box {
     }
 };
 
-struct Fill {
+struct Fill { // from one ink at the top to another at the bottom
     Box box;
-    Ink ink{};
+    Ink top{}, bottom{};
 };
 struct Stroke { // with soft edges
     Place from, to;

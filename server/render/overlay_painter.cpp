@@ -19,7 +19,7 @@ layout(location = 3) in vec2 style;
 uniform vec2 viewport;
 out Mark {
     vec2 place;
-    flat vec4 ink;
+    vec4 ink;
     flat vec2 style;
 } mark;
 void main() {
@@ -34,7 +34,7 @@ constexpr const char* overlay_fragment = R"(#version 330 core
 uniform sampler2D glyphs;
 in Mark {
     vec2 place;
-    flat vec4 ink;
+    vec4 ink;
     flat vec2 style;
 } mark;
 out vec4 picture;
@@ -85,7 +85,12 @@ void OverlayPainter::add_quad(const Vertex& vertex, const Box& box, const Box& t
     }
 }
 
-void OverlayPainter::add(const Fill& fill) { add_quad({0, 0, 0, 0, fill.ink, flat, 0}, fill.box, {}); }
+void OverlayPainter::add(const Fill& fill) {
+    const std::size_t first = vertices_.size();
+    add_quad({0, 0, 0, 0, fill.top, flat, 0}, fill.box, {});
+    for (std::size_t i = first; i < vertices_.size(); ++i)
+        if (vertices_[i].y > static_cast<float>(fill.box.top)) vertices_[i].ink = fill.bottom;
+}
 
 void OverlayPainter::add(const Stroke& stroke, double width, const Ink& ink) {
     const double dx = stroke.to.x - stroke.from.x;
