@@ -81,7 +81,7 @@ TEST_P(AnnotationPicture, LeavesThePictureAloneWhereItWritesNothing) {
 
 // The letters are FreeType's, texel for pixel: at one sample the brightest pixels are the ink's, multisampled or not.
 TEST_P(AnnotationPicture, LettersArePixelsOfTheFont) {
-    Frame frame = annotated_frame(320, 200);
+    Frame frame = annotated_frame(960, 600);
     frame.annotations = {};
     frame.annotations.captions = {"HIlT"};
     frame.annotations.scale = 4; // strokes that cover whole pixels
