@@ -3,6 +3,7 @@
 #include "app/commands.hpp"
 #include "app/layer_options.hpp"
 #include "app/scene_options.hpp"
+#include "render/make_room.hpp"
 #include "session/default_scene.hpp"
 #include "session/errors.hpp"
 #include "session/picture.hpp"
@@ -10,6 +11,8 @@
 #include "wire/png.hpp"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
 #include <charconv>
 #include <cstdio>
 #include <fstream>
@@ -21,34 +24,32 @@
 namespace ciel::app {
 namespace {
 
-constexpr int samples = 4;
+constexpr std::array annotation_names{"legend", "triad", "axes", "time", "dataset"};
 
 struct RenderCommand {
     SceneOptions scene;
     LayerOptions layers;
     std::string scene_file, size = "1280x720", gl = "auto", output;
-    std::optional<std::string> background;
+    std::optional<std::string> background, title;
+    std::vector<std::string> annotations;
+    std::optional<double> text_scale;
     ColorOptions colors;
 };
 
-struct Size {
+session::ViewSize parse_size(const std::string& text) {
     std::int64_t width = 0, height = 0;
-};
-
-Size parse_size(const std::string& text) {
-    Size size;
     const char* const end = text.data() + text.size();
-    const auto [cross, first] = std::from_chars(text.data(), end, size.width);
+    const auto [cross, first] = std::from_chars(text.data(), end, width);
     const bool has_cross = first == std::errc{} && cross != end && *cross == 'x';
-    const auto [stop, second] = std::from_chars(has_cross ? cross + 1 : end, end, size.height);
-    if (second != std::errc{} || stop != end || size.width < 1 || size.height < 1)
+    const auto [stop, second] = std::from_chars(has_cross ? cross + 1 : end, end, height);
+    if (second != std::errc{} || stop != end || width < 1 || height < 1)
         throw UsageError("--size " + text + " is not of the form WIDTHxHEIGHT");
     try {
-        session::check_picture_size({}, size.width, size.height);
+        session::check_picture_size({}, width, height);
     } catch (const session::LimitReached& error) {
         throw UsageError("--size " + text + " is too large: " + error.what());
     }
-    return size;
+    return {static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height)};
 }
 
 nlohmann::json read_scene_file(const std::string& path) {
@@ -85,6 +86,7 @@ nlohmann::json document_of_options(const RenderCommand& render, const store::Dat
 
 nlohmann::json default_document(const RenderCommand& render, store::LoadedDataset& loaded) {
     nlohmann::json document = session::default_scene(loaded, loaded.dataset()->info().name);
+    document.erase("camera"); // made for a page's canvas; the picture's own shape and annotations decide here
     if (render.scene.time) document["time"] = time_of_step(*loaded.dataset(), *render.scene.time);
     return document;
 }
@@ -114,20 +116,41 @@ nlohmann::json document_of(const RenderCommand& render, store::LoadedDataset& lo
     return document;
 }
 
+// What was asked for by name, and nothing else. Titles and sizes go with any scene.
+void annotate(const RenderCommand& render, nlohmann::json& document) {
+    nlohmann::json annotations = nlohmann::json::object();
+    for (const std::string& wanted : render.annotations) {
+        if (wanted != "none" && wanted != "all") continue;
+        if (render.annotations.size() > 1) throw UsageError("--annotations " + wanted + " stands alone");
+    }
+    const auto is_wanted = [&](const char* name) {
+        const auto& names = render.annotations;
+        return names.front() == "all" || std::find(names.begin(), names.end(), name) != names.end();
+    };
+    if (!render.annotations.empty())
+        for (const char* name : annotation_names) annotations[name] = is_wanted(name);
+    if (render.title) annotations["title"] = *render.title;
+    if (render.text_scale) annotations["scale"] = *render.text_scale;
+    if (annotations.empty() || !document.is_object()) return;
+    document = scene::merge_patch(std::move(document), {{"annotations", std::move(annotations)}});
+}
+
 int run_command(const RenderCommand& render) {
-    const Size size = parse_size(render.size);
+    const session::ViewSize size = parse_size(render.size);
     const render::Backend backend = render::backend_named(render.gl);
     if (lower_case_extension(render.output) != ".png")
         throw UsageError("-o " + render.output + ": pictures are .png files");
     const auto loaded = load_dataset(render.scene.dataset);
-    const scene::Scene scene = parse_scene(document_of(render, *loaded));
+    nlohmann::json document = document_of(render, *loaded);
+    annotate(render, document);
+    const scene::Scene scene = parse_scene(document);
     const auto geometry = make_geometry(scene, loaded, decider_named(render.scene.decider));
     for (const std::string& remark : geometry->remarks) std::cerr << "ciel: " << remark << '\n';
     render::Image image;
     render::Renderer renderer(backend);
-    renderer.draw(
-        session::frame_of(*geometry, scene, static_cast<int>(size.width), static_cast<int>(size.height), samples),
-        image);
+    render::Frame frame = session::picture_of(*geometry, scene, size);
+    if (!scene.camera) frame.camera = render::clear_of_annotations(frame);
+    renderer.draw(frame, image);
     std::vector<std::uint8_t> png;
     wire::encode_png(image.width, image.height, image.rgb, wire::PngEffort::still, png);
     store::replace_file(std::filesystem::absolute(render.output), std::as_bytes(std::span(png)));
@@ -151,6 +174,16 @@ void add_render(CLI::App& app, Run& run) {
     command->add_option("--background", render->background, "dark, light or #rrggbb.")
         ->type_name("COLOR")
         ->default_str("dark");
+    command
+        ->add_option("--annotations", render->annotations,
+                     "What is written over the picture: all, none, or some of legend,triad,axes,time,dataset; legend "
+                     "and triad by default.")
+        ->type_name("NAME[,NAME...]")
+        ->delimiter(',')
+        ->check(CLI::IsMember({"all", "none", "legend", "triad", "axes", "time", "dataset"}));
+    command->add_option("--title", render->title, "A line above the picture.")->type_name("TEXT");
+    command->add_option("--text-scale", render->text_scale, "Larger or smaller text than the picture's size asks for.")
+        ->type_name("FACTOR");
     command->add_option("--size", render->size, "Of the picture in pixels.")->type_name("WxH")->capture_default_str();
     command->add_option("--gl", render->gl, "What draws.")
         ->check(CLI::IsMember({"auto", "egl-device", "egl-surfaceless", "osmesa"}))

@@ -12,7 +12,9 @@ protocol::PictureRenderResult picture_render(Context& context, const protocol::P
     const auto geometry = source.geometry(); // not on the worker, which draws others meanwhile
     const render::Image image = context.server.picture_workers().run([&](session::Worker& worker) {
         context.check_wanted();
-        return session::draw(*geometry, source.version().scene, size, true, worker);
+        render::Image drawn;
+        worker.renderer().draw(session::picture_of(*geometry, source.version().scene, size), drawn);
+        return drawn;
     });
     context.check_wanted();
     std::vector<std::uint8_t> png;

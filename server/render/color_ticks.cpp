@@ -36,7 +36,7 @@ struct Marks {
 
     void add(double value, bool has_label, double span) {
         const double at = std::clamp(place_of(scale, value), 0.0, 1.0);
-        ticks.push_back({value, at, has_label ? number_label(value, span) : std::string()});
+        ticks.push_back({value, at, has_label ? value_label(value, span) : std::string()});
     }
 };
 
@@ -98,7 +98,7 @@ std::vector<ColorTick> color_ticks(const ColorScale& scale, int wanted) {
     return std::move(marks.ticks);
 }
 
-std::string number_label(double value, double span) {
+std::string value_label(double value, double span) {
     if (!std::isfinite(value)) return "n/a";
     if (value == 0) return "0";
     const double size = std::abs(value);

@@ -18,6 +18,6 @@ struct ColorTick {
 
 // Enough digits to tell values apart that differ by a thousandth of `span`; of the value itself where `span` is not
 // above zero. With U+2212 for the minus, exponents as 1.5e−7, and "n/a" for what is not finite.
-[[nodiscard]] std::string number_label(double value, double span = 0);
+[[nodiscard]] std::string value_label(double value, double span = 0);
 
 } // namespace ciel::render

@@ -56,6 +56,7 @@ namespace ciel::render {
     X(ShaderSource, PFNGLSHADERSOURCEPROC)                                                                             \
     X(TexImage2D, PFNGLTEXIMAGE2DPROC)                                                                                 \
     X(TexParameteri, PFNGLTEXPARAMETERIPROC)                                                                           \
+    X(TexSubImage2D, PFNGLTEXSUBIMAGE2DPROC)                                                                           \
     X(Uniform1f, PFNGLUNIFORM1FPROC)                                                                                   \
     X(Uniform1i, PFNGLUNIFORM1IPROC)                                                                                   \
     X(Uniform2f, PFNGLUNIFORM2FPROC)                                                                                   \

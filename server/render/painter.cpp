@@ -31,7 +31,7 @@ Painter::Painter(const Gl& gl)
       is_software_(renderer_name_.find("llvmpipe") != std::string::npos ||
                    renderer_name_.find("softpipe") != std::string::npos),
       background_(make_background_program(gl_)), triangles_(make_triangle_program(gl_)), lines_(make_line_program(gl_)),
-      points_(make_point_program(gl_)), scales_(gl_), target_(gl_), transparent_(gl_) {
+      points_(make_point_program(gl_)), scales_(gl_), target_(gl_), transparent_(gl_), overlay_(gl_) {
     gl_.GenVertexArrays(1, &no_array_);
     gl_.DepthFunc(GL_LEQUAL);
     gl_.Enable(GL_PROGRAM_POINT_SIZE);
@@ -56,6 +56,7 @@ void Painter::draw(const Frame& frame, Image& image) {
     draw_transparent(frame);
     gl_.Disable(GL_BLEND);
     enable_clip_planes(false);
+    overlay_.draw(frame);
     target_.read_color(image);
     width_ = frame.width;
     height_ = frame.height;

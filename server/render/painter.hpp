@@ -4,6 +4,7 @@
 #include "render/camera.hpp"
 #include "render/color_scales.hpp"
 #include "render/mesh_buffers.hpp"
+#include "render/overlay_painter.hpp"
 #include "render/shaders.hpp"
 #include "render/target.hpp"
 #include "render/transparency.hpp"
@@ -42,6 +43,7 @@ private:
     Target target_;
     std::list<MeshBuffers> buffers_; // one per mesh of the largest frame so far
     TransparentTriangles transparent_;
+    OverlayPainter overlay_;
     ViewTransform transform_;
     std::size_t clip_planes_ = 0; // of the last frame
     Vec3d origin_{};

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "ciel/types.hpp"
+#include "render/annotations.hpp"
 #include "render/color_scale.hpp"
 
 #include <cstdint>
@@ -49,6 +50,7 @@ struct Frame {
     int samples = 1; // 4: multisampled, for stills
     // At most 6: of all meshes only what has dot(xyz, position) + w >= 0 is drawn, and found by pick.
     std::vector<std::array<float, 4>> clip;
+    Annotations annotations; // over all of it
 };
 
 // Rows from the top, RGB, 8 bits, no padding.

@@ -3,10 +3,6 @@
 #include "ciel/types.hpp"
 #include "render/color_glsl.hpp"
 
-#include <string>
-#include <utility>
-#include <vector>
-
 namespace ciel::render {
 namespace {
 
@@ -217,20 +213,9 @@ void add_shader(const Gl& gl, GLuint program, GLenum kind, const std::string& so
     gl.AttachShader(program, shader);
 }
 
-using Stage = std::pair<GLenum, std::string>;
-
 Program link(const Gl& gl, const std::vector<Stage>& stages) {
     Program program;
-    program.id = gl.CreateProgram();
-    for (const auto& [kind, source] : stages) add_shader(gl, program.id, kind, source);
-    gl.LinkProgram(program.id);
-    GLint is_linked = 0;
-    gl.GetProgramiv(program.id, GL_LINK_STATUS, &is_linked);
-    if (is_linked == 0) {
-        std::vector<char> log(4096);
-        gl.GetProgramInfoLog(program.id, static_cast<GLsizei>(log.size()), nullptr, log.data());
-        throw Error("the GL driver refuses a program: " + std::string(log.data()));
-    }
+    program.id = make_program(gl, stages);
     const auto uniform = [&](const char* name) { return gl.GetUniformLocation(program.id, name); };
     program.view = uniform("view");
     program.projection = uniform("projection");
@@ -251,6 +236,20 @@ Program link(const Gl& gl, const std::vector<Stage>& stages) {
 std::string with_color_scale(const char* body) { return std::string("#version 330 core\n") + color_scale_glsl + body; }
 
 } // namespace
+
+GLuint make_program(const Gl& gl, const std::vector<Stage>& stages) {
+    const GLuint program = gl.CreateProgram();
+    for (const auto& [kind, source] : stages) add_shader(gl, program, kind, source);
+    gl.LinkProgram(program);
+    GLint is_linked = 0;
+    gl.GetProgramiv(program, GL_LINK_STATUS, &is_linked);
+    if (is_linked == 0) {
+        std::vector<char> log(4096);
+        gl.GetProgramInfoLog(program, static_cast<GLsizei>(log.size()), nullptr, log.data());
+        throw Error("the GL driver refuses a program: " + std::string(log.data()));
+    }
+    return program;
+}
 
 Program make_background_program(const Gl& gl) {
     return link(gl, {{GL_VERTEX_SHADER, background_vertex}, {GL_FRAGMENT_SHADER, background_fragment}});

@@ -3,6 +3,10 @@
 
 #include "render/gl.hpp"
 
+#include <string>
+#include <utility>
+#include <vector>
+
 namespace ciel::render {
 
 // Vertex attributes. What a mesh does not have per vertex is set once for all of it: in OpenGL an attribute without an
@@ -26,7 +30,9 @@ struct Program {
     GLint top = -1, bottom = -1, height = -1;                               // background
 };
 
+using Stage = std::pair<GLenum, std::string>; // kind of a shader and its source
 // Each throws Error with the compiler's words.
+[[nodiscard]] GLuint make_program(const Gl& gl, const std::vector<Stage>& stages);
 [[nodiscard]] Program make_background_program(const Gl& gl);
 [[nodiscard]] Program make_triangle_program(const Gl& gl);
 [[nodiscard]] Program make_line_program(const Gl& gl);

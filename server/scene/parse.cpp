@@ -244,6 +244,18 @@ SurfaceLayer surface_of(const json& object, const std::string& path) {
 
 OutlineLayer outline_of(const json& object, const std::string& path) { return {coloring_of(object, path)}; }
 
+Annotations annotations_of(const json& object) {
+    Annotations annotations;
+    read(object, "legend", annotations.legend);
+    read(object, "triad", annotations.triad);
+    read(object, "axes", annotations.axes);
+    read(object, "time", annotations.time);
+    read(object, "dataset", annotations.dataset);
+    read(object, "title", annotations.title);
+    read(object, "scale", annotations.scale);
+    return annotations;
+}
+
 using Kind = decltype(Layer::kind);
 const std::map<std::string, Kind (*)(const json&, const std::string&)> kinds{
     {"iso", [](const json& o, const std::string& p) -> Kind { return iso_of(o, p); }},
@@ -285,7 +297,8 @@ Scene parse(const json& document) {
     read(document, "dataset", scene.dataset);
     read(document, "time", scene.time);
     read(document, "background", scene.background);
-    read(document, "legend", scene.legend);
+    if (const auto annotations = document.find("annotations"); annotations != document.end())
+        scene.annotations = annotations_of(*annotations);
     if (const auto camera = document.find("camera"); camera != document.end() && !camera->is_null())
         scene.camera = camera_of(*camera);
     if (const auto layers = document.find("layers"); layers != document.end())

@@ -111,12 +111,18 @@ struct Layer {
     std::variant<IsoLayer, SliceLayer, SurfaceLayer, OutlineLayer, ClipLayer, EdgesLayer, PointsLayer> kind;
 };
 
+struct Annotations { // over the picture
+    bool legend = true, triad = true, axes = false, time = false, dataset = false;
+    std::string title;
+    double scale = 1; // of text and lines
+};
+
 struct Scene {
     std::string dataset;
     double time = 0;                 // the nearest step is shown
     std::optional<Camera> camera;    // none: the default view of the dataset's bounds
     std::string background = "dark"; // "dark", "light" or "#rrggbb"
-    bool legend = true;
+    Annotations annotations;
     std::vector<Layer> layers; // sorted by (order, id)
 };
 

@@ -1,5 +1,6 @@
 #include "session/picture.hpp"
 
+#include "session/annotations.hpp"
 #include "session/errors.hpp"
 #include "wire/png.hpp"
 
@@ -27,6 +28,13 @@ render::Image draw(const Geometry& geometry, const scene::Scene& scene, ViewSize
     render::Image image;
     worker.renderer().draw(frame_of(geometry, scene, width, height, still ? still_samples : 1), image);
     return image;
+}
+
+render::Frame picture_of(const Geometry& geometry, const scene::Scene& scene, ViewSize size) {
+    render::Frame frame =
+        frame_of(geometry, scene, static_cast<int>(size.width), static_cast<int>(size.height), still_samples);
+    frame.annotations = annotations_of(geometry, scene);
+    return frame;
 }
 
 std::vector<std::uint8_t> image_message(wire::FrameHeader& header, const render::Image& image, bool still) {

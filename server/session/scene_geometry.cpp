@@ -31,7 +31,9 @@ void colour(Drawable& drawable, const scene::Coloring& coloring, const scene::La
             const store::Dataset& dataset, std::size_t step) {
     drawable.color = {coloring.solid[0], coloring.solid[1], coloring.solid[2], layer.opacity};
     drawable.array = coloring.array;
-    if (!coloring.array.empty()) drawable.scale = color_scale_of(coloring, range_of(dataset, coloring.array, step));
+    if (coloring.array.empty()) return;
+    drawable.units = dataset.find(store::parse_scalar(dataset, coloring.array).array)->units;
+    drawable.scale = color_scale_of(coloring, range_of(dataset, coloring.array, step));
 }
 
 // High means value >= nu, so a plane on the low side of the domain would cut nothing. One that is off a side by no more
@@ -337,6 +339,7 @@ std::shared_ptr<const Geometry> SceneGeometry::update(const scene::Scene& scene,
     geometry->step = dataset->step_at(scene.time);
     const store::Step& step = dataset->steps()[geometry->step];
     geometry->time = step.time;
+    geometry->length_units = dataset->info().length_units;
     geometry->origin = dataset->mesh(step.mesh, step.coordinates).origin;
     geometry->bounds_min = low(dataset->info().meshes[step.mesh]);
     geometry->bounds_max = high(dataset->info().meshes[step.mesh]);

@@ -31,7 +31,8 @@ struct Drawable { // one iso-value, slice, boundary surface or outline of a laye
     float line_width = 1.5F;                           // pixels
     std::shared_ptr<const std::vector<float>> scalars; // one per surface vertex; null: the solid colour
     std::string array;                                 // of the scalars
-    render::ColorScale scale;                          // likewise
+    std::string units;                                 // of the array, empty where not known
+    render::ColorScale scale;                          // of the scalars
     std::array<float, 4> color{0.8F, 0.8F, 0.8F, 1};   // alpha: the layer's opacity
     bool lit = true;
     std::uint64_t identity = 0; // the same from one scene to the next, unique in the process
@@ -50,6 +51,7 @@ struct Geometry {
     Vec3d origin{}, bounds_min{}, bounds_max{};
     double time = 0; // of the step shown
     std::size_t step = 0;
+    std::string length_units; // empty where not known
     std::size_t triangles = 0, bytes = 0;
     // A sentence for each layer that is left out, or left uncoloured, because its array was not written at this step.
     std::vector<std::string> lacking;

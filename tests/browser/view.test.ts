@@ -158,6 +158,26 @@ describe("view", { skip }, () => {
     assert.deepEqual([await low.inputValue(), await high.inputValue()], old);
   });
 
+  test("axes of the box, title and time are written over the frames, not into them", async () => {
+    const before = await client.picture();
+    const axes = client.page.getByLabel("Axes of the bounding box");
+    assert.equal(await axes.count(), 0);
+    await client.page.getByLabel("Axes of the box").check();
+    await axes.locator("text").first().waitFor();
+    assert.ok((await axes.locator("text").count()) > 5, "numbers and names");
+    await client.page.getByLabel("Title").fill("Wake, \u00b5");
+    await client.page.getByLabel("Title").press("Enter");
+    await client.page.getByRole("heading", { name: "Wake, \u00b5" }).waitFor();
+    await client.page.getByLabel("Time", { exact: true }).check();
+    await client.page.locator(".captions").getByText("Time: ").waitFor();
+    await client.settled();
+    await client.keep("annotations");
+    assert.ok(difference(before, await client.picture()) < 0.005);
+    for (let step = 0; step < 3; step += 1) await client.button("Undo").click();
+    await client.settled();
+    assert.equal((await axes.count()) + (await client.page.locator(".captions").count()), 0, "each is a step of undo");
+  });
+
   test("a click reads the values, a double click centres", async () => {
     const picture = await client.picture();
     const [x, y] = find(

@@ -173,13 +173,13 @@ TEST_F(Methods, a_patch_that_breaks_the_scene_changes_nothing) {
 TEST_F(Methods, others_in_a_session_hear_of_changes_and_the_author_does_not) {
     Client other(server, true);
     other.call("session.open", in_session({}));
-    client.call("scene.patch", in_session({{"patch", {{"legend", false}}}}));
+    client.call("scene.patch", in_session({{"patch", {{"annotations", {{"legend", false}}}}}}));
     const json heard = other.next_text();
     EXPECT_EQ(heard["method"], "scene.changed");
     EXPECT_EQ(heard["params"]["session"], session);
     EXPECT_EQ(heard["params"]["revision"], 2);
     EXPECT_EQ(heard["params"]["scene"], client.call("scene.get", in_session({}))["scene"]);
-    other.call("scene.patch", in_session({{"patch", {{"legend", true}}}}));
+    other.call("scene.patch", in_session({{"patch", {{"annotations", {{"legend", true}}}}}}));
     EXPECT_EQ(client.next_text()["params"]["revision"], 3) << "the first it hears is the other's change";
 }
 

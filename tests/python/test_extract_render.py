@@ -246,6 +246,9 @@ REFUSED = [
     ("points out of order", ["render", "--iso", "r=0.5", "--points", "1=#000000,0=#ffffff", "-o", "p.png"], "ascending", 1),
     ("a colour by name", ["render", "--iso", "r=0.5", "--above-color", "red", "-o", "p.png"], "color/above", 1),
     ("bad range", ["render", "--iso", "r=0.5", "--range", "1", "-o", "p.png"], "range", 2),
+    ("unknown annotation", ["render", "--annotations", "legends", "-o", "p.png"], "legends", 2),
+    ("all and one", ["render", "--annotations", "all,time", "-o", "p.png"], "stands alone", 2),
+    ("text too small", ["render", "--text-scale", "0.01", "-o", "p.png"], "/annotations/scale", 1),
 ]
 
 
@@ -283,3 +286,29 @@ def test_the_nearest_step_is_taken_but_told(box, tmp_path):
 def test_a_dataset_that_is_not_there(tmp_path):
     result = ciel("render", tmp_path / "none.ciel", "-o", tmp_path / "p.png")
     assert result.returncode == 1 and "none.ciel" in result.stderr and not (tmp_path / "p.png").exists()
+
+
+def test_annotations_are_switched_one_by_one(box, tmp_path):
+    shown = {}
+    for names in ("none", "legend", "triad", "axes", "time", "dataset", "all"):
+        works("render", box, "--iso", "r=0.75", "--color", "x", "--annotations", names, "--size", "640x360", "-o", tmp_path / f"{names}.png")
+        shown[names] = pixels(tmp_path / f"{names}.png")
+    works("render", box, "--iso", "r=0.75", "--color", "x", "--annotations", "none", "--title", "Grüße", "--size", "640x360", "-o", tmp_path / "title.png")
+    shown["title"] = pixels(tmp_path / "title.png")
+    written = {names: np.abs(picture - shown["none"]).max(axis=2) > 20 for names, picture in shown.items()}
+    places = {"legend": np.s_[:, 500:], "triad": np.s_[260:, :100], "time": np.s_[:60, :300], "dataset": np.s_[:60, :300], "title": np.s_[:40, 100:540]}
+    for names, place in places.items():
+        assert written[names].sum() > 30, names
+        assert written[names][place].sum() == written[names].sum(), f"{names} is written elsewhere too"
+    assert written["axes"].sum() > 300
+    assert written["all"].sum() > written["axes"].sum() + written["legend"].sum()
+
+
+def test_text_grows_with_its_scale(box, tmp_path):
+    heights = []
+    for scale in ("1", "2"):
+        works("render", box, "--annotations", "none", "--title", "H", "--text-scale", scale, "--size", "640x360", "-o", tmp_path / "p.png")
+        works("render", box, "--annotations", "none", "--size", "640x360", "-o", tmp_path / "plain.png")
+        rows = np.flatnonzero((np.abs(pixels(tmp_path / "p.png") - pixels(tmp_path / "plain.png")).max(axis=2) > 100).any(axis=1))
+        heights.append(rows.max() - rows.min() + 1)
+    assert heights[1] == pytest.approx(2 * heights[0], abs=2)

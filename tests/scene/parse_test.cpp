@@ -19,7 +19,13 @@ TEST(scene, defaults_are_those_of_the_contract) {
         return schemas[schema]["properties"][name]["default"];
     };
     EXPECT_EQ(scene.background, fallback("Scene", "background"));
-    EXPECT_EQ(scene.legend, fallback("Scene", "legend"));
+    EXPECT_EQ(scene.annotations.legend, fallback("Annotations", "legend"));
+    EXPECT_EQ(scene.annotations.triad, fallback("Annotations", "triad"));
+    EXPECT_EQ(scene.annotations.axes, fallback("Annotations", "axes"));
+    EXPECT_EQ(scene.annotations.time, fallback("Annotations", "time"));
+    EXPECT_EQ(scene.annotations.dataset, fallback("Annotations", "dataset"));
+    EXPECT_EQ(scene.annotations.title, fallback("Annotations", "title"));
+    EXPECT_EQ(scene.annotations.scale, fallback("Annotations", "scale"));
     EXPECT_EQ(scene.camera->fov, fallback("Camera", "fov"));
     EXPECT_EQ(scene.camera->parallel, fallback("Camera", "parallel"));
     const Layer& layer = scene.layers.at(0);
@@ -77,7 +83,8 @@ TEST(scene, every_member_of_a_colouring_is_read) {
 
 TEST(scene, every_member_is_read) {
     const Scene scene = parse(json::parse(R"({
-        "dataset": "d", "time": 2.5, "background": "#102030", "legend": false,
+        "dataset": "d", "time": 2.5, "background": "#102030",
+        "annotations": {"legend": false, "triad": false, "axes": true, "time": true, "dataset": true, "title": "µ", "scale": 2},
         "camera": {"position": [1, 2, 3], "target": [4, 5, 6], "up": [0, 1, 0], "fov": 45, "parallel": true, "parallel_height": 7},
         "layers": {
             "i": {"type": "iso", "order": 4, "visible": false, "opacity": 0.5, "array": "U:x", "values": [1, 2], "smooth": false,
@@ -88,7 +95,13 @@ TEST(scene, every_member_is_read) {
             "o": {"type": "outline", "order": 1, "color": {"solid": "#000000"}}}})"));
     EXPECT_EQ(scene.time, 2.5);
     EXPECT_EQ(scene.background, "#102030");
-    EXPECT_FALSE(scene.legend);
+    EXPECT_FALSE(scene.annotations.legend);
+    EXPECT_FALSE(scene.annotations.triad);
+    EXPECT_TRUE(scene.annotations.axes);
+    EXPECT_TRUE(scene.annotations.time);
+    EXPECT_TRUE(scene.annotations.dataset);
+    EXPECT_EQ(scene.annotations.title, "µ");
+    EXPECT_EQ(scene.annotations.scale, 2);
     EXPECT_EQ(scene.camera->target, (std::array<double, 3>{4, 5, 6}));
     EXPECT_EQ(scene.camera->up, (std::array<double, 3>{0, 1, 0}));
     EXPECT_EQ(scene.camera->parallel_height, 7);
@@ -175,7 +188,12 @@ constexpr Malformed table[] = {
     {"time_is_text", R"({"dataset": "d", "time": "1"})", "/time", "/time must be a number"},
     {"background", R"({"dataset": "d", "background": "pink"})", "/background",
      "/background must be one of \"dark\", \"light\", or must match ^#[0-9a-fA-F]{6}$"},
-    {"legend", R"({"dataset": "d", "legend": 1})", "/legend", "/legend must be true or false"},
+    {"legend", R"({"dataset": "d", "annotations": {"legend": 1}})", "/annotations/legend",
+     "/annotations/legend must be true or false"},
+    {"unknown_annotation", R"({"dataset": "d", "annotations": {"legends": true}})", "/annotations/legends",
+     "/annotations/legends is not known here"},
+    {"annotation_scale", R"({"dataset": "d", "annotations": {"scale": 0.1}})", "/annotations/scale",
+     "/annotations/scale must be at least 0.25"},
     {"camera_without_target", R"({"dataset": "d", "camera": {"position": [0, 0, 1]}})", "/camera/target",
      "/camera/target is missing"},
     {"camera_of_two_numbers", R"({"dataset": "d", "camera": {"position": [0, 0], "target": [0, 0, 0]}})",

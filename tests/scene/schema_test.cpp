@@ -102,7 +102,7 @@ void mutate(json& value, test::RandomJson& random) {
 
 TEST(schema, agrees_with_valijson_on_mutated_scenes) {
     const json seed = json::parse(R"({
-        "dataset": "d", "time": 2.5, "background": "#102030", "legend": false,
+        "dataset": "d", "time": 2.5, "background": "#102030", "annotations": {"legend": false, "title": "t", "scale": 2},
         "camera": {"position": [1, 2, 3], "target": [4, 5, 6], "up": [0, 1, 0], "fov": 45, "parallel": true, "parallel_height": 7},
         "layers": {
             "i": {"type": "iso", "order": 4, "visible": false, "opacity": 0.5, "array": "U:x", "values": [1, 2], "smooth": false,

@@ -53,8 +53,8 @@ TEST(ColorScale, FollowsTheCasesWorkedOutByHand) {
 
 TEST(ColorScale, LabelsHaveTheDigitsThatCount) {
     for (const json& row : cases()["labels"])
-        EXPECT_EQ(render::number_label(row[0], row[1]), row[2]) << row[0] << " over " << row[1];
-    EXPECT_EQ(render::number_label(NAN), "n/a");
+        EXPECT_EQ(render::value_label(row[0], row[1]), row[2]) << row[0] << " over " << row[1];
+    EXPECT_EQ(render::value_label(NAN), "n/a");
 }
 
 TEST(ColorScale, TicksStayInsideAndInOrderWhateverTheRange) {

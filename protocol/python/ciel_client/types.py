@@ -159,6 +159,18 @@ class ClipLayer(TypedDict):
 Layer = IsoLayer | SliceLayer | SurfaceLayer | OutlineLayer | ClipLayer | EdgesLayer | PointsLayer
 
 
+class Annotations(TypedDict):
+    """What is written over a picture. Pictures (picture.render, ciel render) carry all of it; the frames of a view carry none: who shows them draws it at the resolution of the screen, from this document."""
+
+    legend: NotRequired[bool]  # colour bars with name, units and ticks
+    triad: NotRequired[bool]  # where x, y and z point
+    axes: NotRequired[bool]  # ticks and numbers along edges of the bounding box, in the dataset's length units
+    time: NotRequired[bool]  # the time of the step shown
+    dataset: NotRequired[bool]  # the dataset's name
+    title: NotRequired[str]
+    scale: NotRequired[float]  # of text and lines, on top of the picture's height: 13 pixels of text at 720 rows
+
+
 class Scene(TypedDict):
     """What a viewer wants to see. Undo, links, replay and scripts all use this document."""
 
@@ -166,7 +178,7 @@ class Scene(TypedDict):
     time: NotRequired[float]  # the nearest time step is shown
     camera: NotRequired[Camera | None]
     background: NotRequired[Literal["dark", "light"] | str]
-    legend: NotRequired[bool]
+    annotations: NotRequired[Annotations]
     layers: NotRequired[dict[str, Layer]]  # by id; drawn by (order, id)
 
 

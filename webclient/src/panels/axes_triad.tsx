@@ -13,10 +13,11 @@ const ARM = 26;
 
 export function AxesTriad(): JSX.Element | null {
   const { actions } = useApp();
+  const wanted = useAppState((state) => state.scene?.annotations?.triad !== false);
   useAppState((state) => state.scene?.camera);
   useAppState((state) => state.description);
   const camera = actions.camera();
-  if (camera === null) return null;
+  if (camera === null || !wanted) return null;
   const { right, up, forward } = frame(camera);
   const arms = AXES.map(({ name, direction }) => ({
     name,

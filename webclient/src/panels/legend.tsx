@@ -177,7 +177,7 @@ function cornerOf(legends: HTMLElement): Size {
 export function Legends(): JSX.Element | null {
   const { size } = useApp();
   const scene = useAppState((state) => state.scene);
-  const entries = scene?.legend === false ? [] : legendsOf(scene);
+  const entries = scene?.annotations?.legend === false ? [] : legendsOf(scene);
   const root = useRef<HTMLDivElement>(null);
   useEffect(() => {
     const element = root.current;

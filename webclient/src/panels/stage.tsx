@@ -3,6 +3,8 @@ import type { JSX } from "preact";
 import { useEffect, useRef } from "preact/hooks";
 import { listenToGestures } from "../camera/gestures";
 import { AxesTriad } from "./axes_triad";
+import { BoxAxes } from "./box_axes";
+import { Captions } from "./captions";
 import { useApp, useAppState } from "./context";
 import { Legends } from "./legend";
 import { Busy, ConnectionNotice, FatalNotice, LackingNotice, ToastList } from "./notice";
@@ -47,7 +49,9 @@ export function Stage(): JSX.Element {
       </div>
       {!nothing && (
         <>
+          <BoxAxes />
           <AxesTriad />
+          <Captions />
           <Legends />
           <ProbeCard />
         </>

@@ -2,6 +2,7 @@ import type { JSX } from "preact";
 import type { StreamChoice } from "../app/state";
 import { layersOf } from "../scene/scalars";
 import { Check, Section, SelectField } from "./controls";
+import { AnnotationFields } from "./annotation_fields";
 import { useApp, useAppState } from "./context";
 
 const STREAMS = [
@@ -55,8 +56,11 @@ export function ViewSection(): JSX.Element {
         )}
       </div>
       <Check label="Outline" checked={outline !== undefined && outline[1].visible !== false} onChange={toggleOutline} />
-      <Check label="Legend" checked={scene?.legend !== false} onChange={(legend) => editor.change({ legend })} />
       <Check label="Parallel projection" checked={parallel} onChange={() => actions.toggleParallel()} />
+      <AnnotationFields
+        annotations={scene?.annotations ?? {}}
+        change={(annotations) => editor.change({ annotations })}
+      />
     </Section>
   );
 }

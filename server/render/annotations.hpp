@@ -1,0 +1,30 @@
+// What is written over a picture, beside what it shows.
+#pragma once
+
+#include "render/color_scale.hpp"
+
+#include <string>
+#include <vector>
+
+namespace ciel::render {
+
+struct Legend { // one colour bar
+    std::string name, units;
+    ColorScale scale;
+};
+
+// Text is UTF-8 and may hold anything: what the font lacks is shown as a box. What does not fit into the picture is
+// shortened or left out, so that a picture of any size can be drawn.
+struct Annotations {
+    std::string title;                 // centred at the top
+    std::vector<std::string> captions; // lines at the upper left
+    std::vector<Legend> legends;       // at the right, one below the other
+    bool triad = false;                // where x, y and z point, at the lower left
+    bool axes = false;                 // ticks and numbers along the edges of the frame's bounds
+    std::string length_units;          // of the numbers on the axes
+    double scale = 1;                  // of all sizes, on top of the picture's own
+
+    [[nodiscard]] bool empty() const { return title.empty() && captions.empty() && legends.empty() && !triad && !axes; }
+};
+
+} // namespace ciel::render

@@ -1,0 +1,150 @@
+// Ticks, numbers and names along three edges of the bounding box.
+#include "render/box_edges.hpp"
+#include "render/page.hpp"
+#include "render/ticks.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+namespace ciel::render {
+namespace {
+
+// In ems.
+constexpr double tick_length = 0.5, gap = 0.35, apart = 0.5, least_edge = 3;
+constexpr double across_spacing = 3.6, up_spacing = 2.4; // of ticks at least, along and across the lines of text
+constexpr int most_ticks = 10;
+constexpr std::array names{"x", "y", "z"};
+
+struct Placed {
+    std::string text;
+    int x = 0, y = 0;
+    Box box;
+};
+
+struct Numbered {
+    double value = 0;
+    Placed label;
+};
+
+class AxisLayout {
+public:
+    AxisLayout(Page& page, const Frame& frame, const BoxEdge& edge)
+        : page_(page), frame_(frame), projection_(frame), edge_(edge) {}
+
+    void lay() {
+        const Place a = at(edge_.from);
+        const Place b = at(edge_.to);
+        page_.overlay.strokes.push_back({a, b, page_.stroke_width(), page_.ink()});
+        const double length = std::hypot(b.x - a.x, b.y - a.y);
+        const double spacing =
+            (across_spacing * std::abs(edge_.outward.y) + up_spacing * std::abs(edge_.outward.x)) * page_.em();
+        int most = std::clamp(static_cast<int>(length / spacing), 3, most_ticks);
+        while (!number(most) && most > 1) --most;
+        write_numbers();
+        write_name();
+    }
+
+private:
+    [[nodiscard]] Place at(double share) const { return projection_.pixel(glm::mix(edge_.low, edge_.high, share)); }
+    [[nodiscard]] double value(double share) const {
+        return glm::mix(edge_.low[edge_.axis], edge_.high[edge_.axis], share);
+    }
+    [[nodiscard]] double share(double value) const {
+        const double low = edge_.low[edge_.axis];
+        return (value - low) / (edge_.high[edge_.axis] - low);
+    }
+
+    // Beyond `distance` from the edge, so that the text just keeps clear of it; moved into the picture where it would
+    // stick out.
+    [[nodiscard]] Placed beside(Place foot, const std::string& text, double distance) {
+        const TextSize& size = page_.text();
+        const double half_width = page_.width_of(text, size) / 2.0;
+        const double half_height = size.metrics.digit / 2.0;
+        const double away = distance + std::abs(edge_.outward.x) * half_width + std::abs(edge_.outward.y) * half_height;
+        const double x = foot.x + away * edge_.outward.x - half_width;
+        const double y = foot.y + away * edge_.outward.y + half_height;
+        const double right = page_.width() - 2 * half_width - 1;
+        const double bottom = page_.height() - size.metrics.descent;
+        Placed placed{text,
+                      static_cast<int>(std::lround(std::clamp(x, 1.0, std::max(1.0, right)))),
+                      static_cast<int>(std::lround(
+                          std::clamp<double>(y, size.metrics.ascent, std::max<double>(size.metrics.ascent, bottom)))),
+                      {}};
+        placed.box = page_.box_of(text, size, placed.x, placed.y);
+        return placed;
+    }
+
+    // Whether the numbers keep clear of each other at this density. One that would lie on something else, such as
+    // another axis's number at a common corner, is left out at any density.
+    bool number(int most) {
+        const Scale scale = nice_scale(value(edge_.from), value(edge_.to), most);
+        exponent_ = scale.exponent;
+        numbers_.clear();
+        bool are_clear = true;
+        for (const Tick& tick : scale.ticks) {
+            Placed label = beside(at(share(tick.value)), tick.label, (tick_length + gap) * page_.em());
+            if (!page_.is_free(label.box)) continue;
+            if (is_clear(label.box))
+                numbers_.push_back({tick.value, std::move(label)});
+            else
+                are_clear = false;
+        }
+        return are_clear;
+    }
+
+    [[nodiscard]] bool is_clear(Box box) const {
+        const double room = apart * page_.em() / 2;
+        box = {box.left - room, box.top, box.right + room, box.bottom};
+        return std::none_of(numbers_.begin(), numbers_.end(),
+                            [&](const Numbered& other) { return other.label.box.overlaps(box); });
+    }
+
+    void write(const Placed& placed) {
+        page_.take(placed.box);
+        page_.write(placed.text, page_.text(), placed.x, placed.y, page_.ink());
+    }
+
+    void write_numbers() {
+        const double length = tick_length * page_.em();
+        for (const Numbered& one : numbers_) {
+            const Place foot = at(share(one.value));
+            const Place tip{foot.x + length * edge_.outward.x, foot.y + length * edge_.outward.y};
+            page_.overlay.strokes.push_back({foot, tip, page_.stroke_width(), page_.ink()});
+            write(one.label);
+        }
+    }
+
+    // Outside the numbers, in the middle of the edge or as near to it as there is room.
+    void write_name() {
+        const std::string units = pretty_units(frame_.annotations.length_units);
+        const std::string name = std::string(names[static_cast<std::size_t>(edge_.axis)]) +
+                                 (units.empty() ? "" : " [" + units + "]") + times_power_of_ten(exponent_);
+        double depth = 0;
+        for (const Numbered& one : numbers_)
+            depth = std::max(depth, std::abs(edge_.outward.x) * one.label.box.width() +
+                                        std::abs(edge_.outward.y) * page_.text().metrics.digit);
+        const double distance = depth + (tick_length + 2.2 * gap) * page_.em();
+        for (const double share : {0.5, 0.4, 0.6, 0.3, 0.7, 0.15, 0.85, 0.0, 1.0}) {
+            const Placed placed = beside(at(glm::mix(edge_.from, edge_.to, share)), name, distance);
+            if (!page_.is_free(placed.box)) continue;
+            write(placed);
+            return;
+        }
+    }
+
+    Page& page_;
+    const Frame& frame_;
+    Projection projection_;
+    const BoxEdge& edge_;
+    std::vector<Numbered> numbers_;
+    int exponent_ = 0;
+};
+
+} // namespace
+
+void lay_axes(Page& page, const Frame& frame) {
+    for (const BoxEdge& edge : axis_edges(frame, least_edge * page.em())) AxisLayout(page, frame, edge).lay();
+}
+
+} // namespace ciel::render

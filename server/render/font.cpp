@@ -1,0 +1,169 @@
+#include "render/font.hpp"
+
+#include "ciel/types.hpp"
+
+#include <ft2build.h>
+#include FT_FREETYPE_H
+#include FT_GLYPH_H
+#include FT_STROKER_H
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <unordered_map>
+#include <utility>
+
+namespace ciel::render {
+namespace {
+
+constexpr FT_Int32 load_flags = FT_LOAD_TARGET_LIGHT; // hinted up and down only: letters keep their shapes
+constexpr double halo_share = 0.09;                   // of the em
+
+void check(FT_Error error, const char* what, const std::filesystem::path& file) {
+    if (error != 0) throw Error(file.string() + ": FreeType cannot " + what);
+}
+
+struct GlyphDeleter {
+    void operator()(FT_Glyph glyph) const { FT_Done_Glyph(glyph); }
+};
+using OwnedGlyph = std::unique_ptr<FT_GlyphRec_, GlyphDeleter>;
+
+// Replaces the outline by its bitmap.
+OwnedGlyph bitmap_of(OwnedGlyph outline) {
+    FT_Glyph glyph = outline.release();
+    const FT_Error error = FT_Glyph_To_Bitmap(&glyph, FT_RENDER_MODE_NORMAL, nullptr, 1);
+    OwnedGlyph owned(glyph);
+    if (error != 0) throw Error("FreeType cannot draw a glyph");
+    return owned;
+}
+
+void copy(const FT_BitmapGlyphRec_& from, GlyphImage& to, std::size_t channel) {
+    const FT_Bitmap& bitmap = from.bitmap;
+    for (unsigned row = 0; row < bitmap.rows; ++row)
+        for (unsigned column = 0; column < bitmap.width; ++column) {
+            const int x = from.left - to.left + static_cast<int>(column);
+            const int y = to.top - from.top + static_cast<int>(row);
+            if (x < 0 || y < 0 || x >= to.width || y >= to.height) continue;
+            const auto at =
+                2 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(to.width) + static_cast<std::size_t>(x));
+            to.coverage[at + channel] = bitmap.buffer[static_cast<std::ptrdiff_t>(row) * bitmap.pitch + column];
+        }
+}
+
+} // namespace
+
+struct Font::State {
+    FT_Library library = nullptr;
+    FT_Face face = nullptr;
+    FT_Stroker stroker = nullptr;
+    int pixels = 0; // what the face is set to
+    struct Character {
+        FT_UInt glyph = 0;
+        FT_Pos advance = 0; // font units
+    };
+    std::unordered_map<char32_t, Character> characters; // looking one up in the file costs microseconds
+    std::map<int, FontMetrics> metrics;
+
+    explicit State(const std::filesystem::path& file) {
+        if (FT_Init_FreeType(&library) != 0) throw Error("FreeType cannot be started");
+        if (FT_New_Face(library, file.c_str(), 0, &face) != 0) {
+            FT_Done_FreeType(library);
+            throw Error("the font " + file.string() +
+                        ", which annotations are written with, cannot be read; install fonts-dejavu-core");
+        }
+        FT_Stroker_New(library, &stroker);
+    }
+    ~State() {
+        FT_Stroker_Done(stroker);
+        FT_Done_FreeType(library); // with its face
+    }
+    State(const State&) = delete;
+    State& operator=(const State&) = delete;
+};
+
+Font::Font(std::filesystem::path file) : file_(std::move(file)) {}
+Font::~Font() = default;
+Font::Font(Font&&) noexcept = default;
+
+std::filesystem::path Font::default_file() { return CIEL_FONT; }
+
+Font::State& Font::opened() {
+    if (!state_) state_ = std::make_unique<State>(file_);
+    return *state_;
+}
+
+Font::State& Font::at(int pixels) {
+    State& state = opened();
+    if (state.pixels != pixels) {
+        check(FT_Set_Pixel_Sizes(state.face, 0, static_cast<FT_UInt>(pixels)), "use it at this size", file_);
+        state.pixels = pixels;
+        FT_Stroker_Set(state.stroker, static_cast<FT_Fixed>(64 * std::max(1.0, halo_share * pixels)),
+                       FT_STROKER_LINECAP_ROUND, FT_STROKER_LINEJOIN_ROUND, 0);
+    }
+    return state;
+}
+
+FontMetrics Font::metrics(int pixels) {
+    State& known = opened();
+    if (const auto found = known.metrics.find(pixels); found != known.metrics.end()) return found->second;
+    const FT_Face face = at(pixels).face;
+    FontMetrics metrics;
+    metrics.ascent = static_cast<int>((face->size->metrics.ascender + 63) / 64);
+    metrics.descent = static_cast<int>((-face->size->metrics.descender + 63) / 64);
+    check(FT_Load_Char(face, '0', load_flags), "read its digits", file_);
+    metrics.digit = static_cast<int>((face->glyph->metrics.horiBearingY + 32) / 64);
+    return known.metrics[pixels] = metrics;
+}
+
+Line Font::shape(std::string_view utf8, int pixels) {
+    State& state = opened();
+    const FT_Face face = state.face;
+    const auto to_pixels = [&](FT_Pos units) { return static_cast<double>(units) * pixels / face->units_per_EM; };
+    Line line;
+    FT_Pos pen = 0; // font units: rounding every advance would spoil the spacing
+    FT_UInt before = 0;
+    for (const char32_t character : decode_utf8(utf8)) {
+        auto known = state.characters.find(character);
+        if (known == state.characters.end()) {
+            const bool is_control = character < 0x20 || (character >= 0x7F && character < 0xA0);
+            const FT_UInt glyph = FT_Get_Char_Index(face, is_control ? U' ' : character);
+            check(FT_Load_Glyph(face, glyph, FT_LOAD_NO_SCALE), "read a glyph", file_);
+            known =
+                state.characters.emplace(character, State::Character{glyph, face->glyph->metrics.horiAdvance}).first;
+        }
+        const auto [glyph, advance] = known->second;
+        FT_Vector kerning{};
+        if (before != 0 && glyph != 0) FT_Get_Kerning(face, before, glyph, FT_KERNING_UNSCALED, &kerning);
+        pen += kerning.x;
+        line.glyphs.push_back({glyph, static_cast<int>(std::lround(to_pixels(pen)))});
+        pen += advance;
+        before = glyph;
+    }
+    line.width = static_cast<int>(std::ceil(to_pixels(pen)));
+    return line;
+}
+
+GlyphImage Font::draw(std::uint32_t glyph, int pixels) {
+    const State& state = at(pixels);
+    GlyphImage image;
+    check(FT_Load_Glyph(state.face, glyph, load_flags), "read a glyph", file_);
+    if (state.face->glyph->format != FT_GLYPH_FORMAT_OUTLINE || state.face->glyph->outline.n_points == 0) return image;
+    FT_Glyph loaded = nullptr;
+    check(FT_Get_Glyph(state.face->glyph, &loaded), "read a glyph", file_);
+    OwnedGlyph letter(loaded);
+    FT_Glyph stroked = loaded;
+    check(FT_Glyph_StrokeBorder(&stroked, state.stroker, 0, 0), "draw around a glyph", file_); // keeps the first
+    const OwnedGlyph halo = bitmap_of(OwnedGlyph(stroked));
+    letter = bitmap_of(std::move(letter));
+    const auto& around = *reinterpret_cast<FT_BitmapGlyph>(halo.get());
+    image.left = around.left;
+    image.top = around.top;
+    image.width = static_cast<int>(around.bitmap.width);
+    image.height = static_cast<int>(around.bitmap.rows);
+    image.coverage.assign(2 * static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height), 0);
+    copy(*reinterpret_cast<FT_BitmapGlyph>(letter.get()), image, 0);
+    copy(around, image, 1);
+    return image;
+}
+
+} // namespace ciel::render

@@ -1,0 +1,192 @@
+// Colour bars at the right, in columns from the upper corner to the left.
+#include "render/color_ticks.hpp"
+#include "render/page.hpp"
+#include "render/ticks.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ciel::render {
+namespace {
+
+// In ems.
+constexpr double bar_width = 1.3, most_bar = 15, least_bar = 5, tick_start = 0.15, tick_end = 0.5, gap = 0.35,
+                 between = 1.6, cap_height = 0.35;
+constexpr double widest_title = 0.3; // of the picture
+constexpr double tick_spacing = 1.7; // lines
+constexpr int most_ticks = 6;
+
+struct Mark {
+    double share = 0; // of the bar from its lower end
+    std::string label;
+};
+
+struct Entry {
+    const Legend& legend;
+    std::string title;
+    std::vector<Mark> ends;
+    double width = 0;
+};
+
+bool is_plain(const ColorScale& scale) { return !scale.log && scale.steps == 0; }
+
+std::array<double, 2> range_of(const Legend& legend) { return {legend.scale.range[0], legend.scale.range[1]}; }
+
+int exponent_of(const Legend& legend) {
+    return legend.scale.log ? 0 : common_exponent(range_of(legend)[0], range_of(legend)[1]);
+}
+
+std::vector<Mark> end_marks(const Legend& legend, int exponent) {
+    const auto [low, high] = range_of(legend);
+    if (!(low < high)) return {{0.5, number_label(low, 0, exponent)}};
+    if (legend.scale.log) return {{0, value_label(low)}, {1, value_label(high)}};
+    return {{0, number_label(low, high - low, exponent)}, {1, number_label(high, high - low, exponent)}};
+}
+
+std::vector<Mark> inner_marks(const Legend& legend, int most) {
+    const auto [low, high] = range_of(legend);
+    std::vector<Mark> marks;
+    if (!(low < high)) return marks;
+    if (!is_plain(legend.scale)) {
+        const int exponent = exponent_of(legend);
+        for (const ColorTick& tick : color_ticks(legend.scale, most)) {
+            const bool is_named = !tick.label.empty() && !legend.scale.log;
+            marks.push_back({tick.at, is_named ? number_label(tick.value, high - low, exponent) : tick.label});
+        }
+        return marks;
+    }
+    for (const Tick& tick : nice_scale(low, high, most).ticks)
+        marks.push_back({(tick.value - low) / (high - low), tick.label});
+    return marks;
+}
+
+std::string title_of(const Legend& legend, int exponent) {
+    const std::string units = pretty_units(legend.units);
+    return legend.name + (units.empty() ? "" : " [" + units + "]") + times_power_of_ten(exponent);
+}
+
+Entry entry_of(Page& page, const Legend& legend) {
+    const int exponent = exponent_of(legend);
+    const TextSize& size = page.text();
+    Entry entry{legend, page.shortened(title_of(legend, exponent), size, widest_title * page.width()),
+                end_marks(legend, exponent)};
+    int labels = 0;
+    for (const auto& marks : {entry.ends, inner_marks(legend, most_ticks)})
+        for (const Mark& mark : marks) labels = std::max(labels, page.width_of(mark.label, size));
+    const double scale = (bar_width + tick_end + gap) * page.em() + labels;
+    entry.width = std::max<double>(scale, page.width_of(entry.title, size));
+    return entry;
+}
+
+Ink ink_of(const Rgb8& color) {
+    return {static_cast<float>(color[0]) / 255, static_cast<float>(color[1]) / 255, static_cast<float>(color[2]) / 255,
+            1};
+}
+
+// What is below or above the scale: a piece of its own beyond the end.
+void draw_cap(Page& page, const std::optional<Rgb8>& color, const Box& bar, bool at_top) {
+    if (!color) return;
+    const double frame = std::max(1.0, std::round(page.stroke_width()));
+    const double height = std::round(cap_height * page.em());
+    const double top = at_top ? bar.top - frame - height : bar.bottom + frame;
+    page.overlay.fills.push_back(
+        {{bar.left - frame, top - frame, bar.right + frame, top + height + frame}, page.ink(), page.ink()});
+    page.overlay.fills.push_back({{bar.left, top, bar.right, top + height}, ink_of(*color), ink_of(*color)});
+}
+
+// In pieces over which the colours are as good as linear: a quarter of the rectangles that one for each row would take.
+// Steps have one colour each.
+void draw_bar(Page& page, const ColorScale& scale, const Box& bar) {
+    draw_cap(page, scale.above, bar, true);
+    draw_cap(page, scale.below, bar, false);
+    const double frame = std::max(1.0, std::round(page.stroke_width())); // else an end may vanish in the background
+    page.overlay.fills.push_back(
+        {{bar.left - frame, bar.top - frame, bar.right + frame, bar.bottom + frame}, page.ink(), page.ink()});
+    const int pieces = scale.steps > 0 ? scale.steps : std::clamp(static_cast<int>(bar.height() / 4), 1, 128);
+    const std::vector<Rgb8> colors = scale.steps > 0 ? color_row(scale, 0) : colors_along(scale, pieces + 1);
+    const std::size_t last = colors.size() - 1;
+    for (int i = 0; i < pieces; ++i) {
+        const double from = static_cast<double>(i) / pieces;
+        const double to = static_cast<double>(i + 1) / pieces;
+        page.overlay.fills.push_back({{bar.left, bar.top + from * bar.height(), bar.right, bar.top + to * bar.height()},
+                                      ink_of(colors[last - static_cast<std::size_t>(i)]),
+                                      ink_of(colors[last - static_cast<std::size_t>(scale.steps > 0 ? i : i + 1)])});
+    }
+}
+
+void draw_tick(Page& page, const Box& bar, double y) {
+    page.overlay.strokes.push_back({{bar.right + tick_start * page.em(), y},
+                                    {bar.right + tick_end * page.em(), y},
+                                    page.stroke_width(),
+                                    page.ink()});
+}
+
+void draw_marks(Page& page, const std::vector<Mark>& marks, const Box& bar) {
+    const TextSize& size = page.text();
+    const int x = static_cast<int>(std::lround(bar.right + (tick_end + gap) * page.em()));
+    for (const Mark& mark : marks) {
+        const double y = bar.bottom - mark.share * bar.height();
+        if (mark.label.empty()) {
+            draw_tick(page, bar, y);
+            continue;
+        }
+        const int base = static_cast<int>(std::lround(y + size.metrics.digit / 2.0));
+        const Box box = page.box_of(mark.label, size, x, base);
+        if (!page.is_free(box)) continue;
+        page.take(box);
+        page.write(mark.label, size, x, base, page.ink());
+        draw_tick(page, bar, y);
+    }
+}
+
+// Below its title, with half a line of room for the numbers at its two ends.
+void draw_entry(Page& page, const Entry& entry, int left, double top, double bar_height) {
+    const TextSize& size = page.text();
+    const int base = static_cast<int>(std::lround(top)) + size.metrics.ascent;
+    const Box title = page.box_of(entry.title, size, left, base);
+    page.write(entry.title, size, left, base, page.ink());
+    page.take(title);
+    const double start = std::round(title.bottom + 0.5 * size.line());
+    const Box bar{static_cast<double>(left), start, std::round(left + bar_width * page.em()),
+                  start + std::round(bar_height)};
+    draw_bar(page, entry.legend.scale, bar);
+    page.take(bar);
+    draw_marks(page, entry.ends, bar); // first: where there is no room for both, the inner mark goes
+    const int most = std::clamp(static_cast<int>(bar.height() / (tick_spacing * size.line())), 1, most_ticks);
+    draw_marks(page, inner_marks(entry.legend, most), bar);
+}
+
+} // namespace
+
+void lay_legends(Page& page, const Annotations& annotations) {
+    const double em = page.em();
+    const double around = 2 * page.text().line(); // title and half a line at each end of the bar
+    double right = page.room.right;
+    auto next = annotations.legends.begin();
+    while (next != annotations.legends.end()) {
+        const auto left_over = static_cast<double>(annotations.legends.end() - next);
+        const double least = around + (least_bar + between) * em;
+        const double fitting = std::floor((page.room.height() + between * em) / least);
+        const double count = std::min(left_over, fitting);
+        if (count < 1) return;
+        const double block = (page.room.height() + between * em) / count;
+        const double bar_height = std::min(most_bar * em, block - around - between * em);
+        std::vector<Entry> column;
+        double width = 0;
+        for (int i = 0; i < static_cast<int>(count); ++i) {
+            column.push_back(entry_of(page, *next++));
+            width = std::max(width, column.back().width);
+        }
+        const int left = static_cast<int>(std::floor(right - width));
+        double top = page.room.top;
+        const Box all{static_cast<double>(left), top, right, top + count * block - between * em};
+        if (left < page.width() / 3 || !page.is_free(all)) return; // the picture is what it is for
+        for (const Entry& entry : column) {
+            draw_entry(page, entry, left, top, bar_height);
+            top += around + bar_height + between * em;
+        }
+        right = left - between * em;
+    }
+}
+
+} // namespace ciel::render

@@ -1,0 +1,76 @@
+#include "render/make_room.hpp"
+
+#include "render/box_edges.hpp"
+#include "render/page.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+namespace ciel::render {
+namespace {
+
+constexpr int usual_height = 720; // the layout is judged at this size, whatever the picture's
+constexpr double step = 1.03, furthest = 2;
+constexpr int samples = 24;                             // of an edge
+constexpr double beside_edges = 0.5, beside_axes = 4.5; // ems around the edges; numbers and names take the larger one
+
+glm::dvec3 corner(const Frame& frame, unsigned bits) {
+    glm::dvec3 at;
+    for (int axis = 0; axis < 3; ++axis) {
+        const auto k = static_cast<std::size_t>(axis);
+        at[axis] = (bits >> k & 1U) != 0 ? frame.bounds_max[k] : frame.bounds_min[k];
+    }
+    return at;
+}
+
+std::vector<glm::dvec3> points_of_edges(const Frame& frame) {
+    std::vector<glm::dvec3> points;
+    for (unsigned from = 0; from < 8; ++from)
+        for (unsigned bit = 1; bit < 8; bit <<= 1U) {
+            if ((from & bit) != 0) continue;
+            for (int i = 0; i <= samples; ++i)
+                points.push_back(
+                    glm::mix(corner(frame, from), corner(frame, from | bit), static_cast<double>(i) / samples));
+        }
+    return points;
+}
+
+bool is_clear(const Frame& frame, const std::vector<glm::dvec3>& points, const Page& page) {
+    const Projection projection(frame);
+    const double room = (frame.annotations.axes ? beside_axes : beside_edges) * page.em();
+    return std::all_of(points.begin(), points.end(), [&](const glm::dvec3& point) {
+        if (!(projection.clip(point).w > 0)) return false;
+        const Place at = projection.pixel(point);
+        return page.is_free({at.x - room, at.y - room, at.x + room, at.y + room});
+    });
+}
+
+void step_back(Camera& camera) {
+    for (std::size_t k = 0; k < 3; ++k)
+        camera.position[k] = camera.target[k] + step * (camera.position[k] - camera.target[k]);
+    camera.parallel_height *= step;
+}
+
+} // namespace
+
+Camera clear_of_annotations(const Frame& frame) {
+    if (frame.annotations.empty()) return frame.camera;
+    Frame judged = frame;
+    judged.meshes.clear();
+    judged.width =
+        std::max(1, static_cast<int>(std::lround(static_cast<double>(frame.width) / frame.height * usual_height)));
+    judged.height = usual_height;
+    Font font;
+    Page page(judged, font);
+    lay_title(page, judged.annotations);
+    lay_captions(page, judged.annotations);
+    lay_legends(page, judged.annotations);
+    if (judged.annotations.triad) lay_triad(page, judged);
+    const std::vector<glm::dvec3> points = points_of_edges(judged);
+    for (double away = 1; away < furthest; away *= step, step_back(judged.camera))
+        if (is_clear(judged, points, page)) return judged.camera;
+    return frame.camera;
+}
+
+} // namespace ciel::render

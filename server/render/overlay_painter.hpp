@@ -1,0 +1,42 @@
+// Draws annotations over a finished picture: one buffer, one program, one draw.
+#pragma once
+
+#include "render/glyph_atlas.hpp"
+#include "render/overlay.hpp"
+#include "render/renderer.hpp"
+
+namespace ciel::render {
+
+class OverlayPainter {
+public:
+    explicit OverlayPainter(const Gl& gl);
+    OverlayPainter(const OverlayPainter&) = delete;
+    OverlayPainter& operator=(const OverlayPainter&) = delete;
+
+    // Into the bound target, of which it leaves the depth alone. Nothing without annotations. Throws Error when the
+    // font is not installed.
+    void draw(const Frame& frame);
+
+private:
+    struct Vertex {
+        float x, y, u, v; // pixels; texels of a glyph, or pixels across a stroke
+        Ink ink;
+        float kind, half_width;
+    };
+    void add_quad(const Vertex& vertex, const Box& box, const Box& texels);
+    void add(const Fill& fill);
+    void add(const Stroke& stroke, double width, const Ink& ink);
+    void add(const Triangle& triangle);
+    [[nodiscard]] bool add(const Label& label, bool halo, const Ink& ink); // false when the atlas is full
+    [[nodiscard]] bool add_labels(const Overlay& overlay);
+    void build(const Overlay& overlay);
+
+    const Gl& gl_;
+    Font font_;
+    GlyphAtlas atlas_;
+    GLuint program_ = 0, array_ = 0, buffer_ = 0;
+    GLint viewport_ = -1, glyphs_ = -1;
+    std::vector<Vertex> vertices_;
+};
+
+} // namespace ciel::render

@@ -1,0 +1,81 @@
+#include "render/page.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ciel::render {
+namespace {
+
+constexpr double usual_height = 720;
+constexpr double usual_text = 13, usual_heading = 18;
+constexpr int smallest_text = 9, largest_text = 200;
+constexpr Ink light{0.93F, 0.94F, 0.96F, 1}, dark{0.07F, 0.08F, 0.10F, 1};
+constexpr float halo_opacity = 0.75F;
+
+TextSize size_of(double pixels, Font& font) {
+    const int rounded = std::clamp(static_cast<int>(std::lround(pixels)), smallest_text, largest_text);
+    return {rounded, font.metrics(rounded)};
+}
+
+// Of a narrow picture the width decides, else a legend would fill it.
+double unit_of(const Frame& frame) {
+    return std::min<double>(frame.height, 0.75 * frame.width) / usual_height * frame.annotations.scale;
+}
+
+bool is_bright(const Frame& frame) { // by the luma of the background's middle
+    constexpr std::array<float, 3> weights{0.2126F, 0.7152F, 0.0722F};
+    float luma = 0;
+    for (std::size_t i = 0; i < 3; ++i) luma += weights[i] * (frame.background_top[i] + frame.background_bottom[i]) / 2;
+    return luma > 0.5F;
+}
+
+} // namespace
+
+Page::Page(const Frame& frame, Font& font)
+    : font_(font), width_(frame.width), height_(frame.height), text_(size_of(usual_text * unit_of(frame), font)),
+      heading_(size_of(usual_heading * unit_of(frame), font)), ink_(is_bright(frame) ? dark : light) {
+    overlay.halo = is_bright(frame) ? light : dark;
+    overlay.halo[3] = halo_opacity;
+    const double margin = std::round(em());
+    room = {margin, margin, width_ - margin, height_ - margin};
+}
+
+int Page::width_of(const std::string& text, const TextSize& size) { return font_.shape(text, size.pixels).width; }
+
+std::string Page::shortened(const std::string& text, const TextSize& size, double most_width) {
+    if (width_of(text, size) <= most_width) return text;
+    std::string start = text;
+    while (!start.empty()) {
+        while (start.size() > 1 && (static_cast<unsigned char>(start.back()) & 0xC0U) == 0x80) start.pop_back();
+        start.pop_back();
+        if (std::string candidate = start + "…"; !start.empty() && width_of(candidate, size) <= most_width)
+            return candidate;
+    }
+    return {};
+}
+
+Box Page::box_of(const std::string& text, const TextSize& size, int x, int y) {
+    return {static_cast<double>(x), static_cast<double>(y - size.metrics.ascent),
+            static_cast<double>(x + width_of(text, size)), static_cast<double>(y + size.metrics.descent)};
+}
+
+void Page::write(const std::string& text, const TextSize& size, int x, int y, const Ink& ink) {
+    overlay.labels.push_back({text, size.pixels, x, y, ink, box_of(text, size, x, y)});
+}
+
+bool Page::is_free(const Box& box) const {
+    const Box all{0, 0, static_cast<double>(width_), static_cast<double>(height_)};
+    return all.holds(box) && std::none_of(taken_.begin(), taken_.end(), [&](const Box& b) { return b.overlaps(box); });
+}
+
+Overlay lay_out(const Frame& frame, Font& font) {
+    Page page(frame, font);
+    lay_title(page, frame.annotations);
+    lay_captions(page, frame.annotations);
+    lay_legends(page, frame.annotations);
+    if (frame.annotations.triad) lay_triad(page, frame);
+    if (frame.annotations.axes) lay_axes(page, frame);
+    return std::move(page.overlay);
+}
+
+} // namespace ciel::render

@@ -1,0 +1,62 @@
+// One picture's sheet while its annotations are laid out: how large things are, what is taken, and what is drawn.
+#pragma once
+
+#include "render/font.hpp"
+#include "render/overlay.hpp"
+#include "render/renderer.hpp"
+
+namespace ciel::render {
+
+struct TextSize {
+    int pixels = 0; // of the font
+    FontMetrics metrics;
+    [[nodiscard]] int line() const { return metrics.ascent + metrics.descent; }
+};
+
+class Page {
+public:
+    // Sizes follow the picture: text of 13 pixels where it has 720 rows, never less than 9.
+    Page(const Frame& frame, Font& font);
+
+    [[nodiscard]] int width() const { return width_; }
+    [[nodiscard]] int height() const { return height_; }
+    [[nodiscard]] double em() const { return text_.pixels; }
+    [[nodiscard]] double stroke_width() const { return em() / 10; }
+    [[nodiscard]] const TextSize& text() const { return text_; }
+    [[nodiscard]] const TextSize& heading() const { return heading_; }
+    [[nodiscard]] const Ink& ink() const { return ink_; }
+    // What is not yet given to something that fills a side: everything within the margins at first.
+    Box room;
+
+    [[nodiscard]] int width_of(const std::string& text, const TextSize& size);
+    // The text, or as much of its start as fits with an ellipsis; empty where nothing does.
+    [[nodiscard]] std::string shortened(const std::string& text, const TextSize& size, double most_width);
+    // Around text whose base line starts at (x, y).
+    [[nodiscard]] Box box_of(const std::string& text, const TextSize& size, int x, int y);
+    void write(const std::string& text, const TextSize& size, int x, int y, const Ink& ink);
+
+    // Whether the box lies in the picture and on nothing that was taken.
+    [[nodiscard]] bool is_free(const Box& box) const;
+    void take(const Box& box) { taken_.push_back(box); }
+
+    Overlay overlay;
+
+private:
+    Font& font_;
+    int width_, height_;
+    TextSize text_, heading_;
+    Ink ink_{};
+    std::vector<Box> taken_;
+};
+
+// Each draws its part of frame.annotations where there is room for it. In this order: what comes later gives way.
+void lay_title(Page& page, const Annotations& annotations);
+void lay_captions(Page& page, const Annotations& annotations);
+void lay_legends(Page& page, const Annotations& annotations);
+void lay_triad(Page& page, const Frame& frame);
+void lay_axes(Page& page, const Frame& frame);
+
+// All of them.
+[[nodiscard]] Overlay lay_out(const Frame& frame, Font& font);
+
+} // namespace ciel::render
