@@ -109,7 +109,7 @@ TEST_P(AnnotationPicture, LettersArePixelsOfTheFont) {
 TEST_P(AnnotationPicture, TheBarHasTheColoursOfTheMap) {
     Frame frame = annotated_frame(640, 400);
     frame.annotations = {};
-    frame.annotations.legends = {{"p", "Pa", "plasma", {0, 1}}};
+    frame.annotations.legends = {{"p", "Pa", scale_of("plasma", {0, 1})}};
     Font font;
     const Overlay overlay = lay_out(frame, font);
     const Box lowest = overlay.fills.back().box;
