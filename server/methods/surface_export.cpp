@@ -69,6 +69,8 @@ protocol::SurfaceExportResult surface_export(Context& context, const protocol::S
     if (!layer->visible) throw InvalidParams("/layer", "layer " + params.layer + " is not visible; show it first");
     if (std::holds_alternative<scene::OutlineLayer>(layer->kind))
         throw InvalidParams("/layer", "layer " + params.layer + " is an outline and has no polygons");
+    if (std::holds_alternative<scene::VolumeLayer>(layer->kind))
+        throw InvalidParams("/layer", "layer " + params.layer + " is a volume and has no polygons");
 
     const File file = file_of(context, source, params);
     context.check_wanted();

@@ -39,7 +39,8 @@ Painter::Painter(const Gl& gl)
       is_software_(renderer_name_.find("llvmpipe") != std::string::npos ||
                    renderer_name_.find("softpipe") != std::string::npos),
       background_(make_background_program(gl_)), triangles_(make_triangle_program(gl_)), lines_(make_line_program(gl_)),
-      color_maps_(make_color_maps(gl_)), target_(gl_), transparent_(gl_) {
+      color_maps_(make_color_maps(gl_)), target_(gl_), transparent_(gl_),
+      volumes_(gl_) {
     gl_.GenVertexArrays(1, &no_array_);
     gl_.DepthFunc(GL_LEQUAL);
     gl_.BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
@@ -52,8 +53,12 @@ void Painter::draw(const Frame& frame, Image& image) {
     target_.begin(frame.width, frame.height, frame.samples);
     draw_background(frame);
     draw_meshes(frame, false);
+    const auto is_opaque = [](const Mesh& mesh) { return !mesh.lines && !is_transparent(mesh) && !mesh.indices.empty(); };
+    if (!frame.volumes.empty() && std::ranges::any_of(frame.meshes, is_opaque))
+        volumes_.keep_depth(target_, frame.width, frame.height);
     gl_.Enable(GL_BLEND);
     draw_meshes(frame, true);
+    if (!frame.volumes.empty()) draw_volumes(frame);
     draw_transparent(frame);
     gl_.Disable(GL_BLEND);
     target_.read_color(image);
@@ -99,12 +104,19 @@ MeshBuffers& Painter::buffers(std::size_t slot) {
     return *std::next(buffers_.begin(), static_cast<std::ptrdiff_t>(slot));
 }
 
-void Painter::draw_meshes(const Frame& frame, bool lines) {
+void Painter::draw_meshes(const Frame& frame, bool lines, bool before_volume) {
     const Program& program = lines ? lines_ : triangles_;
     use(program, frame);
     if (!lines) { // surfaces a little back, so that lines on them are not half buried
         gl_.Enable(GL_POLYGON_OFFSET_FILL);
         gl_.PolygonOffset(1, 1);
+    }
+    if (lines) {
+        gl_.ActiveTexture(GL_TEXTURE1);
+        gl_.BindTexture(GL_TEXTURE_2D, volumes_.limits());
+        gl_.ActiveTexture(GL_TEXTURE0);
+        gl_.Uniform1i(program.volume_limits, 1);
+        gl_.Uniform1f(program.before_volume, before_volume ? 1.0F : 0.0F);
     }
     for (std::size_t i = 0; i < frame.meshes.size(); ++i) {
         const Mesh& mesh = frame.meshes[i];
@@ -116,6 +128,13 @@ void Painter::draw_meshes(const Frame& frame, bool lines) {
         slot.draw();
     }
     gl_.Disable(GL_POLYGON_OFFSET_FILL);
+}
+
+// Lines leave no depth that a volume ends on: their soft edges would cut it off. So they are seen through it, and those
+// in front of it are drawn again.
+void Painter::draw_volumes(const Frame& frame) {
+    volumes_.draw(frame, transform_, target_);
+    draw_meshes(frame, true, true);
 }
 
 void Painter::draw_transparent(const Frame& frame) {

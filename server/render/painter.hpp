@@ -6,6 +6,7 @@
 #include "render/shaders.hpp"
 #include "render/target.hpp"
 #include "render/transparency.hpp"
+#include "render/volume_painter.hpp"
 
 #include <list>
 
@@ -24,7 +25,8 @@ public:
 
 private:
     void draw_background(const Frame& frame);
-    void draw_meshes(const Frame& frame, bool lines);
+    void draw_meshes(const Frame& frame, bool lines, bool before_volume = false);
+    void draw_volumes(const Frame& frame);
     void draw_transparent(const Frame& frame);
     void use(const Program& program, const Frame& frame);
     [[nodiscard]] MeshBuffers& buffers(std::size_t slot);
@@ -37,6 +39,7 @@ private:
     Target target_;
     std::list<MeshBuffers> buffers_; // one per mesh of the largest frame so far
     TransparentTriangles transparent_;
+    VolumePainter volumes_;
     ViewTransform transform_;
     Vec3d origin_{};
     int width_ = 0, height_ = 0;           // of the last frame, 0 before the first

@@ -1,7 +1,7 @@
 // Off-screen OpenGL: geometry + camera -> image. The only folder that knows GL.
 #pragma once
 
-#include "ciel/types.hpp"
+#include "render/volume.hpp"
 
 #include <cstdint>
 #include <memory>
@@ -45,6 +45,9 @@ struct Frame {
     std::array<float, 3> background_top{}, background_bottom{};
     // Opaque triangles, then lines, then transparent triangles of all meshes sorted from the back to the front.
     std::vector<Mesh> meshes;
+    // In front of what is behind them and behind what is in front, but one volume after the other; transparent
+    // triangles come after them all.
+    std::vector<Volume> volumes;
     int samples = 1; // 4: multisampled, for stills
 };
 

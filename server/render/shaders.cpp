@@ -159,6 +159,9 @@ void main() {
 
 constexpr const char* line_fragment = R"(
 uniform float half_width;
+uniform vec2 viewport;
+uniform float before_volume; // 1: only what is in front of the volume
+uniform sampler2D volume_limits;
 in Line {
     float value;
     noperspective float across;
@@ -167,6 +170,7 @@ in Line {
 } line;
 out vec4 picture;
 void main() {
+    if (before_volume > 0.5 && gl_FragCoord.z > texture(volume_limits, gl_FragCoord.xy / viewport).a) discard;
     float cover = clamp(half_width + 0.5 - abs(line.across), 0.0, 1.0);
     if (cover < 0.02) discard; // else an unseen edge would still hide what is behind it
     picture = vec4(base_color(line.value, line.color.rgb, line.style.x), line.color.a * cover);
@@ -188,20 +192,9 @@ void add_shader(const Gl& gl, GLuint program, GLenum kind, const std::string& so
     gl.AttachShader(program, shader);
 }
 
-using Stage = std::pair<GLenum, std::string>;
-
 Program link(const Gl& gl, const std::vector<Stage>& stages) {
     Program program;
-    program.id = gl.CreateProgram();
-    for (const auto& [kind, source] : stages) add_shader(gl, program.id, kind, source);
-    gl.LinkProgram(program.id);
-    GLint is_linked = 0;
-    gl.GetProgramiv(program.id, GL_LINK_STATUS, &is_linked);
-    if (is_linked == 0) {
-        std::vector<char> log(4096);
-        gl.GetProgramInfoLog(program.id, static_cast<GLsizei>(log.size()), nullptr, log.data());
-        throw Error("the GL driver refuses a program: " + std::string(log.data()));
-    }
+    program.id = link_stages(gl, stages);
     const auto uniform = [&](const char* name) { return gl.GetUniformLocation(program.id, name); };
     program.view = uniform("view");
     program.projection = uniform("projection");
@@ -212,6 +205,8 @@ Program link(const Gl& gl, const std::vector<Stage>& stages) {
     program.viewport = uniform("viewport");
     program.half_width = uniform("half_width");
     program.top = uniform("top");
+    program.before_volume = uniform("before_volume");
+    program.volume_limits = uniform("volume_limits");
     program.bottom = uniform("bottom");
     program.height = uniform("height");
     return program;
@@ -220,6 +215,20 @@ Program link(const Gl& gl, const std::vector<Stage>& stages) {
 std::string with_color_map(const char* body) { return std::string("#version 330 core\n") + mapped_color + body; }
 
 } // namespace
+
+GLuint link_stages(const Gl& gl, const std::vector<Stage>& stages) {
+    const GLuint program = gl.CreateProgram();
+    for (const auto& [kind, source] : stages) add_shader(gl, program, kind, source);
+    gl.LinkProgram(program);
+    GLint is_linked = 0;
+    gl.GetProgramiv(program, GL_LINK_STATUS, &is_linked);
+    if (is_linked == 0) {
+        std::vector<char> log(4096);
+        gl.GetProgramInfoLog(program, static_cast<GLsizei>(log.size()), nullptr, log.data());
+        throw Error("the GL driver refuses a program: " + std::string(log.data()));
+    }
+    return program;
+}
 
 Program make_background_program(const Gl& gl) {
     return link(gl, {{GL_VERTEX_SHADER, background_vertex}, {GL_FRAGMENT_SHADER, background_fragment}});

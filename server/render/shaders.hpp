@@ -3,6 +3,10 @@
 
 #include "render/gl.hpp"
 
+#include <string>
+#include <utility>
+#include <vector>
+
 namespace ciel::render {
 
 // Vertex attributes. What a mesh does not have per vertex is set once for all of it: in OpenGL an attribute without an
@@ -19,9 +23,13 @@ enum Attribute : GLuint {
 struct Program {
     GLuint id = 0;
     GLint view = -1, projection = -1, scale = -1, parallel = -1, maps = -1, map_rows = -1; // triangles and lines
-    GLint viewport = -1, half_width = -1;                                                  // lines
+    GLint viewport = -1, half_width = -1, before_volume = -1, volume_limits = -1;          // lines
     GLint top = -1, bottom = -1, height = -1;                                              // background
 };
+
+using Stage = std::pair<GLenum, std::string>; // kind and source of a shader
+// Throws Error with the compiler's words.
+[[nodiscard]] GLuint link_stages(const Gl& gl, const std::vector<Stage>& stages);
 
 // Each throws Error with the compiler's words.
 [[nodiscard]] Program make_background_program(const Gl& gl);

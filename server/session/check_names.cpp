@@ -36,6 +36,10 @@ struct Check {
     }
     void operator()(const scene::SliceLayer& slice) const { coloring(slice.color); }
     void operator()(const scene::OutlineLayer& outline) const { coloring(outline.color); }
+    void operator()(const scene::VolumeLayer& volume) const {
+        scalar(volume.array, "/array");
+        coloring(volume.color);
+    }
     void operator()(const scene::SurfaceLayer& surface) const {
         coloring(surface.color);
         for (std::size_t i = 0; i < surface.groups.size(); ++i) patch(surface.groups[i], i);

@@ -30,7 +30,7 @@ void show_frame(View& view, Worker& worker, bool still) {
     const auto request = view.take(still);
     if (!request) return;
     try {
-        const auto geometry = view.session().geometry(*request->version, request->stop);
+        const auto geometry = view.session().geometry(*request->version, request->stop, !request->still);
         if (!geometry) return view.give_up();
         wire::FrameHeader header = header_of(view, *request, *geometry);
         header.extract_ms = elapsed_ms(request->started);
