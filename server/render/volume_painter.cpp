@@ -214,7 +214,10 @@ void VolumePainter::set_ray(const VolumeProgram& program, const Volume& volume, 
     const glm::dvec2 corner(1 / projection[0][0], 1 / projection[1][1]);
     program.set("ray_corner", parallel ? glm::vec2(0) : glm::vec2(-corner));
     program.set("ray_step", parallel ? glm::vec2(0) : glm::vec2(2.0 * corner / glm::dvec2(width_, height_)));
+    program.set("side_corner", parallel ? glm::vec2(-corner) : glm::vec2(0));
+    program.set("side_step", parallel ? glm::vec2(2.0 * corner / glm::dvec2(width_, height_)) : glm::vec2(0));
     program.set("eye_normal", glm::vec3(glm::dmat3(transform_->view) * vector_of(volume.normal)));
+    program.set("eye_place", static_cast<float>(eye_place(volume)));
     program.set("half_slab", static_cast<float>(thickness / 2));
     program.set("unit_length", static_cast<float>(volume.unit_length));
     // Where the property changes by less than a third of its range along the whole mesh there is no surface to light.
@@ -232,9 +235,7 @@ void VolumePainter::draw_slabs(const Volume& volume, const VolumeBuffers& buffer
     const std::size_t slabs = buffers.slices().size();
     set_ray(slice, volume, thickness, parts);
     set_ray(edge, volume, thickness, parts);
-    edge.set("normal", glm::vec3(vector_of(volume.normal)));
     edge.set("first_place", static_cast<float>(volume.first));
-    edge.set("thickness", static_cast<float>(thickness));
     edge.set("last_slab", static_cast<float>(slabs - 1));
 
     size(picture_, GL_RGBA32F, width_, height_);
@@ -245,16 +246,23 @@ void VolumePainter::draw_slabs(const Volume& volume, const VolumeBuffers& buffer
     bind(gl_, limits_unit, limits_.texture);
     for (int i = 1; i < parts; ++i) bind(gl_, first_part_unit + i, parts_[i].texture);
     for (const std::size_t slab : back_to_front(volume, slabs)) {
+        const auto place = static_cast<float>(volume.first + (static_cast<double>(slab) + 0.5) * thickness);
         if (buffers.boundary_of_slabs()[slab].count > 0) {
             edge.use();
             edge.set("slab", static_cast<float>(slab));
+            edge.set("slice_place", place);
             buffers.bind_boundary();
             buffers.draw(buffers.boundary_of_slabs()[slab]);
         }
         slice.use();
+        slice.set("slice_place", place);
         buffers.bind_slices();
         buffers.draw(buffers.slices()[slab]);
     }
+}
+
+double VolumePainter::eye_place(const Volume& volume) const {
+    return glm::dot(vector_of(volume.normal), glm::dvec3(glm::inverse(transform_->view)[3]));
 }
 
 // Rays run up on one side of the eye and down on the other.
@@ -262,7 +270,7 @@ std::vector<std::size_t> VolumePainter::back_to_front(const Volume& volume, std:
     const glm::dmat4 back = glm::inverse(transform_->view);
     const glm::dvec3 normal = vector_of(volume.normal);
     const double thickness = volume.thickness * static_cast<double>(volume.stride);
-    double eye = (glm::dot(normal, glm::dvec3(back[3])) - volume.first) / thickness; // in slabs
+    double eye = (eye_place(volume) - volume.first) / thickness; // in slabs
     if (frame_->camera.parallel) eye = glm::dot(normal, glm::dvec3(back[2])) > 0 ? 1e9 : -1e9;
     const auto below = static_cast<std::size_t>(std::clamp(std::floor(eye), 0.0, static_cast<double>(slabs)));
     std::vector<std::size_t> order;

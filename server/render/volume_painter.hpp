@@ -45,6 +45,7 @@ private:
     void put_on_picture(const Volume& volume, Target& target) const;
     [[nodiscard]] std::vector<std::size_t> back_to_front(const Volume& volume, std::size_t slabs) const;
     [[nodiscard]] glm::vec2 parallel_depths() const; // nearest and span; zero for a perspective
+    [[nodiscard]] double eye_place(const Volume& volume) const; // across the slabs
     [[nodiscard]] VolumeBuffers& buffers_of(std::size_t slot);
     const VolumeProgram& slice_program(const SlabProgramKind& kind);
     const VolumeProgram& edge_program(const SlabProgramKind& kind);

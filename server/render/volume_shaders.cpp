@@ -1,11 +1,13 @@
 // Which piece of a ray is drawn by whom. The middle planes of the slabs cut the mesh into slices; a ray meets them, and
 // enters and leaves the mesh through boundary faces, at any place between. Of what a ray has inside the mesh,
-//   a slice has the part within its slab that contains the slice itself: from the slab's front, or the last entry, to
-//     the slab's back, or the next exit, or the opaque surface in front of it;
-//   a front face has the part within its slab that begins on it, unless there is a slice in that part;
-//   a back face has the part within its slab that ends on it, if that begins with the slab, and has no slice.
-// So every part belongs to one fragment, which knows the property and its gradient somewhere on it. An opaque surface
-// has no property: what ends on it, between a slab's front and its slice, belongs to the fragment before.
+//   a slice has the piece within its slab that contains it: from the slab's front or the last entry to the slab's back
+//     or the next exit;
+//   a front face has the piece within its slab that begins on it, unless there is a slice in that;
+//   a back face has the piece within its slab that ends on it, if that begins with the slab, unless there is a slice.
+// So every piece belongs to one fragment, which knows the property and its gradient at some place of it. Where an entry
+// or exit is all but on the slice, rounding decides which pixels the slice covers: there it leaves its piece to the face.
+// An opaque surface has no property: a piece that ends on it before the slice belongs to the fragment of the slab in
+// front. So does the piece from an eye inside the mesh to the first slice belong to the fragment of the slab behind.
 #include "render/volume_shaders.hpp"
 
 #include "render/shaders.hpp"
@@ -92,10 +94,6 @@ layout(location = 3) in vec2 limits;
 uniform mat4 transform;
 uniform mat4 view;
 uniform vec2 to_share;
-#ifdef EDGE
-uniform vec3 normal;
-out float place;
-#endif
 out float middle;
 out vec3 slope;
 flat out vec2 bounds;
@@ -106,9 +104,6 @@ void main() {
     slope = mat3(view) * gradient * to_share.x;
     vec2 ends = limits * to_share.x + to_share.y;
     bounds = clamp(vec2(min(ends.x, ends.y), max(ends.x, ends.y)), 0.0, 1.0);
-#ifdef EDGE
-    place = dot(normal, position);
-#endif
 }
 )";
 
@@ -117,7 +112,11 @@ uniform sampler2D limits;
 uniform sampler2D table;
 uniform vec2 ray_corner; // sideways per depth at the picture's corner
 uniform vec2 ray_step;   // and per pixel
+uniform vec2 side_corner; // where a parallel ray starts
+uniform vec2 side_step;
 uniform vec3 eye_normal; // of the slabs
+uniform float eye_place; // across the slabs
+uniform float slice_place;
 uniform float half_slab;
 uniform float unit_length;
 uniform float steepness;
@@ -126,6 +125,18 @@ in vec3 slope;
 flat in vec2 bounds;
 out vec4 picture;
 const float never = 1e30;
+
+struct Ray {
+    vec3 along;   // per depth
+    float across; // how far across the slabs it gets per depth
+    float start;  // its place across the slabs at depth 0
+};
+Ray ray_here() {
+    vec3 along = vec3(ray_corner + ray_step * gl_FragCoord.xy, -1.0);
+    float across = dot(eye_normal, along);
+    if (abs(across) < 1e-9) across = 1e-9;
+    return Ray(along, across, eye_place + dot(eye_normal.xy, side_corner + side_step * gl_FragCoord.xy));
+}
 
 // The light of the piece of a ray between two depths, the property known at `t` between or near them.
 vec4 light(vec3 along, float t, float from, float to) {
@@ -152,50 +163,67 @@ vec4 light(vec3 along, float t, float from, float to) {
 }
 )";
 
+constexpr const char* ownership = R"(
+bool yields(float slice, vec2 part, float half_depth) {
+    float margin = 0.3 * half_depth;
+    return slice - part.x < margin || part.y - slice < margin || slice <= 0.0;
+}
+// The front of the slab, or the eye.
+float front(float slice, vec2 part, float half_depth) {
+    return part.x < 0.0 && slice < 2.0 * half_depth ? 0.0 : max(slice - half_depth, 0.0);
+}
+float back(float slice, float next, vec2 part, float half_depth, float sight) {
+    return min(part.y, sight < next ? sight : slice + half_depth);
+}
+)";
+
 constexpr const char* slice_fragment = R"(
 void main() {
-    float t = fragment_depth();
-    vec3 along = vec3(ray_corner + ray_step * gl_FragCoord.xy, -1.0);
-    float half_depth = half_slab / max(abs(dot(eye_normal, along)), 1e-9);
+    Ray ray = ray_here();
+    // From the plane: the depths of thin triangles are as coarse as the rasteriser's corners.
+    float t = (slice_place - ray.start) / ray.across;
+    float half_depth = half_slab / abs(ray.across);
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     vec4 first = texelFetch(limits, pixel, 0);
     vec2 part = first.xy;
     LATER_PARTS
-    float from = max(max(t - half_depth, part.x), 0.0);
-    float to = min(part.y, first.z < t + 2.0 * half_depth ? first.z : t + half_depth);
-    picture = t > first.z ? vec4(0.0) : light(along, t, from, to);
+    float from = max(front(t, part, half_depth), part.x);
+    float to = back(t, t + 2.0 * half_depth, part, half_depth, first.z);
+    picture = t > first.z || yields(t, part, half_depth) ? vec4(0.0) : light(ray.along, t, from, to);
 }
 )";
 
 constexpr const char* edge_fragment = R"(
 uniform float first_place;
-uniform float thickness;
 uniform float slab;
 uniform float last_slab;
-in float place;
+bool is_in_slab(Ray ray, float t) {
+    return clamp(floor((ray.start + ray.across * t - first_place) / (2.0 * half_slab)), 0.0, last_slab) == slab;
+}
 void main() {
-    if (clamp(floor((place - first_place) / thickness), 0.0, last_slab) != slab) discard;
+    Ray ray = ray_here();
     float t = fragment_depth();
-    vec3 along = vec3(ray_corner + ray_step * gl_FragCoord.xy, -1.0);
-    float across = dot(eye_normal, along);
-    if (abs(across) < 1e-9) across = 1e-9;
-    float slice = t + (first_place + (slab + 0.5) * thickness - place) / across;
-    float half_depth = half_slab / abs(across);
+    if (!is_in_slab(ray, t)) discard;
+    float slice = (slice_place - ray.start) / ray.across;
+    float half_depth = half_slab / abs(ray.across);
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     vec4 first = texelFetch(limits, pixel, 0);
     vec2 part = first.xy;
     LATER_PARTS
-    float from = 0.0, to = 0.0;
+    float from = t, to = t;
     if (gl_FrontFacing) {
+        part.x = t;
         float next = t < slice ? slice : slice + 2.0 * half_depth;
-        bool sliced = slice > t && slice < min(part.y, first.z);
-        from = t;
-        to = sliced ? t : min(part.y, first.z < next ? first.z : slice + half_depth);
+        if (t < first.z && (first.z < slice || yields(slice, part, half_depth)))
+            to = back(slice, next, part, half_depth, first.z);
     } else {
-        from = max(slice - half_depth, 0.0);
-        to = slice < t || part.x > from || first.z < t ? from : t;
+        part.y = t;
+        float begin = front(slice, part, half_depth);
+        bool begins_here = part.x >= 0.0 && is_in_slab(ray, part.x); // then that belongs to the entry
+        if (first.z >= slice && !begins_here && yields(slice, part, half_depth)) from = begin;
+        to = min(t, first.z);
     }
-    picture = t > first.z && gl_FrontFacing ? vec4(0.0) : light(along, t, from, to);
+    picture = light(ray.along, t, from, to);
 }
 )";
 
@@ -229,8 +257,8 @@ out vec4 picture;
 void main() { picture = texture(volume, gl_FragCoord.xy / viewport) * opacity; }
 )";
 
-std::string slab_defines(bool edge, bool shaded, int rows) {
-    return std::string(version) + (edge ? "#define EDGE\n" : "") + (shaded ? "#define SHADED\n" : "") + "#define ROWS " +
+std::string slab_defines(bool shaded, int rows) {
+    return std::string(version) + (shaded ? "#define SHADED\n" : "") + "#define ROWS " +
            std::to_string(rows) + ".0\n";
 }
 
@@ -239,9 +267,9 @@ VolumeProgram linked(const Gl& gl, const std::string& vertex, const std::string&
 }
 
 VolumeProgram make_slab_program(const Gl& gl, bool edge, const SlabProgramKind& kind) {
-    const std::string defines = slab_defines(edge, kind.shaded, kind.table_rows);
+    const std::string defines = slab_defines(kind.shaded, kind.table_rows);
     return linked(gl, defines + slab_vertex,
-                  defines + depth + ray + with_parts(edge ? edge_fragment : slice_fragment, kind.parts, edge));
+                  defines + depth + ray + ownership + with_parts(edge ? edge_fragment : slice_fragment, kind.parts, edge));
 }
 
 } // namespace
