@@ -25,6 +25,7 @@ namespace ciel::render {
     X(CheckFramebufferStatus, PFNGLCHECKFRAMEBUFFERSTATUSPROC)                                                         \
     X(Clear, PFNGLCLEARPROC)                                                                                           \
     X(ClearColor, PFNGLCLEARCOLORPROC)                                                                                 \
+    X(ClearDepth, PFNGLCLEARDEPTHPROC)                                                                                 \
     X(ColorMask, PFNGLCOLORMASKPROC)                                                                                   \
     X(CompileShader, PFNGLCOMPILESHADERPROC)                                                                           \
     X(CreateProgram, PFNGLCREATEPROGRAMPROC)                                                                           \

@@ -39,8 +39,7 @@ Painter::Painter(const Gl& gl)
       is_software_(renderer_name_.find("llvmpipe") != std::string::npos ||
                    renderer_name_.find("softpipe") != std::string::npos),
       background_(make_background_program(gl_)), triangles_(make_triangle_program(gl_)), lines_(make_line_program(gl_)),
-      color_maps_(make_color_maps(gl_)), target_(gl_), transparent_(gl_),
-      volumes_(gl_) {
+      color_maps_(make_color_maps(gl_)), target_(gl_), transparent_(gl_), peeling_(gl_), volumes_(gl_) {
     gl_.GenVertexArrays(1, &no_array_);
     gl_.DepthFunc(GL_LEQUAL);
     gl_.BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
@@ -53,12 +52,13 @@ void Painter::draw(const Frame& frame, Image& image) {
     target_.begin(frame.width, frame.height, frame.samples);
     draw_background(frame);
     draw_meshes(frame, false);
-    const auto is_opaque = [](const Mesh& mesh) { return !mesh.lines && !is_transparent(mesh) && !mesh.indices.empty(); };
+    const auto is_opaque = [](const Mesh& mesh) {
+        return !mesh.lines && !is_transparent(mesh) && !mesh.indices.empty();
+    };
     if (!frame.volumes.empty() && std::ranges::any_of(frame.meshes, is_opaque))
         volumes_.keep_depth(target_, frame.width, frame.height);
     gl_.Enable(GL_BLEND);
     draw_meshes(frame, true);
-    if (!frame.volumes.empty()) draw_volumes(frame);
     draw_transparent(frame);
     gl_.Disable(GL_BLEND);
     target_.read_color(image);
@@ -143,12 +143,31 @@ void Painter::draw_transparent(const Frame& frame) {
     for (const Mesh& mesh : frame.meshes)
         if (is_transparent(mesh) && mesh.color[3] > 0) transparent_.add(mesh);
     transparent_depth_drawn_ = transparent_.is_empty();
-    if (transparent_.is_empty()) return;
+    if (transparent_.is_empty()) {
+        if (!frame.volumes.empty()) draw_volumes(frame);
+        return;
+    }
     transparent_.sort_and_upload();
+    if (frame.samples > 1 || !frame.volumes.empty()) return peel_transparent(frame);
     use(triangles_, frame);
     gl_.DepthMask(GL_FALSE);
     transparent_.draw();
     gl_.DepthMask(GL_TRUE);
+}
+
+// For stills, because triangles that are sorted by their centres show where they cross or enclose each other; and where
+// surfaces are inside volumes.
+void Painter::peel_transparent(const Frame& frame) {
+    DepthPeeling::Scene layers{frame.width, frame.height, frame.samples, {}, {}};
+    layers.draw_surfaces = [&] {
+        use(peeling_.program(), frame);
+        gl_.Uniform1i(peeling_.program().nearer, 1);
+        transparent_.draw();
+    };
+    if (!frame.volumes.empty())
+        layers.volumes = [&](GLuint depth) { return volumes_.picture_until(frame, transform_, depth); };
+    peeling_.draw(layers, target_);
+    if (!frame.volumes.empty()) draw_meshes(frame, true, true);
 }
 
 bool Painter::pick(int x, int y, Vec3d& position) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "render/camera.hpp"
+#include "render/depth_peeling.hpp"
 #include "render/mesh_buffers.hpp"
 #include "render/shaders.hpp"
 #include "render/target.hpp"
@@ -28,6 +29,7 @@ private:
     void draw_meshes(const Frame& frame, bool lines, bool before_volume = false);
     void draw_volumes(const Frame& frame);
     void draw_transparent(const Frame& frame);
+    void peel_transparent(const Frame& frame);
     void use(const Program& program, const Frame& frame);
     [[nodiscard]] MeshBuffers& buffers(std::size_t slot);
 
@@ -39,6 +41,7 @@ private:
     Target target_;
     std::list<MeshBuffers> buffers_; // one per mesh of the largest frame so far
     TransparentTriangles transparent_;
+    DepthPeeling peeling_;
     VolumePainter volumes_;
     ViewTransform transform_;
     Vec3d origin_{};

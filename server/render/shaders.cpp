@@ -9,13 +9,6 @@
 namespace ciel::render {
 namespace {
 
-constexpr const char* background_vertex = R"(#version 330 core
-void main() { // one triangle that covers the picture
-    vec2 corner = vec2((gl_VertexID << 1) & 2, gl_VertexID & 2);
-    gl_Position = vec4(corner * 2.0 - 1.0, 0.0, 1.0);
-}
-)";
-
 constexpr const char* background_fragment = R"(#version 330 core
 uniform vec3 top;
 uniform vec3 bottom;
@@ -73,6 +66,9 @@ in Surface {
     flat vec2 style;
 } surface;
 out vec4 picture;
+#ifdef PEELED
+uniform sampler2D nearer;
+#endif
 
 vec3 facing_normal(vec3 viewer) {
     vec3 plane = cross(dFdx(surface.place), dFdy(surface.place));
@@ -85,6 +81,9 @@ vec3 facing_normal(vec3 viewer) {
 }
 
 void main() {
+#ifdef PEELED
+    if (gl_FragCoord.z <= texelFetch(nearer, ivec2(gl_FragCoord.xy), 0).r) discard;
+#endif
     vec3 base = base_color(surface.value, surface.color.rgb, surface.style.x);
     if (surface.style.y > 0.5) {
         vec3 viewer = mix(normalize(-surface.place), vec3(0.0, 0.0, 1.0), parallel);
@@ -207,14 +206,24 @@ Program link(const Gl& gl, const std::vector<Stage>& stages) {
     program.top = uniform("top");
     program.before_volume = uniform("before_volume");
     program.volume_limits = uniform("volume_limits");
+    program.nearer = uniform("nearer");
     program.bottom = uniform("bottom");
     program.height = uniform("height");
     return program;
 }
 
-std::string with_color_map(const char* body) { return std::string("#version 330 core\n") + mapped_color + body; }
+std::string with_color_map(const char* body, const char* defines = "") {
+    return std::string("#version 330 core\n") + defines + mapped_color + body;
+}
 
 } // namespace
+
+const char* const cover_vertex = R"(#version 330 core
+void main() {
+    vec2 corner = vec2((gl_VertexID << 1) & 2, gl_VertexID & 2);
+    gl_Position = vec4(corner * 2.0 - 1.0, 0.0, 1.0);
+}
+)";
 
 GLuint link_stages(const Gl& gl, const std::vector<Stage>& stages) {
     const GLuint program = gl.CreateProgram();
@@ -231,11 +240,16 @@ GLuint link_stages(const Gl& gl, const std::vector<Stage>& stages) {
 }
 
 Program make_background_program(const Gl& gl) {
-    return link(gl, {{GL_VERTEX_SHADER, background_vertex}, {GL_FRAGMENT_SHADER, background_fragment}});
+    return link(gl, {{GL_VERTEX_SHADER, cover_vertex}, {GL_FRAGMENT_SHADER, background_fragment}});
 }
 
 Program make_triangle_program(const Gl& gl) {
     return link(gl, {{GL_VERTEX_SHADER, surface_vertex}, {GL_FRAGMENT_SHADER, with_color_map(triangle_fragment)}});
+}
+
+Program make_peeling_program(const Gl& gl) {
+    return link(gl, {{GL_VERTEX_SHADER, surface_vertex},
+                     {GL_FRAGMENT_SHADER, with_color_map(triangle_fragment, "#define PEELED\n")}});
 }
 
 Program make_line_program(const Gl& gl) {

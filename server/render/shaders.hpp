@@ -24,8 +24,12 @@ struct Program {
     GLuint id = 0;
     GLint view = -1, projection = -1, scale = -1, parallel = -1, maps = -1, map_rows = -1; // triangles and lines
     GLint viewport = -1, half_width = -1, before_volume = -1, volume_limits = -1;          // lines
+    GLint nearer = -1;                                                                     // triangles that are peeled
     GLint top = -1, bottom = -1, height = -1;                                              // background
 };
+
+// One triangle that covers the picture.
+extern const char* const cover_vertex;
 
 using Stage = std::pair<GLenum, std::string>; // kind and source of a shader
 // Throws Error with the compiler's words.
@@ -34,6 +38,8 @@ using Stage = std::pair<GLenum, std::string>; // kind and source of a shader
 // Each throws Error with the compiler's words.
 [[nodiscard]] Program make_background_program(const Gl& gl);
 [[nodiscard]] Program make_triangle_program(const Gl& gl);
+// Triangles again, but only what lies behind a depth (depth_peeling.hpp).
+[[nodiscard]] Program make_peeling_program(const Gl& gl);
 [[nodiscard]] Program make_line_program(const Gl& gl);
 
 } // namespace ciel::render

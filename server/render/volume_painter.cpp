@@ -40,7 +40,7 @@ std::string key_of(const Volume& volume) {
 VolumePainter::VolumePainter(const Gl& gl)
     : gl_(gl), first_part_(make_part_program(gl, true)), next_part_(make_part_program(gl, false)),
       limits_program_(make_limits_program(gl)), picture_program_(make_volume_picture_program(gl)),
-      limits_(make_sheet()), picture_(make_sheet()), depth_(make_sheet()) {
+      limits_(make_sheet()), picture_(make_sheet()), depth_(make_sheet()), together_(make_sheet()) {
     for (Sheet& part : parts_) part = make_sheet();
     gl_.GenQueries(1, &query_);
     gl_.GenVertexArrays(1, &no_array_);
@@ -85,8 +85,26 @@ void VolumePainter::keep_depth(Target& target, int width, int height) {
 }
 
 void VolumePainter::draw(const Frame& frame, const ViewTransform& transform, Target& target) {
+    draw_each(frame, transform, has_depth_ ? depth_.texture : 0, [&target] { target.bind_again(); });
+    has_depth_ = false;
+}
+
+GLuint VolumePainter::picture_until(const Frame& frame, const ViewTransform& transform, GLuint depth) {
+    size(together_, GL_RGBA32F, frame.width, frame.height);
+    begin(together_);
+    gl_.ClearColor(0, 0, 0, 0);
+    gl_.Clear(GL_COLOR_BUFFER_BIT);
+    const bool all = depth == 0;
+    draw_each(frame, transform, all && has_depth_ ? depth_.texture : depth, [this] { begin(together_); });
+    if (all) has_depth_ = false;
+    return together_.texture;
+}
+
+void VolumePainter::draw_each(const Frame& frame, const ViewTransform& transform, GLuint depth,
+                              const std::function<void()>& bind_picture) {
     frame_ = &frame;
     transform_ = &transform;
+    opaque_ = depth;
     gl_.Disable(GL_DEPTH_TEST);
     gl_.ProvokingVertex(GL_FIRST_VERTEX_CONVENTION);
     for (std::size_t i = 0; i < frame.volumes.size(); ++i) {
@@ -94,12 +112,12 @@ void VolumePainter::draw(const Frame& frame, const ViewTransform& transform, Tar
         width_ = std::max(1, frame.width / std::max(1, volume.coarseness));
         height_ = std::max(1, frame.height / std::max(1, volume.coarseness));
         draw_volume(volume, i);
-        put_on_picture(volume, target);
+        bind_picture();
+        put_on_picture(volume);
     }
     gl_.ProvokingVertex(GL_LAST_VERTEX_CONVENTION);
     gl_.BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
     gl_.Enable(GL_DEPTH_TEST);
-    has_depth_ = false;
 }
 
 void VolumePainter::draw_volume(const Volume& volume, std::size_t slot) {
@@ -166,11 +184,11 @@ void VolumePainter::find_limits() {
     size(limits_, GL_RGBA32F, width_, height_);
     begin(limits_);
     bind(gl_, first_part_unit, parts_[0].texture);
-    bind(gl_, opaque_unit, depth_.texture);
+    bind(gl_, opaque_unit, opaque_);
     limits_program_.use();
     limits_program_.set("first_part", int{first_part_unit});
     limits_program_.set("opaque", int{opaque_unit});
-    limits_program_.set("has_opaque", has_depth_ ? 1.0F : 0.0F);
+    limits_program_.set("has_opaque", opaque_ != 0 ? 1.0F : 0.0F);
     limits_program_.set("viewport", glm::vec2(width_, height_));
     limits_program_.set("depth_row", glm::vec2(transform_->projection[2][2], transform_->projection[3][2]));
     limits_program_.set("parallel", frame_->camera.parallel ? 1.0F : 0.0F);
@@ -291,8 +309,7 @@ const VolumeProgram& VolumePainter::edge_program(const SlabProgramKind& kind) {
                                          : edge_programs_.emplace(kind, make_edge_program(gl_, kind)).first->second;
 }
 
-void VolumePainter::put_on_picture(const Volume& volume, Target& target) const {
-    target.bind_again();
+void VolumePainter::put_on_picture(const Volume& volume) const {
     gl_.ActiveTexture(GL_TEXTURE0);
     gl_.BindTexture(GL_TEXTURE_2D, picture_.texture);
     filter(gl_, volume.coarseness > 1 ? GL_LINEAR : GL_NEAREST);

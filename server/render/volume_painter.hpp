@@ -7,6 +7,7 @@
 #include "render/volume_buffers.hpp"
 #include "render/volume_shaders.hpp"
 
+#include <functional>
 #include <list>
 #include <map>
 
@@ -23,6 +24,9 @@ public:
     void keep_depth(Target& target, int width, int height);
     // Leaves the target bound, depth test and blending as they were: on.
     void draw(const Frame& frame, const ViewTransform& transform, Target& target);
+    // All volumes in front of a depth texture, or for 0 as far as draw() shows them, premultiplied, on nothing; good
+    // until the next call. Leaves another framebuffer and viewport bound, depth test and blending on.
+    [[nodiscard]] GLuint picture_until(const Frame& frame, const ViewTransform& transform, GLuint depth);
     // RGBA32F; A: the window's depth where the last volume begins.
     [[nodiscard]] GLuint limits() const { return limits_.texture; }
 
@@ -35,6 +39,8 @@ private:
     void size(Sheet& sheet, GLint format, int width, int height) const;
     void begin(const Sheet& sheet) const;
 
+    void draw_each(const Frame& frame, const ViewTransform& transform, GLuint depth,
+                   const std::function<void()>& bind_picture);
     void draw_volume(const Volume& volume, std::size_t slot);
     int find_parts(const VolumeBuffers& buffers);
     bool find_next_part(const VolumeBuffers& buffers, int part);
@@ -42,9 +48,9 @@ private:
     void load_table(const Volume& volume, std::size_t slot);
     void draw_slabs(const Volume& volume, const VolumeBuffers& buffers, int parts);
     void set_ray(const VolumeProgram& program, const Volume& volume, double thickness, int parts) const;
-    void put_on_picture(const Volume& volume, Target& target) const;
+    void put_on_picture(const Volume& volume) const;
     [[nodiscard]] std::vector<std::size_t> back_to_front(const Volume& volume, std::size_t slabs) const;
-    [[nodiscard]] glm::vec2 parallel_depths() const; // nearest and span; zero for a perspective
+    [[nodiscard]] glm::vec2 parallel_depths() const;            // nearest and span; zero for a perspective
     [[nodiscard]] double eye_place(const Volume& volume) const; // across the slabs
     [[nodiscard]] VolumeBuffers& buffers_of(std::size_t slot);
     const VolumeProgram& slice_program(const SlabProgramKind& kind);
@@ -58,7 +64,7 @@ private:
     const Gl& gl_;
     VolumeProgram first_part_, next_part_, limits_program_, picture_program_;
     std::map<SlabProgramKind, VolumeProgram> slice_programs_, edge_programs_;
-    Sheet parts_[most_ray_parts], limits_, picture_, depth_;
+    Sheet parts_[most_ray_parts], limits_, picture_, depth_, together_;
     GLuint query_ = 0, no_array_ = 0;
     bool has_depth_ = false;
     std::list<VolumeBuffers> buffers_; // one per volume of the largest frame so far
@@ -67,6 +73,7 @@ private:
     // Of the frame being drawn.
     const Frame* frame_ = nullptr;
     const ViewTransform* transform_ = nullptr;
+    GLuint opaque_ = 0;          // depth that volumes end on, or 0
     int width_ = 0, height_ = 0; // of the volume's sheets
 };
 

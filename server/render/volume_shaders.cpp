@@ -5,9 +5,9 @@
 //   a front face has the piece within its slab that begins on it, unless there is a slice in that;
 //   a back face has the piece within its slab that ends on it, if that begins with the slab, unless there is a slice.
 // So every piece belongs to one fragment, which knows the property and its gradient at some place of it. Where an entry
-// or exit is all but on the slice, rounding decides which pixels the slice covers: there it leaves its piece to the face.
-// An opaque surface has no property: a piece that ends on it before the slice belongs to the fragment of the slab in
-// front. So does the piece from an eye inside the mesh to the first slice belong to the fragment of the slab behind.
+// or exit is all but on the slice, rounding decides which pixels the slice covers: there it leaves its piece to the
+// face. An opaque surface has no property: a piece that ends on it before the slice belongs to the fragment of the slab
+// in front. So does the piece from an eye inside the mesh to the first slice belong to the fragment of the slab behind.
 #include "render/volume_shaders.hpp"
 
 #include "render/shaders.hpp"
@@ -233,11 +233,11 @@ std::string later_parts(int parts, bool edge) {
     for (int i = 1; i < parts; ++i) {
         const std::string next = "texelFetch(part_" + std::to_string(i) + ", pixel, 0).xy";
         text += "{ vec2 next = " + next + ";\n";
-        text += edge ? "if (gl_FrontFacing ? abs(next.x - t) < abs(part.x - t) : abs(next.y - t) < abs(part.y - t)) part = next; }\n"
+        text += edge ? "if (gl_FrontFacing ? abs(next.x - t) < abs(part.x - t) : abs(next.y - t) < abs(part.y - t)) "
+                       "part = next; }\n"
                      : "if (t > 0.5 * (part.y + next.x)) part = next; }\n";
     }
-    if (parts == most_ray_parts && !edge)
-        text += "if (t > part.y + half_depth) part = vec2(-never, never);\n";
+    if (parts == most_ray_parts && !edge) text += "if (t > part.y + half_depth) part = vec2(-never, never);\n";
     return text;
 }
 
@@ -258,8 +258,7 @@ void main() { picture = texture(volume, gl_FragCoord.xy / viewport) * opacity; }
 )";
 
 std::string slab_defines(bool shaded, int rows) {
-    return std::string(version) + (shaded ? "#define SHADED\n" : "") + "#define ROWS " +
-           std::to_string(rows) + ".0\n";
+    return std::string(version) + (shaded ? "#define SHADED\n" : "") + "#define ROWS " + std::to_string(rows) + ".0\n";
 }
 
 VolumeProgram linked(const Gl& gl, const std::string& vertex, const std::string& fragment) {
@@ -269,7 +268,8 @@ VolumeProgram linked(const Gl& gl, const std::string& vertex, const std::string&
 VolumeProgram make_slab_program(const Gl& gl, bool edge, const SlabProgramKind& kind) {
     const std::string defines = slab_defines(kind.shaded, kind.table_rows);
     return linked(gl, defines + slab_vertex,
-                  defines + depth + ray + ownership + with_parts(edge ? edge_fragment : slice_fragment, kind.parts, edge));
+                  defines + depth + ray + ownership +
+                      with_parts(edge ? edge_fragment : slice_fragment, kind.parts, edge));
 }
 
 } // namespace
@@ -283,7 +283,9 @@ VolumeProgram make_limits_program(const Gl& gl) {
     return linked(gl, std::string(version) + whole_vertex, std::string(version) + limits_fragment);
 }
 
-VolumeProgram make_slice_program(const Gl& gl, const SlabProgramKind& kind) { return make_slab_program(gl, false, kind); }
+VolumeProgram make_slice_program(const Gl& gl, const SlabProgramKind& kind) {
+    return make_slab_program(gl, false, kind);
+}
 VolumeProgram make_edge_program(const Gl& gl, const SlabProgramKind& kind) { return make_slab_program(gl, true, kind); }
 
 VolumeProgram make_volume_picture_program(const Gl& gl) {
