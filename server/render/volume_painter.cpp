@@ -219,7 +219,7 @@ void VolumePainter::set_ray(const VolumeProgram& program, const Volume& volume, 
     program.set("eye_normal", glm::vec3(glm::dmat3(transform_->view) * vector_of(volume.normal)));
     program.set("eye_place", static_cast<float>(eye_place(volume)));
     program.set("half_slab", static_cast<float>(thickness / 2));
-    program.set("unit_length", static_cast<float>(volume.unit_length));
+    program.set("density", static_cast<float>(1 / volume.unit_length));
     // Where the property changes by less than a third of its range along the whole mesh there is no surface to light.
     program.set("steepness", static_cast<float>(0.1 * transform_->scale * transform_->scale));
     program.set("limits", int{limits_unit});

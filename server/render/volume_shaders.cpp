@@ -118,7 +118,7 @@ uniform vec3 eye_normal; // of the slabs
 uniform float eye_place; // across the slabs
 uniform float slice_place;
 uniform float half_slab;
-uniform float unit_length;
+uniform float density; // 1 / unit length
 uniform float steepness;
 in float middle;
 in vec3 slope;
@@ -127,15 +127,22 @@ out vec4 picture;
 const float never = 1e30;
 
 struct Ray {
-    vec3 along;   // per depth
-    float across; // how far across the slabs it gets per depth
-    float start;  // its place across the slabs at depth 0
+    vec3 along;       // per depth
+    float across;     // how far across the slabs it gets per depth
+    float start;      // its place across the slabs at depth 0
+    float slice;      // depth of the slice
+    float half_depth; // of the slab
 };
 Ray ray_here() {
-    vec3 along = vec3(ray_corner + ray_step * gl_FragCoord.xy, -1.0);
-    float across = dot(eye_normal, along);
-    if (abs(across) < 1e-9) across = 1e-9;
-    return Ray(along, across, eye_place + dot(eye_normal.xy, side_corner + side_step * gl_FragCoord.xy));
+    Ray ray;
+    ray.along = vec3(ray_corner + ray_step * gl_FragCoord.xy, -1.0);
+    ray.across = dot(eye_normal, ray.along);
+    if (abs(ray.across) < 1e-9) ray.across = 1e-9;
+    ray.start = eye_place + dot(eye_normal.xy, side_corner + side_step * gl_FragCoord.xy);
+    float depth_per_place = 1.0 / ray.across;
+    ray.slice = (slice_place - ray.start) * depth_per_place;
+    ray.half_depth = half_slab * abs(depth_per_place);
+    return ray;
 }
 
 // The light of the piece of a ray between two depths, the property known at `t` between or near them.
@@ -145,7 +152,7 @@ vec4 light(vec3 along, float t, float from, float to) {
     float b = clamp(middle + rise * (to - t), bounds.x, bounds.y);
     vec4 mean = texture(table, vec2(0.5 * (a + b), (abs(b - a) * (ROWS - 1.0) + 0.5) / ROWS));
     float ahead = dot(along, along);
-    float loss = mean.a * max(to - from, 0.0) * sqrt(ahead) / unit_length;
+    float loss = mean.a * max(to - from, 0.0) * (sqrt(ahead) * density);
     // exp alone has too few digits where thin slabs add up.
     float opacity = loss < 0.25 ? loss * (1.0 - loss * (0.5 - loss * (1.0 / 6.0 - loss * (1.0 / 24.0))))
                                 : 1.0 - exp(-loss);
@@ -181,8 +188,8 @@ constexpr const char* slice_fragment = R"(
 void main() {
     Ray ray = ray_here();
     // From the plane: the depths of thin triangles are as coarse as the rasteriser's corners.
-    float t = (slice_place - ray.start) / ray.across;
-    float half_depth = half_slab / abs(ray.across);
+    float t = ray.slice;
+    float half_depth = ray.half_depth;
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     vec4 first = texelFetch(limits, pixel, 0);
     vec2 part = first.xy;
@@ -204,8 +211,8 @@ void main() {
     Ray ray = ray_here();
     float t = fragment_depth();
     if (!is_in_slab(ray, t)) discard;
-    float slice = (slice_place - ray.start) / ray.across;
-    float half_depth = half_slab / abs(ray.across);
+    float slice = ray.slice;
+    float half_depth = ray.half_depth;
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     vec4 first = texelFetch(limits, pixel, 0);
     vec2 part = first.xy;
