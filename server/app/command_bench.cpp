@@ -104,7 +104,8 @@ int run_command(const BenchCommand& command) {
 } // namespace
 
 void add_bench(CLI::App& app, Run& run) {
-    CLI::App* command = app.add_subcommand("bench", "Measure memory, preprocessing, slices, surfaces and volumes of a dataset");
+    CLI::App* command =
+        app.add_subcommand("bench", "Measure memory, preprocessing, slices, surfaces and volumes of a dataset");
     command->footer(
         "Medians with quartiles; CPU time counts all threads. Compare figures of one run, on a machine that "
         "does nothing else.");
@@ -113,8 +114,9 @@ void add_bench(CLI::App& app, Run& run) {
     command->add_option("--array", bench->array, "A scalar on the points; the first that varies without it.")
         ->type_name("ARRAY");
     command
-        ->add_option("--table", bench->tables,
-                     "memory, preprocessing, slices, surfaces or volume; may be given more than once. All of them without it.")
+        ->add_option(
+            "--table", bench->tables,
+            "memory, preprocessing, slices, surfaces or volume; may be given more than once. All of them without it.")
         ->check(CLI::IsMember({"memory", "preprocessing", "slices", "surfaces", "volume"}))
         ->type_name("TABLE");
     command->add_option("--threads", bench->threads, "How many threads; all of the machine's without it.")

@@ -83,7 +83,8 @@ void color_layers(const RenderCommand& render, nlohmann::json& layers) {
         if (!color.contains("array") && layer["type"] == "iso") color["array"] = layer["array"];
         layer["color"] = std::move(color);
     }
-    if (!any && render.colors()) throw UsageError("nothing has colours of an array; give --iso, --slice, --plane or --volume");
+    if (!any && render.colors())
+        throw UsageError("nothing has colours of an array; give --iso, --slice, --plane or --volume");
 }
 
 nlohmann::json document_of_options(const RenderCommand& render, const store::Dataset& dataset) {

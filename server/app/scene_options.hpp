@@ -16,7 +16,7 @@ class App;
 namespace ciel::app {
 
 struct SceneOptions {
-    std::string dataset; // path of NAME.ciel
+    std::string dataset;                                    // path of NAME.ciel
     std::vector<std::string> isos, slices, planes, volumes; // volumes: of `ciel render` alone
     std::optional<double> time;
     std::string decider = "isolate-high";

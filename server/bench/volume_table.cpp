@@ -35,8 +35,8 @@ public:
 
     std::uint64_t cut() {
         const Vec3d normal{0, 1, 0};
-        const Field planes = field_of(data_, std::make_shared<const std::vector<float>>(
-                                                 plane_distance(data_.mesh, data_.mesh.origin, normal)));
+        const Field planes = field_of(
+            data_, std::make_shared<const std::vector<float>>(plane_distance(data_.mesh, data_.mesh.origin, normal)));
         volume_.normal = normal;
         volume_.first = planes.range()[0];
         volume_.thickness = (double{planes.range()[1]} - planes.range()[0]) / slice_count;

@@ -32,6 +32,8 @@ std::string text_of(const Gl& gl, GLenum name) {
 
 bool is_transparent(const Mesh& mesh) { return !mesh.lines && mesh.color[3] < 1; }
 
+bool is_opaque(const Mesh& mesh) { return !mesh.lines && !is_transparent(mesh) && !mesh.indices.empty(); }
+
 } // namespace
 
 Painter::Painter(const Gl& gl)
@@ -39,8 +41,7 @@ Painter::Painter(const Gl& gl)
       is_software_(renderer_name_.find("llvmpipe") != std::string::npos ||
                    renderer_name_.find("softpipe") != std::string::npos),
       background_(make_background_program(gl_)), triangles_(make_triangle_program(gl_)), lines_(make_line_program(gl_)),
-      color_maps_(make_color_maps(gl_)), target_(gl_), transparent_(gl_),
-      volumes_(gl_) {
+      color_maps_(make_color_maps(gl_)), target_(gl_), transparent_(gl_), volumes_(gl_) {
     gl_.GenVertexArrays(1, &no_array_);
     gl_.DepthFunc(GL_LEQUAL);
     gl_.BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
@@ -53,9 +54,7 @@ void Painter::draw(const Frame& frame, Image& image) {
     target_.begin(frame.width, frame.height, frame.samples);
     draw_background(frame);
     draw_meshes(frame, false);
-    const auto is_opaque = [](const Mesh& mesh) { return !mesh.lines && !is_transparent(mesh) && !mesh.indices.empty(); };
-    if (!frame.volumes.empty() && std::ranges::any_of(frame.meshes, is_opaque))
-        volumes_.keep_depth(target_, frame.width, frame.height);
+    if (!frame.volumes.empty()) keep_opaque_depth(frame);
     gl_.Enable(GL_BLEND);
     draw_meshes(frame, true);
     if (!frame.volumes.empty()) draw_volumes(frame);
@@ -128,6 +127,19 @@ void Painter::draw_meshes(const Frame& frame, bool lines, bool before_volume) {
         slot.draw();
     }
     gl_.Disable(GL_POLYGON_OFFSET_FILL);
+}
+
+// Drawn again rather than copied: in the picture surfaces lie a little back, for the lines on them.
+void Painter::keep_opaque_depth(const Frame& frame) {
+    if (!std::ranges::any_of(frame.meshes, is_opaque)) return;
+    volumes_.begin_depth(frame.width, frame.height);
+    use(triangles_, frame);
+    for (std::size_t i = 0; i < frame.meshes.size(); ++i) {
+        if (!is_opaque(frame.meshes[i])) continue;
+        buffers(i).load(frame.meshes[i], true);
+        buffers(i).draw();
+    }
+    target_.bind_again();
 }
 
 // Lines leave no depth that a volume ends on: their soft edges would cut it off. So they are seen through it, and those

@@ -40,7 +40,8 @@ Color interpolated(const std::vector<Color>& sum, double place) {
     const double entry = std::clamp(place, 0.0, 1.0) * samples;
     const auto low = std::min<std::size_t>(static_cast<std::size_t>(entry), samples - 1);
     Color out{};
-    for (std::size_t c = 0; c < 4; ++c) out[c] = std::lerp(sum[low][c], sum[low + 1][c], entry - static_cast<double>(low));
+    for (std::size_t c = 0; c < 4; ++c)
+        out[c] = std::lerp(sum[low][c], sum[low + 1][c], entry - static_cast<double>(low));
     return out;
 }
 
@@ -67,7 +68,8 @@ TransferTable make_transfer_table(const Volume& volume) {
         for (int column = 0; column < TransferTable::columns; ++column) {
             const double middle = (column + 0.5) / TransferTable::columns;
             // No width is as wide as a column: its neighbours join it without a gap.
-            const double width = std::max(static_cast<double>(row) / (TransferTable::rows - 1), 1.0 / TransferTable::columns);
+            const double width =
+                std::max(static_cast<double>(row) / (TransferTable::rows - 1), 1.0 / TransferTable::columns);
             const double low = std::max(middle - width / 2, 0.0), high = std::min(middle + width / 2, 1.0);
             const Color below = interpolated(sum, low), above = interpolated(sum, high);
             const double tau = above[3] - below[3];

@@ -6,8 +6,9 @@
 namespace ciel::render {
 
 // Mean colour and extinction over a span of values, by the span's middle and width, both as shares of the range. The
-// middle of a column is a value, the middle of row r the width r / (rows - 1). The colour is weighted by the extinction;
-// within one slab light is not weakened on its way out of it, which is right to the first order of the slab's opacity.
+// middle of a column is a value, the middle of row r the width r / (rows - 1). The colour is weighted by the
+// extinction; within one slab light is not weakened on its way out of it, which is right to the first order of the
+// slab's opacity.
 struct TransferTable {
     static constexpr int columns = 1024, rows = 64;
     std::vector<float> texels; // RGB 0..1, then extinction per unit length; row by row

@@ -36,7 +36,7 @@ std::vector<std::vector<Index>> triangles_of_slabs(const Volume& volume, double 
     };
     const double last = static_cast<double>(slabs) - 1;
     for (std::size_t i = 0; i < mesh.triangles.size(); i += 3) {
-        const Index *triangle = &mesh.triangles[i];
+        const Index* triangle = &mesh.triangles[i];
         const auto [low, high] = std::minmax({place(triangle[0]), place(triangle[1]), place(triangle[2])});
         constexpr double rounding = 1e-3;
         const auto begin = static_cast<std::size_t>(std::clamp(std::floor(low - rounding), 0.0, last));

@@ -19,8 +19,9 @@ public:
     VolumePainter(const VolumePainter&) = delete;
     VolumePainter& operator=(const VolumePainter&) = delete;
 
-    // The depth of the opaque surfaces drawn so far; without it the next volumes are in front of everything.
-    void keep_depth(Target& target, int width, int height);
+    // What is drawn until the target is bound again ends the rays of the next volumes; without it they are in front of
+    // everything.
+    void begin_depth(int width, int height);
     // Leaves the target bound, depth test and blending as they were: on.
     void draw(const Frame& frame, const ViewTransform& transform, Target& target);
     // RGBA32F; A: the window's depth where the last volume begins.
@@ -45,6 +46,7 @@ private:
     void put_on_picture(const Volume& volume, Target& target) const;
     [[nodiscard]] std::vector<std::size_t> back_to_front(const Volume& volume, std::size_t slabs) const;
     [[nodiscard]] glm::vec2 parallel_depths() const; // nearest and span; zero for a perspective
+    [[nodiscard]] float eye_rounding() const;
     [[nodiscard]] double eye_place(const Volume& volume) const; // across the slabs
     [[nodiscard]] VolumeBuffers& buffers_of(std::size_t slot);
     const VolumeProgram& slice_program(const SlabProgramKind& kind);

@@ -5,9 +5,9 @@
 //   a front face has the piece within its slab that begins on it, unless there is a slice in that;
 //   a back face has the piece within its slab that ends on it, if that begins with the slab, unless there is a slice.
 // So every piece belongs to one fragment, which knows the property and its gradient at some place of it. Where an entry
-// or exit is all but on the slice, rounding decides which pixels the slice covers: there it leaves its piece to the face.
-// An opaque surface has no property: a piece that ends on it before the slice belongs to the fragment of the slab in
-// front. So does the piece from an eye inside the mesh to the first slice belong to the fragment of the slab behind.
+// or exit is all but on the slice, rounding decides which pixels the slice covers: there it leaves its piece to the
+// face. An opaque surface has no property: a piece that ends on it before the slice belongs to the fragment of the slab
+// in front. So does the piece from an eye inside the mesh to the first slice belong to the fragment of the slab behind.
 #include "render/volume_shaders.hpp"
 
 #include "render/shaders.hpp"
@@ -38,6 +38,7 @@ constexpr const char* part_fragment = R"(
 out vec4 part;
 #ifdef NEXT
 uniform sampler2D before;
+uniform float eye_rounding;
 #endif
 const float never = 1e30;
 void main() {
@@ -46,7 +47,7 @@ void main() {
     vec2 last = texelFetch(before, ivec2(gl_FragCoord.xy), 0).xy;
     // An inner wall may be an exit and an entry at once.
     float rounding = 1e-5 * t;
-    if (last.x > last.y) last.x = -never; // the eye was inside
+    if (last.x > last.y * (1.0 - eye_rounding)) last.x = -never; // the eye was inside
     if (gl_FrontFacing ? t <= max(last.y - rounding, last.x + rounding) : t <= last.y + rounding) discard;
 #endif
     part = gl_FrontFacing ? vec4(t, never, 0.0, 0.0) : vec4(never, t, 0.0, 0.0);
@@ -65,13 +66,14 @@ uniform sampler2D first_part;
 uniform sampler2D opaque;
 uniform float has_opaque;
 uniform vec2 viewport;
+uniform float eye_rounding; // how far behind an exit an entry may seem to be; none for an eye outside
 uniform vec2 depth_row; // of the projection: from -depth and 1
 uniform float parallel;
 out vec4 limits;
 const float never = 1e30;
 void main() {
     vec2 part = texelFetch(first_part, ivec2(gl_FragCoord.xy), 0).xy;
-    if (part.x > part.y) part.x = -never; // the eye is inside
+    if (part.x > part.y * (1.0 - eye_rounding)) part.x = -never; // the eye is inside
     float window = 1.0;
     if (part.x > 0.0 && part.x < never)
         window = 0.5 + 0.5 * (depth_row.y - depth_row.x * part.x) / (parallel > 0.5 ? 1.0 : part.x);
@@ -179,8 +181,9 @@ bool yields(float slice, vec2 part, float half_depth) {
 float front(float slice, vec2 part, float half_depth) {
     return part.x < 0.0 && slice < 2.0 * half_depth ? 0.0 : max(slice - half_depth, 0.0);
 }
-float back(float slice, float next, vec2 part, float half_depth, float sight) {
-    return min(part.y, sight < next ? sight : slice + half_depth);
+// The back of the slab, or what ends the ray before the next slice.
+float back(float slice, vec2 part, float half_depth, float sight) {
+    return min(part.y, sight < slice + 2.0 * half_depth ? sight : slice + half_depth);
 }
 )";
 
@@ -195,7 +198,7 @@ void main() {
     vec2 part = first.xy;
     LATER_PARTS
     float from = max(front(t, part, half_depth), part.x);
-    float to = back(t, t + 2.0 * half_depth, part, half_depth, first.z);
+    float to = back(t, part, half_depth, first.z);
     picture = t > first.z || yields(t, part, half_depth) ? vec4(0.0) : light(ray.along, t, from, to);
 }
 )";
@@ -220,9 +223,8 @@ void main() {
     float from = t, to = t;
     if (gl_FrontFacing) {
         part.x = t;
-        float next = t < slice ? slice : slice + 2.0 * half_depth;
         if (t < first.z && (first.z < slice || yields(slice, part, half_depth)))
-            to = back(slice, next, part, half_depth, first.z);
+            to = back(slice, part, half_depth, first.z);
     } else {
         part.y = t;
         float begin = front(slice, part, half_depth);
@@ -240,11 +242,11 @@ std::string later_parts(int parts, bool edge) {
     for (int i = 1; i < parts; ++i) {
         const std::string next = "texelFetch(part_" + std::to_string(i) + ", pixel, 0).xy";
         text += "{ vec2 next = " + next + ";\n";
-        text += edge ? "if (gl_FrontFacing ? abs(next.x - t) < abs(part.x - t) : abs(next.y - t) < abs(part.y - t)) part = next; }\n"
+        text += edge ? "if (gl_FrontFacing ? abs(next.x - t) < abs(part.x - t) : abs(next.y - t) < abs(part.y - t)) "
+                       "part = next; }\n"
                      : "if (t > 0.5 * (part.y + next.x)) part = next; }\n";
     }
-    if (parts == most_ray_parts && !edge)
-        text += "if (t > part.y + half_depth) part = vec2(-never, never);\n";
+    if (parts == most_ray_parts && !edge) text += "if (t > part.y + half_depth) part = vec2(-never, never);\n";
     return text;
 }
 
@@ -265,8 +267,7 @@ void main() { picture = texture(volume, gl_FragCoord.xy / viewport) * opacity; }
 )";
 
 std::string slab_defines(bool shaded, int rows) {
-    return std::string(version) + (shaded ? "#define SHADED\n" : "") + "#define ROWS " +
-           std::to_string(rows) + ".0\n";
+    return std::string(version) + (shaded ? "#define SHADED\n" : "") + "#define ROWS " + std::to_string(rows) + ".0\n";
 }
 
 VolumeProgram linked(const Gl& gl, const std::string& vertex, const std::string& fragment) {
@@ -276,7 +277,8 @@ VolumeProgram linked(const Gl& gl, const std::string& vertex, const std::string&
 VolumeProgram make_slab_program(const Gl& gl, bool edge, const SlabProgramKind& kind) {
     const std::string defines = slab_defines(kind.shaded, kind.table_rows);
     return linked(gl, defines + slab_vertex,
-                  defines + depth + ray + ownership + with_parts(edge ? edge_fragment : slice_fragment, kind.parts, edge));
+                  defines + depth + ray + ownership +
+                      with_parts(edge ? edge_fragment : slice_fragment, kind.parts, edge));
 }
 
 } // namespace
@@ -290,7 +292,9 @@ VolumeProgram make_limits_program(const Gl& gl) {
     return linked(gl, std::string(version) + whole_vertex, std::string(version) + limits_fragment);
 }
 
-VolumeProgram make_slice_program(const Gl& gl, const SlabProgramKind& kind) { return make_slab_program(gl, false, kind); }
+VolumeProgram make_slice_program(const Gl& gl, const SlabProgramKind& kind) {
+    return make_slab_program(gl, false, kind);
+}
 VolumeProgram make_edge_program(const Gl& gl, const SlabProgramKind& kind) { return make_slab_program(gl, true, kind); }
 
 VolumeProgram make_volume_picture_program(const Gl& gl) {

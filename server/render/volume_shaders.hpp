@@ -32,7 +32,9 @@ public:
     void set(const char* name, float value) const { gl_->Uniform1f(at(name), value); }
     void set(const char* name, glm::vec2 value) const { gl_->Uniform2f(at(name), value.x, value.y); }
     void set(const char* name, glm::vec3 value) const { gl_->Uniform3f(at(name), value.x, value.y, value.z); }
-    void set(const char* name, const glm::mat4& value) const { gl_->UniformMatrix4fv(at(name), 1, GL_FALSE, &value[0][0]); }
+    void set(const char* name, const glm::mat4& value) const {
+        gl_->UniformMatrix4fv(at(name), 1, GL_FALSE, &value[0][0]);
+    }
 
 private:
     [[nodiscard]] GLint at(const char* name) const { return gl_->GetUniformLocation(id_, name); }

@@ -42,7 +42,7 @@ grid = vtk.vtkDataSetTriangleFilter()
 grid.SetInputData(block)
 grid.Update()
 
-# The mapper takes opacity for extinction per unit length.
+# The mapper takes opacity for extinction per length, whatever the unit distance.
 points = np.array({POINTS!r})
 places = np.linspace(0, 1, 2001)
 extinction = -np.log(1 - np.interp(places, points[:, 0], points[:, 1]))
@@ -50,17 +50,18 @@ property = vtk.vtkVolumeProperty()
 opacity = vtk.vtkPiecewiseFunction()
 color = vtk.vtkPiecewiseFunction()
 for place, tau in zip(places, extinction):
-    opacity.AddPoint({LOW} + place * {HIGH - LOW}, tau)
+    opacity.AddPoint({LOW} + place * {HIGH - LOW}, tau / {UNIT})
 color.AddPoint({LOW}, 0)
 color.AddPoint({HIGH}, 1)
 property.SetScalarOpacity(opacity)
-property.SetScalarOpacityUnitDistance({UNIT})
+property.SetScalarOpacityUnitDistance(1)
 property.SetColor(color)
 property.ShadeOff()
 property.SetInterpolationTypeToLinear()
 
 mapper = vtk.vtkUnstructuredGridVolumeRayCastMapper()
-mapper.SetRayIntegrator(vtk.vtkUnstructuredGridLinearRayIntegrator())
+# Cells are small: one value on each piece of a ray is enough.
+mapper.SetRayIntegrator(vtk.vtkUnstructuredGridHomogeneousRayIntegrator())
 mapper.SetInputConnection(grid.GetOutputPort())
 mapper.SetAutoAdjustSampleDistances(0)
 mapper.SetImageSampleDistance(1)

@@ -1,8 +1,8 @@
 // Volumes against closed forms: Beer and Lambert for a constant property, the integral for a linear one.
 #include "render/transfer_table.hpp"
+#include "scenes.hpp"
 #include "support/fields.hpp"
 #include "support/meshes.hpp"
-#include "scenes.hpp"
 #include "volume_scene.hpp"
 
 #include <gmock/gmock.h>
@@ -31,14 +31,10 @@ struct View {
 };
 
 const std::vector<View> views{
-    {"along_y_parallel", {0.001, -1, 0.002}, 0},
-    {"slanted_parallel", {0.4, -1, 0.3}, 0},
-    {"corner_parallel", {1, 1, 1}, 0},
-    {"along_x", {1, 0.003, 0.001}, 30},
-    {"slanted", {-0.5, 0.9, 0.45}, 30},
-    {"below", {0.3, 0.2, -1}, 45},
-    {"forty_five_degrees", {1, 0.99, 0.02}, 30},
-    {"corner_wide", {-1, -1, 1}, 80, 1.3},
+    {"along_y_parallel", {0.001, -1, 0.002}, 0}, {"slanted_parallel", {0.4, -1, 0.3}, 0},
+    {"corner_parallel", {1, 1, 1}, 0},           {"along_x", {1, 0.003, 0.001}, 30},
+    {"slanted", {-0.5, 0.9, 0.45}, 30},          {"below", {0.3, 0.2, -1}, 45},
+    {"forty_five_degrees", {1, 0.99, 0.02}, 30}, {"corner_wide", {-1, -1, 1}, 80, 1.3},
     {"eye_inside", {0.3, -1, 0.4}, 70, 0.3},
 };
 
@@ -135,14 +131,22 @@ bool inner(int i) { return i == 1 || i == 2; }
 
 const std::vector<std::array<Vec3d, 2>> unit_cube{{Vec3d{0, 0, 0}, Vec3d{1, 1, 1}}};
 const std::vector<Solid> solids{
-    {"hexahedra", [] { return test::hexahedra(Box{{3, 4, 5}, 0, 1, 0.2}); }, {{Vec3d{}, Vec3d{0.6, 0.8, 1}}}, {}},
-    {"zoo", [] { return test::zoo(Box{{4, 4, 4}, 0, 3, 0.25}); }, unit_cube, {}},
+    {"hexahedra",
+     [] {
+         return test::hexahedra(Box{{3, 4, 5}, 0, 1, 0.2});
+     },
+     {{Vec3d{}, Vec3d{0.6, 0.8, 1}}},
+     {}},
+    {"zoo",
+     [] {
+         return test::zoo(Box{{4, 4, 4}, 0, 3, 0.25});
+     },
+     unit_cube,
+     {}},
     {"voronoi", [] { return test::voronoi(200, 5); }, unit_cube, {}},
     {"one_giant_cell_and_a_layer", [] { return test::giant_cell(4); }, {}, {}},
     {"void",
-     [] {
-         return cube_without(4, [](auto c) { return inner(c[0]) && inner(c[1]) && inner(c[2]); });
-     },
+     [] { return cube_without(4, [](auto c) { return inner(c[0]) && inner(c[1]) && inner(c[2]); }); },
      unit_cube,
      {{Vec3d{0.25, 0.25, 0.25}, Vec3d{0.75, 0.75, 0.75}}}},
     {"groove",
@@ -186,9 +190,8 @@ TEST_P(ConstantVolumes, FollowsBeerAndLambertFromAnywhere) {
                 frame.volumes[0].range = {0, 1};
                 frame.volumes[0].opacity_points = {{0, opacity}};
                 const auto expected = [&](const Ray& ray) { return 1 - std::pow(1 - opacity, solid.length(ray)); };
-                expect_close(compare(frame, expected, 0.01),
-                             std::string(view.name) + ", " + std::to_string(slices) + " slices along " +
-                                 testing::PrintToString(normal));
+                expect_close(compare(frame, expected, 0.01), std::string(view.name) + ", " + std::to_string(slices) +
+                                                                 " slices along " + testing::PrintToString(normal));
             }
 }
 
@@ -223,9 +226,8 @@ TEST(LinearVolume, HasTheIntegralsLightWithinTwoPerCent) {
                         return std::array<double, 2>{ramp(p), -std::log(1 - (0.1 + 0.8 * ramp(p)))};
                     });
                 };
-                expect_close(compare(frame, expected, 0.02),
-                             std::string(view.name) + ", " + std::to_string(slices) + " slices along " +
-                                 testing::PrintToString(normal));
+                expect_close(compare(frame, expected, 0.02), std::string(view.name) + ", " + std::to_string(slices) +
+                                                                 " slices along " + testing::PrintToString(normal));
             }
 }
 
@@ -233,9 +235,12 @@ TEST(LinearVolume, DoesNotChangeItsBrightnessWithTheSlicesTheAxisOrAStrideWhileM
     VolumeScene scene(test::voronoi(100, 7), ramp);
     for (const View& view : {views[1], views[4], views[7]}) {
         std::vector<double> brightness;
-        for (const auto& [normal, slices, stride] :
-             {std::tuple<Vec3d, std::size_t, std::size_t>{{0, 1, 0}, 100, 1}, {{0, 1, 0}, 100, 5}, {{0, 1, 0}, 53, 3},
-              {{1, 0, 0}, 100, 1}, {{0, 0, 1}, 400, 1}, {unit_of(view.from), 100, 1}}) {
+        for (const auto& [normal, slices, stride] : {std::tuple<Vec3d, std::size_t, std::size_t>{{0, 1, 0}, 100, 1},
+                                                     {{0, 1, 0}, 100, 5},
+                                                     {{0, 1, 0}, 53, 3},
+                                                     {{1, 0, 0}, 100, 1},
+                                                     {{0, 0, 1}, 400, 1},
+                                                     {unit_of(view.from), 100, 1}}) {
             Frame frame = frame_of(view);
             frame.volumes.push_back(scene.volume(normal, slices));
             frame.volumes[0].stride = stride;
@@ -277,9 +282,8 @@ TEST(ConstantVolume, EndsOnAnOpaqueSurfaceInside) {
                     if (wall_at > 0 && std::abs(hit[0]) < 1 && std::abs(hit[2]) < 1) to = std::min(to, wall_at);
                     return 1 - std::pow(1 - opacity, std::max(0.0, to - from));
                 };
-                expect_close(compare(frame, expected, 0.01),
-                             std::string(view.name) + ", " + std::to_string(slices) + " slices along " +
-                                 testing::PrintToString(normal));
+                expect_close(compare(frame, expected, 0.01), std::string(view.name) + ", " + std::to_string(slices) +
+                                                                 " slices along " + testing::PrintToString(normal));
             }
 }
 

@@ -128,7 +128,8 @@ constexpr Malformed table[] = {
     {"slice_normal_overflows",
      R"({"dataset": "d", "layers": {"a": {"type": "slice", "origin": [0, 0, 0], "normal": [1.7e308, 1.7e308, 0]}}})",
      "/layers/a/normal", "a slice's normal must not be zero"},
-    {"volume_without_array", R"({"dataset": "d", "layers": {"a": {"type": "volume"}}})", "/layers/a/array", "is missing"},
+    {"volume_without_array", R"({"dataset": "d", "layers": {"a": {"type": "volume"}}})", "/layers/a/array",
+     "is missing"},
     {"volume_points_out_of_order",
      R"({"dataset": "d", "layers": {"a": {"type": "volume", "array": "p", "opacity_points": [[0.5, 0], [0.4, 1]]}}})",
      "/layers/a/opacity_points/1", "opacity points must be in the order of their positions"},
@@ -138,8 +139,9 @@ constexpr Malformed table[] = {
     {"volume_without_points",
      R"({"dataset": "d", "layers": {"a": {"type": "volume", "array": "p", "opacity_points": []}}})",
      "/layers/a/opacity_points", "has fewer items than 1"},
-    {"volume_of_too_many_slices", R"({"dataset": "d", "layers": {"a": {"type": "volume", "array": "p", "slices": 1001}}})",
-     "/layers/a/slices", "must be at most 1000"},
+    {"volume_of_too_many_slices",
+     R"({"dataset": "d", "layers": {"a": {"type": "volume", "array": "p", "slices": 1001}}})", "/layers/a/slices",
+     "must be at most 1000"},
     {"volume_of_no_length", R"({"dataset": "d", "layers": {"a": {"type": "volume", "array": "p", "unit_length": 0}}})",
      "/layers/a/unit_length", "must be more than 0"},
     {"volume_direction", R"({"dataset": "d", "layers": {"a": {"type": "volume", "array": "p", "direction": "w"}}})",
@@ -158,7 +160,8 @@ constexpr Malformed table[] = {
 };
 
 TEST(scene, a_volume_has_the_defaults_of_the_contract) {
-    const auto layer = parse(json::parse(R"({"dataset": "d", "layers": {"v": {"type": "volume", "array": "p"}}})")).layers.at(0);
+    const auto layer =
+        parse(json::parse(R"({"dataset": "d", "layers": {"v": {"type": "volume", "array": "p"}}})")).layers.at(0);
     const auto& volume = std::get<VolumeLayer>(layer.kind);
     EXPECT_EQ(volume.opacity_points,
               (fallback("VolumeLayer", "opacity_points").get<std::vector<std::array<double, 2>>>()));
