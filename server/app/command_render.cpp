@@ -69,6 +69,11 @@ std::vector<double> parse_range(const std::string& text) {
 void color_layers(const RenderCommand& render, nlohmann::json& layers) {
     bool any = false;
     for (auto& layer : layers) {
+        if (layer["type"] == "volume") {
+            any = any || render.map || render.range;
+            if (render.map) layer["color"]["map"] = *render.map;
+            if (render.range) layer["color"]["range"] = parse_range(*render.range);
+        }
         if (layer["type"] != "iso" && layer["type"] != "slice") continue;
         any = true;
         nlohmann::json color = layer.value("color", nlohmann::json::object());
@@ -78,7 +83,8 @@ void color_layers(const RenderCommand& render, nlohmann::json& layers) {
         if (!color.contains("array") && layer["type"] == "iso") color["array"] = layer["array"];
         layer["color"] = std::move(color);
     }
-    if (!any && render.colors()) throw UsageError("nothing has colours of an array; give --iso, --slice or --plane");
+    if (!any && render.colors())
+        throw UsageError("nothing has colours of an array; give --iso, --slice, --plane or --volume");
 }
 
 nlohmann::json document_of_options(const RenderCommand& render, const store::Dataset& dataset) {
@@ -96,7 +102,7 @@ nlohmann::json default_document(const RenderCommand& render, store::LoadedDatase
 nlohmann::json document_of_file(const RenderCommand& render, const std::string& dataset) {
     if (render.scene.has_layers() || render.colors() || render.background)
         throw UsageError(
-            "--scene says what to show and how; leave out --iso, --slice, --plane, --color, --map, --range "
+            "--scene says what to show and how; leave out --iso, --slice, --plane, --volume, --color, --map, --range "
             "and --background");
     nlohmann::json document = read_scene_file(render.scene_file);
     if (!document.is_object()) return document; // refused with the place by who checks it
@@ -144,6 +150,11 @@ void add_render(CLI::App& app, Run& run) {
     CLI::App* command = app.add_subcommand("render", "Draw a still picture of a dataset.");
     auto render = std::make_shared<RenderCommand>();
     render->scene.add_to(*command);
+    command
+        ->add_option("--volume", render->scene.volumes,
+                     "Volume of a point scalar, and how opaque a ray gets per tenth of the diagonal from the lowest "
+                     "value (position 0) to the highest (1); may be repeated.")
+        ->type_name("ARRAY[=POSITION:OPACITY,...]");
     command
         ->add_option("--scene", render->scene_file,
                      "A scene document; without it and without layers, the default view.")

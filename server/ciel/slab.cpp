@@ -159,8 +159,7 @@ SlabMesh slab_boundary(const FaceMeshView& mesh, const SlabProperty& property) {
             if (local[vertex] == none) {
                 local[vertex] = static_cast<Index>(out.vertices.size());
                 const float* at = &mesh.positions[std::size_t{3} * vertex];
-                out.vertices.push_back(
-                    {{at[0], at[1], at[2]}, property.value[vertex], property.gradient[vertex], {}});
+                out.vertices.push_back({{at[0], at[1], at[2]}, property.value[vertex], property.gradient[vertex], {}});
             }
         }
     }

@@ -1,5 +1,6 @@
-// Slices for volume rendering (paper, sections 2 and 3): the mesh is cut by the middle planes of parallel slabs, and each
-// point carries the property and its gradient, so that the property can be followed through the slab along any ray.
+// Slices for volume rendering (paper, sections 2 and 3): the mesh is cut by the middle planes of parallel slabs, and
+// each point carries the property and its gradient, so that the property can be followed through the slab along any
+// ray.
 #pragma once
 
 #include "ciel/sweep.hpp"

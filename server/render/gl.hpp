@@ -36,6 +36,7 @@ namespace ciel::render {
     X(Disable, PFNGLDISABLEPROC)                                                                                       \
     X(DisableVertexAttribArray, PFNGLDISABLEVERTEXATTRIBARRAYPROC)                                                     \
     X(DrawArrays, PFNGLDRAWARRAYSPROC)                                                                                 \
+    X(DrawBuffer, PFNGLDRAWBUFFERPROC)                                                                                 \
     X(DrawElements, PFNGLDRAWELEMENTSPROC)                                                                             \
     X(DrawElementsBaseVertex, PFNGLDRAWELEMENTSBASEVERTEXPROC)                                                         \
     X(Enable, PFNGLENABLEPROC)                                                                                         \

@@ -32,6 +32,8 @@ std::string text_of(const Gl& gl, GLenum name) {
 
 bool is_transparent(const Mesh& mesh) { return !mesh.lines && mesh.color[3] < 1; }
 
+bool is_opaque(const Mesh& mesh) { return !mesh.lines && !is_transparent(mesh) && !mesh.indices.empty(); }
+
 } // namespace
 
 Painter::Painter(const Gl& gl)
@@ -52,11 +54,7 @@ void Painter::draw(const Frame& frame, Image& image) {
     target_.begin(frame.width, frame.height, frame.samples);
     draw_background(frame);
     draw_meshes(frame, false);
-    const auto is_opaque = [](const Mesh& mesh) {
-        return !mesh.lines && !is_transparent(mesh) && !mesh.indices.empty();
-    };
-    if (!frame.volumes.empty() && std::ranges::any_of(frame.meshes, is_opaque))
-        volumes_.keep_depth(target_, frame.width, frame.height);
+    if (!frame.volumes.empty()) keep_opaque_depth(frame);
     gl_.Enable(GL_BLEND);
     draw_meshes(frame, true);
     draw_transparent(frame);
@@ -128,6 +126,19 @@ void Painter::draw_meshes(const Frame& frame, bool lines, bool before_volume) {
         slot.draw();
     }
     gl_.Disable(GL_POLYGON_OFFSET_FILL);
+}
+
+// Drawn again rather than copied: in the picture surfaces lie a little back, for the lines on them.
+void Painter::keep_opaque_depth(const Frame& frame) {
+    if (!std::ranges::any_of(frame.meshes, is_opaque)) return;
+    volumes_.begin_depth(frame.width, frame.height);
+    use(triangles_, frame);
+    for (std::size_t i = 0; i < frame.meshes.size(); ++i) {
+        if (!is_opaque(frame.meshes[i])) continue;
+        buffers(i).load(frame.meshes[i], true);
+        buffers(i).draw();
+    }
+    target_.bind_again();
 }
 
 // Lines leave no depth that a volume ends on: their soft edges would cut it off. So they are seen through it, and those

@@ -27,6 +27,7 @@ public:
 private:
     void draw_background(const Frame& frame);
     void draw_meshes(const Frame& frame, bool lines, bool before_volume = false);
+    void keep_opaque_depth(const Frame& frame);
     void draw_volumes(const Frame& frame);
     void draw_transparent(const Frame& frame);
     void peel_transparent(const Frame& frame);

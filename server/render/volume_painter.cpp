@@ -64,8 +64,8 @@ void VolumePainter::size(Sheet& sheet, GLint format, int width, int height) cons
     gl_.FramebufferTexture2D(GL_FRAMEBUFFER, is_depth ? GL_DEPTH_ATTACHMENT : GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D,
                              sheet.texture, 0);
     sheet.width = 0; // not usable until it is known to be complete
-    // A framebuffer of depth alone is only copied to, which asks for less.
-    if (!is_depth && gl_.CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
+    if (is_depth) gl_.DrawBuffer(GL_NONE);
+    if (gl_.CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
         throw Error("the GL driver cannot draw a volume to " + std::to_string(width) + " x " + std::to_string(height) +
                     " pixels of floats; ask for a smaller picture");
     sheet.width = width;
@@ -77,11 +77,11 @@ void VolumePainter::begin(const Sheet& sheet) const {
     gl_.Viewport(0, 0, sheet.width, sheet.height);
 }
 
-void VolumePainter::keep_depth(Target& target, int width, int height) {
+void VolumePainter::begin_depth(int width, int height) {
     size(depth_, GL_DEPTH_COMPONENT24, width, height);
-    target.copy_depth(depth_.framebuffer);
+    begin(depth_);
+    gl_.Clear(GL_DEPTH_BUFFER_BIT);
     has_depth_ = true;
-    target.bind_again();
 }
 
 void VolumePainter::draw(const Frame& frame, const ViewTransform& transform, Target& target) {
@@ -155,6 +155,7 @@ int VolumePainter::find_parts(const VolumeBuffers& buffers) {
     int parts = 1;
     next_part_.use();
     next_part_.set("before", int{first_part_unit});
+    next_part_.set("eye_rounding", eye_rounding());
     gl_.Enable(GL_CULL_FACE);
     while (parts < most_ray_parts && find_next_part(buffers, parts)) ++parts;
     gl_.Disable(GL_CULL_FACE);
@@ -188,6 +189,7 @@ void VolumePainter::find_limits() {
     limits_program_.use();
     limits_program_.set("first_part", int{first_part_unit});
     limits_program_.set("opaque", int{opaque_unit});
+    limits_program_.set("eye_rounding", eye_rounding());
     limits_program_.set("has_opaque", opaque_ != 0 ? 1.0F : 0.0F);
     limits_program_.set("viewport", glm::vec2(width_, height_));
     limits_program_.set("depth_row", glm::vec2(transform_->projection[2][2], transform_->projection[3][2]));
@@ -211,6 +213,15 @@ void VolumePainter::load_table(const Volume& volume, std::size_t slot) {
                    table.texels.data());
     filter(gl_, GL_NEAREST);
     kept.key = key;
+}
+
+// An inner wall in front of an eye inside is an exit and an entry at once, and either may come first.
+float VolumePainter::eye_rounding() const {
+    const Vec3d& eye = frame_->camera.position;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        if (frame_->camera.parallel || eye[axis] < frame_->bounds_min[axis] || eye[axis] > frame_->bounds_max[axis])
+            return 0;
+    return 1e-5F;
 }
 
 glm::vec2 VolumePainter::parallel_depths() const {
@@ -237,7 +248,7 @@ void VolumePainter::set_ray(const VolumeProgram& program, const Volume& volume, 
     program.set("eye_normal", glm::vec3(glm::dmat3(transform_->view) * vector_of(volume.normal)));
     program.set("eye_place", static_cast<float>(eye_place(volume)));
     program.set("half_slab", static_cast<float>(thickness / 2));
-    program.set("unit_length", static_cast<float>(volume.unit_length));
+    program.set("density", static_cast<float>(1 / volume.unit_length));
     // Where the property changes by less than a third of its range along the whole mesh there is no surface to light.
     program.set("steepness", static_cast<float>(0.1 * transform_->scale * transform_->scale));
     program.set("limits", int{limits_unit});

@@ -20,8 +20,9 @@ public:
     VolumePainter(const VolumePainter&) = delete;
     VolumePainter& operator=(const VolumePainter&) = delete;
 
-    // The depth of the opaque surfaces drawn so far; without it the next volumes are in front of everything.
-    void keep_depth(Target& target, int width, int height);
+    // What is drawn until the target is bound again ends the rays of the next volumes; without it they are in front of
+    // everything.
+    void begin_depth(int width, int height);
     // Leaves the target bound, depth test and blending as they were: on.
     void draw(const Frame& frame, const ViewTransform& transform, Target& target);
     // All volumes in front of a depth texture, or for 0 as far as draw() shows them, premultiplied, on nothing; good
@@ -50,7 +51,8 @@ private:
     void set_ray(const VolumeProgram& program, const Volume& volume, double thickness, int parts) const;
     void put_on_picture(const Volume& volume) const;
     [[nodiscard]] std::vector<std::size_t> back_to_front(const Volume& volume, std::size_t slabs) const;
-    [[nodiscard]] glm::vec2 parallel_depths() const;            // nearest and span; zero for a perspective
+    [[nodiscard]] glm::vec2 parallel_depths() const; // nearest and span; zero for a perspective
+    [[nodiscard]] float eye_rounding() const;
     [[nodiscard]] double eye_place(const Volume& volume) const; // across the slabs
     [[nodiscard]] VolumeBuffers& buffers_of(std::size_t slot);
     const VolumeProgram& slice_program(const SlabProgramKind& kind);

@@ -38,6 +38,7 @@ constexpr const char* part_fragment = R"(
 out vec4 part;
 #ifdef NEXT
 uniform sampler2D before;
+uniform float eye_rounding;
 #endif
 const float never = 1e30;
 void main() {
@@ -46,7 +47,7 @@ void main() {
     vec2 last = texelFetch(before, ivec2(gl_FragCoord.xy), 0).xy;
     // An inner wall may be an exit and an entry at once.
     float rounding = 1e-5 * t;
-    if (last.x > last.y) last.x = -never; // the eye was inside
+    if (last.x > last.y * (1.0 - eye_rounding)) last.x = -never; // the eye was inside
     if (gl_FrontFacing ? t <= max(last.y - rounding, last.x + rounding) : t <= last.y + rounding) discard;
 #endif
     part = gl_FrontFacing ? vec4(t, never, 0.0, 0.0) : vec4(never, t, 0.0, 0.0);
@@ -65,13 +66,14 @@ uniform sampler2D first_part;
 uniform sampler2D opaque;
 uniform float has_opaque;
 uniform vec2 viewport;
+uniform float eye_rounding; // how far behind an exit an entry may seem to be; none for an eye outside
 uniform vec2 depth_row; // of the projection: from -depth and 1
 uniform float parallel;
 out vec4 limits;
 const float never = 1e30;
 void main() {
     vec2 part = texelFetch(first_part, ivec2(gl_FragCoord.xy), 0).xy;
-    if (part.x > part.y) part.x = -never; // the eye is inside
+    if (part.x > part.y * (1.0 - eye_rounding)) part.x = -never; // the eye is inside
     float window = 1.0;
     if (part.x > 0.0 && part.x < never)
         window = 0.5 + 0.5 * (depth_row.y - depth_row.x * part.x) / (parallel > 0.5 ? 1.0 : part.x);
@@ -118,7 +120,7 @@ uniform vec3 eye_normal; // of the slabs
 uniform float eye_place; // across the slabs
 uniform float slice_place;
 uniform float half_slab;
-uniform float unit_length;
+uniform float density; // 1 / unit length
 uniform float steepness;
 in float middle;
 in vec3 slope;
@@ -127,15 +129,22 @@ out vec4 picture;
 const float never = 1e30;
 
 struct Ray {
-    vec3 along;   // per depth
-    float across; // how far across the slabs it gets per depth
-    float start;  // its place across the slabs at depth 0
+    vec3 along;       // per depth
+    float across;     // how far across the slabs it gets per depth
+    float start;      // its place across the slabs at depth 0
+    float slice;      // depth of the slice
+    float half_depth; // of the slab
 };
 Ray ray_here() {
-    vec3 along = vec3(ray_corner + ray_step * gl_FragCoord.xy, -1.0);
-    float across = dot(eye_normal, along);
-    if (abs(across) < 1e-9) across = 1e-9;
-    return Ray(along, across, eye_place + dot(eye_normal.xy, side_corner + side_step * gl_FragCoord.xy));
+    Ray ray;
+    ray.along = vec3(ray_corner + ray_step * gl_FragCoord.xy, -1.0);
+    ray.across = dot(eye_normal, ray.along);
+    if (abs(ray.across) < 1e-9) ray.across = 1e-9;
+    ray.start = eye_place + dot(eye_normal.xy, side_corner + side_step * gl_FragCoord.xy);
+    float depth_per_place = 1.0 / ray.across;
+    ray.slice = (slice_place - ray.start) * depth_per_place;
+    ray.half_depth = half_slab * abs(depth_per_place);
+    return ray;
 }
 
 // The light of the piece of a ray between two depths, the property known at `t` between or near them.
@@ -145,7 +154,7 @@ vec4 light(vec3 along, float t, float from, float to) {
     float b = clamp(middle + rise * (to - t), bounds.x, bounds.y);
     vec4 mean = texture(table, vec2(0.5 * (a + b), (abs(b - a) * (ROWS - 1.0) + 0.5) / ROWS));
     float ahead = dot(along, along);
-    float loss = mean.a * max(to - from, 0.0) * sqrt(ahead) / unit_length;
+    float loss = mean.a * max(to - from, 0.0) * (sqrt(ahead) * density);
     // exp alone has too few digits where thin slabs add up.
     float opacity = loss < 0.25 ? loss * (1.0 - loss * (0.5 - loss * (1.0 / 6.0 - loss * (1.0 / 24.0))))
                                 : 1.0 - exp(-loss);
@@ -172,8 +181,9 @@ bool yields(float slice, vec2 part, float half_depth) {
 float front(float slice, vec2 part, float half_depth) {
     return part.x < 0.0 && slice < 2.0 * half_depth ? 0.0 : max(slice - half_depth, 0.0);
 }
-float back(float slice, float next, vec2 part, float half_depth, float sight) {
-    return min(part.y, sight < next ? sight : slice + half_depth);
+// The back of the slab, or what ends the ray before the next slice.
+float back(float slice, vec2 part, float half_depth, float sight) {
+    return min(part.y, sight < slice + 2.0 * half_depth ? sight : slice + half_depth);
 }
 )";
 
@@ -181,14 +191,14 @@ constexpr const char* slice_fragment = R"(
 void main() {
     Ray ray = ray_here();
     // From the plane: the depths of thin triangles are as coarse as the rasteriser's corners.
-    float t = (slice_place - ray.start) / ray.across;
-    float half_depth = half_slab / abs(ray.across);
+    float t = ray.slice;
+    float half_depth = ray.half_depth;
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     vec4 first = texelFetch(limits, pixel, 0);
     vec2 part = first.xy;
     LATER_PARTS
     float from = max(front(t, part, half_depth), part.x);
-    float to = back(t, t + 2.0 * half_depth, part, half_depth, first.z);
+    float to = back(t, part, half_depth, first.z);
     picture = t > first.z || yields(t, part, half_depth) ? vec4(0.0) : light(ray.along, t, from, to);
 }
 )";
@@ -204,8 +214,8 @@ void main() {
     Ray ray = ray_here();
     float t = fragment_depth();
     if (!is_in_slab(ray, t)) discard;
-    float slice = (slice_place - ray.start) / ray.across;
-    float half_depth = half_slab / abs(ray.across);
+    float slice = ray.slice;
+    float half_depth = ray.half_depth;
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     vec4 first = texelFetch(limits, pixel, 0);
     vec2 part = first.xy;
@@ -213,9 +223,8 @@ void main() {
     float from = t, to = t;
     if (gl_FrontFacing) {
         part.x = t;
-        float next = t < slice ? slice : slice + 2.0 * half_depth;
         if (t < first.z && (first.z < slice || yields(slice, part, half_depth)))
-            to = back(slice, next, part, half_depth, first.z);
+            to = back(slice, part, half_depth, first.z);
     } else {
         part.y = t;
         float begin = front(slice, part, half_depth);

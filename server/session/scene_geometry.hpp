@@ -52,7 +52,7 @@ struct VolumeDrawable {
 
 // What one scene shows. Immutable, owns all its arrays, may be read from any thread.
 struct Geometry {
-    std::vector<Drawable> drawables;      // visible layers, in drawing order
+    std::vector<Drawable> drawables;     // visible layers, in drawing order
     std::vector<VolumeDrawable> volumes; // likewise
     Vec3d origin{}, bounds_min{}, bounds_max{};
     double time = 0; // of the step shown

@@ -164,11 +164,11 @@ void Session::dataset_changed() {
 }
 
 std::shared_ptr<const Geometry> Session::geometry(const SceneVersion& version, const std::stop_token& stop,
-                                                   bool moving) {
+                                                  bool moving) {
     const std::scoped_lock lock(geometry_mutex_);
     try {
-        auto made = scene_geometry_.update(version.scene, version.loaded, stop, services_.limits.session_memory_bytes,
-                                           moving);
+        auto made =
+            scene_geometry_.update(version.scene, version.loaded, stop, services_.limits.session_memory_bytes, moving);
         bytes_ = scene_geometry_.memory_bytes();
         return made;
     } catch (const LimitReached&) {

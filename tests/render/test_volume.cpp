@@ -1,11 +1,13 @@
 // Volumes against closed forms: Beer and Lambert for a constant property, the integral for a linear one.
 #include "render/transfer_table.hpp"
+#include "scenes.hpp"
 #include "support/fields.hpp"
 #include "support/meshes.hpp"
 #include "volume_scene.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <tuple>
 
 namespace ciel::render {
 namespace {
@@ -29,14 +31,11 @@ struct View {
 };
 
 const std::vector<View> views{
-    {"along_y_parallel", {0.001, -1, 0.002}, 0},
-    {"slanted_parallel", {0.4, -1, 0.3}, 0},
-    {"corner_parallel", {1, 1, 1}, 0},
-    {"along_x", {1, 0.003, 0.001}, 30},
-    {"slanted", {-0.5, 0.9, 0.45}, 30},
-    {"below", {0.3, 0.2, -1}, 45},
-    {"forty_five_degrees", {1, 0.99, 0.02}, 30},
-    {"corner_wide", {-1, -1, 1}, 80, 1.3},
+    {"along_y_parallel", {0.001, -1, 0.002}, 0}, {"slanted_parallel", {0.4, -1, 0.3}, 0},
+    {"corner_parallel", {1, 1, 1}, 0},           {"along_x", {1, 0.003, 0.001}, 30},
+    {"slanted", {-0.5, 0.9, 0.45}, 30},          {"below", {0.3, 0.2, -1}, 45},
+    {"forty_five_degrees", {1, 0.99, 0.02}, 30}, {"corner_wide", {-1, -1, 1}, 80, 1.3},
+    {"eye_inside", {0.3, -1, 0.4}, 70, 0.3},
 };
 
 // A unit cube in the middle of a black picture.
@@ -132,14 +131,22 @@ bool inner(int i) { return i == 1 || i == 2; }
 
 const std::vector<std::array<Vec3d, 2>> unit_cube{{Vec3d{0, 0, 0}, Vec3d{1, 1, 1}}};
 const std::vector<Solid> solids{
-    {"hexahedra", [] { return test::hexahedra(Box{{3, 4, 5}, 0, 1, 0.2}); }, {{Vec3d{}, Vec3d{0.6, 0.8, 1}}}, {}},
-    {"zoo", [] { return test::zoo(Box{{4, 4, 4}, 0, 3, 0.25}); }, unit_cube, {}},
+    {"hexahedra",
+     [] {
+         return test::hexahedra(Box{{3, 4, 5}, 0, 1, 0.2});
+     },
+     {{Vec3d{}, Vec3d{0.6, 0.8, 1}}},
+     {}},
+    {"zoo",
+     [] {
+         return test::zoo(Box{{4, 4, 4}, 0, 3, 0.25});
+     },
+     unit_cube,
+     {}},
     {"voronoi", [] { return test::voronoi(200, 5); }, unit_cube, {}},
     {"one_giant_cell_and_a_layer", [] { return test::giant_cell(4); }, {}, {}},
     {"void",
-     [] {
-         return cube_without(4, [](auto c) { return inner(c[0]) && inner(c[1]) && inner(c[2]); });
-     },
+     [] { return cube_without(4, [](auto c) { return inner(c[0]) && inner(c[1]) && inner(c[2]); }); },
      unit_cube,
      {{Vec3d{0.25, 0.25, 0.25}, Vec3d{0.75, 0.75, 0.75}}}},
     {"groove",
@@ -155,14 +162,14 @@ const std::vector<Solid> solids{
      {}},
 };
 
-class ConstantVolume : public testing::TestWithParam<Solid> {};
+class ConstantVolumes : public testing::TestWithParam<Solid> {};
 
-INSTANTIATE_TEST_SUITE_P(Solids, ConstantVolume, testing::ValuesIn(solids),
+INSTANTIATE_TEST_SUITE_P(Solids, ConstantVolumes, testing::ValuesIn(solids),
                          [](const auto& solid) { return std::string(solid.param.name); });
 
 constexpr double opacity = 0.8; // after one unit
 
-TEST_P(ConstantVolume, FollowsBeerAndLambertFromAnywhere) {
+TEST_P(ConstantVolumes, FollowsBeerAndLambertFromAnywhere) {
     Solid solid = GetParam();
     const test::Polyhedra mesh = solid.make();
     if (solid.boxes.empty()) { // its bounds
@@ -183,10 +190,139 @@ TEST_P(ConstantVolume, FollowsBeerAndLambertFromAnywhere) {
                 frame.volumes[0].range = {0, 1};
                 frame.volumes[0].opacity_points = {{0, opacity}};
                 const auto expected = [&](const Ray& ray) { return 1 - std::pow(1 - opacity, solid.length(ray)); };
-                expect_close(compare(frame, expected, 0.01),
-                             std::string(view.name) + ", " + std::to_string(slices) + " slices along " +
-                                 testing::PrintToString(normal));
+                expect_close(compare(frame, expected, 0.01), std::string(view.name) + ", " + std::to_string(slices) +
+                                                                 " slices along " + testing::PrintToString(normal));
             }
+}
+
+// Of light that a ray meets from the eye on, by small steps: `color` and `extinction` by the length inside the cube.
+double integral(const Ray& ray, const std::function<std::array<double, 2>(const Vec3d&)>& color_and_extinction) {
+    const auto [from, to] = inside_box(ray, {0, 0, 0}, {1, 1, 1});
+    constexpr int steps = 2000;
+    const double length = (to - from) / steps;
+    double light = 0, left = 1;
+    for (int i = 0; i < steps && to > from; ++i) {
+        const auto [color, extinction] = color_and_extinction(plus(ray[0], ray[1], from + (i + 0.5) * length));
+        const double passed = std::exp(-extinction * length);
+        light += left * (1 - passed) * color;
+        left *= passed;
+    }
+    return light;
+}
+
+double ramp(const Vec3d& p) { return 0.5 * p[0] + 0.2 * p[1] + 0.3 * p[2]; }
+
+TEST(LinearVolume, HasTheIntegralsLightWithinTwoPerCent) {
+    VolumeScene scene(test::zoo(Box{{4, 4, 4}, 0.1, 3, 0.25}), ramp);
+    for (const View& view : views)
+        for (const std::size_t slices : {50, 400})
+            for (const Vec3d& normal : {nearest_axis(view.from), unit_of(view.from)}) {
+                Frame frame = frame_of(view);
+                frame.volumes.push_back(scene.volume(normal, slices));
+                frame.volumes[0].range = {0, 1};
+                frame.volumes[0].opacity_points = {{0, 0.1}, {1, 0.9}};
+                const auto expected = [](const Ray& ray) {
+                    return integral(ray, [](const Vec3d& p) {
+                        return std::array<double, 2>{ramp(p), -std::log(1 - (0.1 + 0.8 * ramp(p)))};
+                    });
+                };
+                expect_close(compare(frame, expected, 0.02), std::string(view.name) + ", " + std::to_string(slices) +
+                                                                 " slices along " + testing::PrintToString(normal));
+            }
+}
+
+TEST(LinearVolume, DoesNotChangeItsBrightnessWithTheSlicesTheAxisOrAStrideWhileMoving) {
+    VolumeScene scene(test::voronoi(100, 7), ramp);
+    for (const View& view : {views[1], views[4], views[7]}) {
+        std::vector<double> brightness;
+        for (const auto& [normal, slices, stride] : {std::tuple<Vec3d, std::size_t, std::size_t>{{0, 1, 0}, 100, 1},
+                                                     {{0, 1, 0}, 100, 5},
+                                                     {{0, 1, 0}, 53, 3},
+                                                     {{1, 0, 0}, 100, 1},
+                                                     {{0, 0, 1}, 400, 1},
+                                                     {unit_of(view.from), 100, 1}}) {
+            Frame frame = frame_of(view);
+            frame.volumes.push_back(scene.volume(normal, slices));
+            frame.volumes[0].stride = stride;
+            frame.volumes[0].coarseness = stride > 1 ? 2 : 1;
+            frame.volumes[0].range = {0, 1};
+            frame.volumes[0].opacity_points = {{0, 0}, {0.5, 0.1}, {0.6, 0.9}, {1, 0.9}};
+            Image image;
+            renderer().draw(frame, image);
+            double sum = 0;
+            for (const std::uint8_t channel : image.rgb) sum += channel;
+            brightness.push_back(sum);
+        }
+        for (const double sum : brightness) EXPECT_NEAR(sum / brightness[0], 1, 0.01) << view.name;
+    }
+}
+
+TEST(ConstantVolume, EndsOnAnOpaqueSurfaceInside) {
+    VolumeScene scene(test::hexahedra(Box{{4, 4, 4}, 0, 1, 0.25}), [](const Vec3d&) { return 1.0; });
+    const double depth = 0.613;
+    const Shape wall = square(depth); // the lower left quarter of it stands in the cube's way
+    for (const View& view : {View{"ahead", {0.1, -1, 0.2}, 30}, View{"parallel", {0.4, -1, 0.3}, 0}, views[7]})
+        for (const std::size_t slices : {50, 200})
+            for (const Vec3d& normal : {Vec3d{0, 1, 0}, Vec3d{1, 0, 0}, unit_of(view.from)}) {
+                Frame frame = frame_of(view, {-1, 0, -1}, {1, 1, 1});
+                frame.camera.target = {0.5, 0.5, 0.5};
+                frame.camera.position = plus(frame.camera.target, unit_of(view.from), view.distance);
+                Mesh mesh = wall.mesh();
+                mesh.scalars = {};
+                mesh.color = {0, 0, 0, 1};
+                mesh.lit = false;
+                frame.meshes.push_back(mesh);
+                frame.volumes.push_back(scene.volume(normal, slices));
+                frame.volumes[0].range = {0, 1};
+                frame.volumes[0].opacity_points = {{0, opacity}};
+                const auto expected = [&](const Ray& ray) {
+                    auto [from, to] = inside_box(ray, {0, 0, 0}, {1, 1, 1});
+                    const double wall_at = (depth - ray[0][1]) / ray[1][1];
+                    const Vec3d hit = plus(ray[0], ray[1], wall_at);
+                    if (wall_at > 0 && std::abs(hit[0]) < 1 && std::abs(hit[2]) < 1) to = std::min(to, wall_at);
+                    return 1 - std::pow(1 - opacity, std::max(0.0, to - from));
+                };
+                expect_close(compare(frame, expected, 0.01), std::string(view.name) + ", " + std::to_string(slices) +
+                                                                 " slices along " + testing::PrintToString(normal));
+            }
+}
+
+TEST(VolumeTest, RefusesWhatDoesNotFitTogether) {
+    VolumeScene scene(test::hexahedra(Box{{1, 1, 1}, 0, 1, 1}), [](const Vec3d&) { return 1.0; });
+    Image image;
+    Frame frame = frame_of(views[0]);
+    const auto refused = [&](const Volume& volume, const char* words) {
+        frame.volumes = {volume};
+        EXPECT_THAT([&] { renderer().draw(frame, image); }, testing::ThrowsMessage<Error>(testing::HasSubstr(words)));
+    };
+    Volume volume = scene.volume({0, 1, 0}, 4);
+    volume.boundary = nullptr;
+    refused(volume, "lacks slices, a boundary");
+    volume = scene.volume({0, 1, 0}, 4);
+    volume.slices = {};
+    refused(volume, "lacks slices");
+    volume = scene.volume({0, 1, 0}, 4);
+    SlabMesh broken{{}, {0, 1, 2}};
+    volume.slices = std::span(&broken, 1);
+    refused(volume, "do not fit its 0 vertices");
+    volume = scene.volume({0, 1, 0}, 4);
+    volume.map = "nothing";
+    refused(volume, "there is no colour map 'nothing'");
+    frame.volumes = {scene.volume({0, 1, 0}, 4)};
+    renderer().draw(frame, image);
+}
+
+TEST(TransferTableTest, InterpolatesOpacityAndStepsAtDoublePositions) {
+    const std::vector<std::array<double, 2>> points{{0.2, 0.1}, {0.4, 0.5}, {0.4, 0.9}, {0.8, 0.3}};
+    EXPECT_DOUBLE_EQ(opacity_at(points, 0), 0.1);
+    EXPECT_DOUBLE_EQ(opacity_at(points, 0.3), 0.3);
+    EXPECT_DOUBLE_EQ(opacity_at(points, 0.39999999), 0.49999998);
+    EXPECT_DOUBLE_EQ(opacity_at(points, 0.4), 0.9);
+    EXPECT_DOUBLE_EQ(opacity_at(points, 0.6), 0.6);
+    EXPECT_DOUBLE_EQ(opacity_at(points, 1), 0.3);
+    EXPECT_DOUBLE_EQ(opacity_at({}, 0.5), 0);
+    EXPECT_NEAR(1 - std::exp(-extinction_of(0.7)), 0.7, 1e-12);
+    EXPECT_TRUE(std::isfinite(extinction_of(1)));
 }
 
 } // namespace

@@ -19,8 +19,8 @@ public:
     VolumeScene(const test::Polyhedra& mesh, const std::function<double(const Vec3d&)>& property)
         : mesh_(assemble(test::view(mesh)).mesh), topology_(mesh_.view()) {
         for (std::size_t v = 0; v < mesh_.positions.size(); v += 3)
-            values_.push_back(static_cast<float>(
-                property({mesh_.positions[v], mesh_.positions[v + 1], mesh_.positions[v + 2]})));
+            values_.push_back(
+                static_cast<float>(property({mesh_.positions[v], mesh_.positions[v + 1], mesh_.positions[v + 2]})));
         gradients_ = vertex_gradients(topology_, mesh_.view(), values_);
         limits_ = cell_limits(mesh_.view(), values_);
         boundary_ = slab_boundary(mesh_.view(), {values_, gradients_, limits_});

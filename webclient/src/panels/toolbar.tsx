@@ -76,7 +76,9 @@ const FORMATS: { format: ExportFormat; text: string }[] = [
 function ExportMenu({ disabled }: { disabled: boolean }): JSX.Element {
   const { actions } = useApp();
   const scene = useAppState((state) => state.scene);
-  const layers = Object.entries(scene?.layers ?? {}).filter(([, layer]) => layer.type !== "outline");
+  const layers = Object.entries(scene?.layers ?? {}).filter(
+    ([, layer]) => layer.type !== "outline" && layer.type !== "volume",
+  );
   const names = layerNames(scene);
   const [chosen, setChosen] = useState("");
   const [triangles, setTriangles] = useState(false);

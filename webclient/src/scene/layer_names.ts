@@ -27,6 +27,8 @@ export function layerName(layer: Layer): string {
       return (layer.groups ?? []).length === 0 ? "Whole boundary" : `Boundary: ${list(layer.groups ?? [])}`;
     case "outline":
       return "Outline";
+    case "volume":
+      return `Volume of ${layer.array}`;
   }
 }
 

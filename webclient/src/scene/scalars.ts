@@ -78,10 +78,11 @@ export function legendsOf(scene: Scene | null): { coloring: Coloring & { array: 
   const found = new Map<string, { coloring: Coloring & { array: string }; layers: string[] }>();
   for (const [id, layer] of Object.entries(scene?.layers ?? {})) {
     const { color } = layer;
-    if (layer.visible === false || layer.type === "outline" || color?.array === undefined) continue;
-    const key = JSON.stringify([color.array, color.map ?? "viridis", color.range ?? null]);
+    const array = layer.type === "volume" ? layer.array : color?.array;
+    if (layer.visible === false || layer.type === "outline" || array === undefined) continue;
+    const key = JSON.stringify([array, color?.map ?? "viridis", color?.range ?? null]);
     const same = found.get(key);
-    if (same === undefined) found.set(key, { coloring: { ...color, array: color.array }, layers: [id] });
+    if (same === undefined) found.set(key, { coloring: { ...color, array }, layers: [id] });
     else same.layers.push(id);
   }
   return [...found.values()];
