@@ -1,4 +1,4 @@
-// ciel bench: the paper's four tables for any dataset, on this machine.
+// ciel bench: the paper's four tables, and pictures of a volume, for any dataset, on this machine.
 #include "app/commands.hpp"
 #include "bench/case.hpp"
 #include "ciel/parallel.hpp"
@@ -20,7 +20,8 @@ const std::vector<std::pair<std::string, bench::Table (*)(const bench::Case&)>> 
     {"memory", bench::memory_table},
     {"preprocessing", bench::preprocessing_table},
     {"slices", bench::slices_table},
-    {"surfaces", bench::surfaces_table}};
+    {"surfaces", bench::surfaces_table},
+    {"volume", bench::volume_table}};
 
 struct BenchCommand {
     std::string dataset, array, output;
@@ -103,7 +104,8 @@ int run_command(const BenchCommand& command) {
 } // namespace
 
 void add_bench(CLI::App& app, Run& run) {
-    CLI::App* command = app.add_subcommand("bench", "Measure memory, preprocessing, slices and surfaces of a dataset");
+    CLI::App* command =
+        app.add_subcommand("bench", "Measure memory, preprocessing, slices, surfaces and volumes of a dataset");
     command->footer(
         "Medians with quartiles; CPU time counts all threads. Compare figures of one run, on a machine that "
         "does nothing else.");
@@ -112,9 +114,10 @@ void add_bench(CLI::App& app, Run& run) {
     command->add_option("--array", bench->array, "A scalar on the points; the first that varies without it.")
         ->type_name("ARRAY");
     command
-        ->add_option("--table", bench->tables,
-                     "memory, preprocessing, slices or surfaces; may be given more than once. All of them without it.")
-        ->check(CLI::IsMember({"memory", "preprocessing", "slices", "surfaces"}))
+        ->add_option(
+            "--table", bench->tables,
+            "memory, preprocessing, slices, surfaces or volume; may be given more than once. All of them without it.")
+        ->check(CLI::IsMember({"memory", "preprocessing", "slices", "surfaces", "volume"}))
         ->type_name("TABLE");
     command->add_option("--threads", bench->threads, "How many threads; all of the machine's without it.")
         ->check(CLI::Range(1, 1024))

@@ -68,6 +68,14 @@ void color_layers(const RenderCommand& render, nlohmann::json& layers) {
     bool any = false;
     for (auto& layer : layers) {
         if (layer["type"] == "outline" || layer["type"] == "clip") continue;
+        if (layer["type"] == "volume") {
+            if (render.colors.any()) {
+                any = true;
+                render.colors.apply_to(layer["color"]);
+                layer["color"].erase("array"); // a volume has its own array's colours
+            }
+            continue;
+        }
         any = true;
         nlohmann::json color = layer.value("color", nlohmann::json::object());
         render.colors.apply_to(color);
@@ -75,7 +83,7 @@ void color_layers(const RenderCommand& render, nlohmann::json& layers) {
         layer["color"] = std::move(color);
     }
     if (!any && render.colors.any())
-        throw UsageError("nothing has colours of an array; give --iso, --slice, --plane or --surface");
+        throw UsageError("nothing has colours of an array; give --iso, --slice, --plane, --surface or --volume");
 }
 
 nlohmann::json document_of_options(const RenderCommand& render, const store::Dataset& dataset) {
@@ -93,8 +101,9 @@ nlohmann::json default_document(const RenderCommand& render, store::LoadedDatase
 
 nlohmann::json document_of_file(const RenderCommand& render, const std::string& dataset) {
     if (render.scene.has_layers() || render.layers.any() || render.colors.any() || render.background)
-        throw UsageError("--scene says what to show and how; leave out --iso, --slice, --plane, --background, the "
-                         "options of layers, and what is about colours");
+        throw UsageError(
+            "--scene says what to show and how; leave out --iso, --slice, --plane, --volume, --background, "
+            "the options of layers, and what is about colours");
     nlohmann::json document = read_scene_file(render.scene_file);
     if (!document.is_object()) return document; // refused with the place by who checks it
     if (!document.contains("dataset")) document["dataset"] = dataset;
@@ -166,6 +175,11 @@ void add_render(CLI::App& app, Run& run) {
     auto render = std::make_shared<RenderCommand>();
     render->scene.add_to(*command);
     render->layers.add_to(*command);
+    command
+        ->add_option("--volume", render->scene.volumes,
+                     "Volume of a point scalar, and how opaque a ray gets per tenth of the diagonal from the lowest "
+                     "value (position 0) to the highest (1); may be repeated.")
+        ->type_name("ARRAY[=POSITION:OPACITY,...]");
     command
         ->add_option("--scene", render->scene_file,
                      "A scene document; without it and without layers, the default view.")

@@ -3,6 +3,7 @@
 #include "app/commands.hpp"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <iostream>
@@ -44,6 +45,22 @@ nlohmann::json plane_layer(const std::string& text) {
     return {{"type", "slice"}, {"origin", {n[0], n[1], n[2]}}, {"normal", {n[3], n[4], n[5]}}};
 }
 
+// ARRAY, or ARRAY=POSITION:OPACITY,...
+nlohmann::json volume_layer(const std::string& text) {
+    const auto equals = text.rfind('=');
+    nlohmann::json layer{{"type", "volume"}, {"array", text.substr(0, equals)}};
+    if (equals == std::string::npos) return layer;
+    std::string numbers = text.substr(equals + 1);
+    const auto colons = std::ranges::count(numbers, ':');
+    std::ranges::replace(numbers, ':', ',');
+    const std::vector<double> pairs = parse_numbers("--volume", numbers);
+    if (equals == 0 || pairs.size() != 2 * static_cast<std::size_t>(colons))
+        throw UsageError("--volume " + text + " is not of the form ARRAY or ARRAY=POSITION:OPACITY[,...]");
+    nlohmann::json& points = layer["opacity_points"] = nlohmann::json::array();
+    for (std::size_t i = 0; i < pairs.size(); i += 2) points.push_back({pairs[i], pairs[i + 1]});
+    return layer;
+}
+
 } // namespace
 
 void SceneOptions::add_to(CLI::App& command) {
@@ -80,6 +97,7 @@ nlohmann::json SceneOptions::document(const store::Dataset& loaded) const {
     add("iso", isos, iso_layer);
     add("slice", slices, slice_layer);
     add("plane", planes, plane_layer);
+    add("volume", volumes, volume_layer);
     nlohmann::json document{{"dataset", loaded.info().name}, {"layers", std::move(layers)}};
     if (time && !std::isfinite(*time)) throw UsageError("--time must be a finite number");
     if (time)

@@ -16,13 +16,15 @@ class App;
 namespace ciel::app {
 
 struct SceneOptions {
-    std::string dataset; // path of NAME.ciel
-    std::vector<std::string> isos, slices, planes;
+    std::string dataset;                                    // path of NAME.ciel
+    std::vector<std::string> isos, slices, planes, volumes; // volumes: of `ciel render` alone
     std::optional<double> time;
     std::string decider = "isolate-high";
 
     void add_to(CLI::App& command);
-    [[nodiscard]] bool has_layers() const { return !isos.empty() || !slices.empty() || !planes.empty(); }
+    [[nodiscard]] bool has_layers() const {
+        return !isos.empty() || !slices.empty() || !planes.empty() || !volumes.empty();
+    }
     // The layers without colours, at the asked time or else at the first step. Throws UsageError on an option that
     // cannot be read.
     [[nodiscard]] nlohmann::json document(const store::Dataset& dataset) const;

@@ -1,4 +1,4 @@
-// The paper's four tables, each for one dataset and one scalar on its points.
+// The paper's four tables and the pictures of a volume, each for one dataset and one scalar on its points.
 #pragma once
 
 #include "bench/table.hpp"
@@ -27,6 +27,7 @@ struct Case {
 [[nodiscard]] Table preprocessing_table(const Case& data); // 3: loading, construction, gradients, minima
 [[nodiscard]] Table slices_table(const Case& data);        // 4: what volume rendering draws
 [[nodiscard]] Table surfaces_table(const Case& data);      // 5
+[[nodiscard]] Table volume_table(const Case& data);        // pictures of a volume, by the GL that is there
 
 [[nodiscard]] std::uint64_t triangles_of(const Surface& surface);
 // Equally spaced inside the range, without its ends.

@@ -210,7 +210,8 @@ std::size_t PropagationCutter::memory_bytes() const {
     std::size_t bytes = Cutter::memory_bytes() + active_edges_.capacity() * sizeof(HalfEdge) + is_active_.capacity() +
                         is_low_.capacity() + is_listed_.capacity() +
                         (half_edges_.capacity() + low_half_edges_.capacity()) * sizeof(Index);
-    for (const std::vector<Index>& cells : cells_) bytes += sizeof cells + cells.capacity() * sizeof(Index);
+    for (const std::vector<Index>& cells : cells_)
+        bytes += sizeof(std::vector<Index>) + cells.capacity() * sizeof(Index);
     return bytes;
 }
 

@@ -34,7 +34,8 @@ std::vector<std::uint8_t> doubtful_points(const Surface& surface) {
 // A point's sum is made in the order of its polygons, whatever the chunks: first those of its own chunk, then what the
 // others have noted for it.
 void write_polygon_normals(std::span<const PointRange> chunks, NormalSums& sums, Surface& surface) {
-    auto& [sum, elsewhere] = sums;
+    std::vector<Vec3d>& sum = sums.sum;
+    std::vector<std::vector<NormalSums::Share>>& elsewhere = sums.elsewhere;
     sum.assign(surface.points.size(), {});
     elsewhere.resize(chunks.size());
     for (std::vector<NormalSums::Share>& shares : elsewhere) shares.clear();

@@ -3,6 +3,7 @@
 #include "ciel/cut_block.hpp"
 #include "ciel/field_blocks.hpp"
 #include "ciel/parallel.hpp"
+#include "ciel/slab.hpp"
 
 #include <algorithm>
 
@@ -24,7 +25,7 @@ public:
         (void)classify(values, in.threshold, scratch, cut_);
         cut_block(block, in, scratch, cut_);
         place_points(block, values, nu);
-        return {points_, positions_, cut_.polygon_end, cut_.polygon_edge};
+        return {points_, positions_, cut_.polygon_end, cut_.polygon_edge, cut_.polygon_cell, block.cell_begin};
     }
 
 private:
@@ -174,5 +175,7 @@ template bool sweep(const Topology&, const FaceMeshView&, const Field&, std::spa
                     std::vector<SoupSink::Out>&, const StopToken&);
 template bool sweep(const Topology&, const FaceMeshView&, const Field&, std::span<const double>, const OutlineSink&,
                     std::vector<OutlineSink::Out>&, const StopToken&);
+template bool sweep(const Topology&, const FaceMeshView&, const Field&, std::span<const double>, const SlabSink&,
+                    std::vector<SlabSink::Out>&, const StopToken&);
 
 } // namespace ciel

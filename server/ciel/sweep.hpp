@@ -12,6 +12,8 @@ struct BlockCut {
     std::span<const EdgePoint> points;
     std::span<const Vec3f> positions;                  // offsets from the mesh's origin
     std::span<const Index> polygon_end, polygon_point; // into the points
+    std::span<const Index> polygon_cell;               // the mesh's cells less cell_begin
+    Index cell_begin = 0;
 
     [[nodiscard]] std::size_t polygon_count() const { return polygon_end.size(); }
     [[nodiscard]] std::span<const Index> polygon(std::size_t i) const {
@@ -20,8 +22,8 @@ struct BlockCut {
     }
 };
 
-// A sink makes a Part of each cut, on any thread, and joins a value's parts in the order of the blocks. Its three kinds
-// are below; one of your own has
+// A sink makes a Part of each cut, on any thread, and joins a value's parts in the order of the blocks. Three kinds are
+// below, SlabSink is in slab.hpp; one of your own has
 //     using Part = ...; using Out = ...;
 //     void write(const BlockCut& cut, Part& part) const;
 //     void join(std::span<const Part*> parts, Out& out) const;

@@ -11,32 +11,42 @@ namespace ciel::render {
 #define CIEL_GL_FUNCTIONS(X)                                                                                           \
     X(ActiveTexture, PFNGLACTIVETEXTUREPROC)                                                                           \
     X(AttachShader, PFNGLATTACHSHADERPROC)                                                                             \
+    X(BeginQuery, PFNGLBEGINQUERYPROC)                                                                                 \
     X(BindBuffer, PFNGLBINDBUFFERPROC)                                                                                 \
     X(BindFramebuffer, PFNGLBINDFRAMEBUFFERPROC)                                                                       \
     X(BindRenderbuffer, PFNGLBINDRENDERBUFFERPROC)                                                                     \
     X(BindTexture, PFNGLBINDTEXTUREPROC)                                                                               \
     X(BindVertexArray, PFNGLBINDVERTEXARRAYPROC)                                                                       \
+    X(BlendEquation, PFNGLBLENDEQUATIONPROC)                                                                           \
     X(BlendFuncSeparate, PFNGLBLENDFUNCSEPARATEPROC)                                                                   \
     X(BlitFramebuffer, PFNGLBLITFRAMEBUFFERPROC)                                                                       \
     X(BufferData, PFNGLBUFFERDATAPROC)                                                                                 \
+    X(BufferSubData, PFNGLBUFFERSUBDATAPROC)                                                                           \
     X(CheckFramebufferStatus, PFNGLCHECKFRAMEBUFFERSTATUSPROC)                                                         \
     X(Clear, PFNGLCLEARPROC)                                                                                           \
     X(ClearColor, PFNGLCLEARCOLORPROC)                                                                                 \
+    X(ClearDepth, PFNGLCLEARDEPTHPROC)                                                                                 \
     X(ColorMask, PFNGLCOLORMASKPROC)                                                                                   \
     X(CompileShader, PFNGLCOMPILESHADERPROC)                                                                           \
     X(CreateProgram, PFNGLCREATEPROGRAMPROC)                                                                           \
     X(CreateShader, PFNGLCREATESHADERPROC)                                                                             \
+    X(CullFace, PFNGLCULLFACEPROC)                                                                                     \
     X(DepthFunc, PFNGLDEPTHFUNCPROC)                                                                                   \
     X(DepthMask, PFNGLDEPTHMASKPROC)                                                                                   \
     X(Disable, PFNGLDISABLEPROC)                                                                                       \
     X(DisableVertexAttribArray, PFNGLDISABLEVERTEXATTRIBARRAYPROC)                                                     \
     X(DrawArrays, PFNGLDRAWARRAYSPROC)                                                                                 \
+    X(DrawBuffer, PFNGLDRAWBUFFERPROC)                                                                                 \
     X(DrawElements, PFNGLDRAWELEMENTSPROC)                                                                             \
+    X(DrawElementsBaseVertex, PFNGLDRAWELEMENTSBASEVERTEXPROC)                                                         \
     X(Enable, PFNGLENABLEPROC)                                                                                         \
     X(EnableVertexAttribArray, PFNGLENABLEVERTEXATTRIBARRAYPROC)                                                       \
+    X(EndQuery, PFNGLENDQUERYPROC)                                                                                     \
     X(FramebufferRenderbuffer, PFNGLFRAMEBUFFERRENDERBUFFERPROC)                                                       \
+    X(FramebufferTexture2D, PFNGLFRAMEBUFFERTEXTURE2DPROC)                                                             \
     X(GenBuffers, PFNGLGENBUFFERSPROC)                                                                                 \
     X(GenFramebuffers, PFNGLGENFRAMEBUFFERSPROC)                                                                       \
+    X(GenQueries, PFNGLGENQUERIESPROC)                                                                                 \
     X(GenRenderbuffers, PFNGLGENRENDERBUFFERSPROC)                                                                     \
     X(GenTextures, PFNGLGENTEXTURESPROC)                                                                               \
     X(GenVertexArrays, PFNGLGENVERTEXARRAYSPROC)                                                                       \
@@ -44,6 +54,7 @@ namespace ciel::render {
     X(GetIntegerv, PFNGLGETINTEGERVPROC)                                                                               \
     X(GetProgramInfoLog, PFNGLGETPROGRAMINFOLOGPROC)                                                                   \
     X(GetProgramiv, PFNGLGETPROGRAMIVPROC)                                                                             \
+    X(GetQueryObjectuiv, PFNGLGETQUERYOBJECTUIVPROC)                                                                   \
     X(GetShaderInfoLog, PFNGLGETSHADERINFOLOGPROC)                                                                     \
     X(GetShaderiv, PFNGLGETSHADERIVPROC)                                                                               \
     X(GetString, PFNGLGETSTRINGPROC)                                                                                   \
@@ -51,6 +62,7 @@ namespace ciel::render {
     X(LinkProgram, PFNGLLINKPROGRAMPROC)                                                                               \
     X(PixelStorei, PFNGLPIXELSTOREIPROC)                                                                               \
     X(PolygonOffset, PFNGLPOLYGONOFFSETPROC)                                                                           \
+    X(ProvokingVertex, PFNGLPROVOKINGVERTEXPROC)                                                                       \
     X(ReadPixels, PFNGLREADPIXELSPROC)                                                                                 \
     X(RenderbufferStorageMultisample, PFNGLRENDERBUFFERSTORAGEMULTISAMPLEPROC)                                         \
     X(ShaderSource, PFNGLSHADERSOURCEPROC)                                                                             \

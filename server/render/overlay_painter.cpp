@@ -56,7 +56,7 @@ double halo_width(const Stroke& stroke) { return stroke.width + 2 * std::max(1.0
 
 OverlayPainter::OverlayPainter(const Gl& gl)
     : gl_(gl), atlas_(gl_, font_),
-      program_(make_program(gl_, {{GL_VERTEX_SHADER, overlay_vertex}, {GL_FRAGMENT_SHADER, overlay_fragment}})),
+      program_(link_stages(gl_, {{GL_VERTEX_SHADER, overlay_vertex}, {GL_FRAGMENT_SHADER, overlay_fragment}})),
       viewport_(gl_.GetUniformLocation(program_, "viewport")), glyphs_(gl_.GetUniformLocation(program_, "glyphs")) {
     gl_.GenVertexArrays(1, &array_);
     gl_.GenBuffers(1, &buffer_);

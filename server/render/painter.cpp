@@ -22,7 +22,13 @@ float reach_of_overlays(const Frame& frame) {
     return std::min(reach, 6.0F);
 }
 
+constexpr int limits_unit = 2; // behind those of the colour scales
+
 bool is_transparent(const Mesh& mesh) { return !mesh.lines && !mesh.points && mesh.color[3] < 1; }
+
+bool is_opaque(const Mesh& mesh) {
+    return !mesh.lines && !mesh.points && !is_transparent(mesh) && !mesh.indices.empty();
+}
 
 } // namespace
 
@@ -31,7 +37,8 @@ Painter::Painter(const Gl& gl)
       is_software_(renderer_name_.find("llvmpipe") != std::string::npos ||
                    renderer_name_.find("softpipe") != std::string::npos),
       background_(make_background_program(gl_)), triangles_(make_triangle_program(gl_)), lines_(make_line_program(gl_)),
-      points_(make_point_program(gl_)), scales_(gl_), target_(gl_), transparent_(gl_), overlay_(gl_) {
+      points_(make_point_program(gl_)), scales_(gl_), target_(gl_), transparent_(gl_), peeling_(gl_), volumes_(gl_),
+      overlay_(gl_) {
     gl_.GenVertexArrays(1, &no_array_);
     gl_.DepthFunc(GL_LEQUAL);
     gl_.Enable(GL_PROGRAM_POINT_SIZE);
@@ -50,6 +57,7 @@ void Painter::draw(const Frame& frame, Image& image) {
     draw_background(frame);
     enable_clip_planes(true);
     draw_meshes(frame, triangles_);
+    if (!frame.volumes.empty()) keep_opaque_depth(frame);
     gl_.Enable(GL_BLEND);
     draw_meshes(frame, lines_);
     draw_meshes(frame, points_);
@@ -122,11 +130,18 @@ MeshBuffers& Painter::buffers(std::size_t slot) {
     return *std::next(buffers_.begin(), static_cast<std::ptrdiff_t>(slot));
 }
 
-void Painter::draw_meshes(const Frame& frame, const Program& program) {
+void Painter::draw_meshes(const Frame& frame, const Program& program, bool before_volume) {
     use(program, frame);
     if (&program == &triangles_) { // surfaces a little back, so that lines on them are not half buried
         gl_.Enable(GL_POLYGON_OFFSET_FILL);
         gl_.PolygonOffset(reach_of_overlays(frame), 1);
+    }
+    if (&program != &triangles_) {
+        gl_.ActiveTexture(GL_TEXTURE0 + limits_unit);
+        gl_.BindTexture(GL_TEXTURE_2D, volumes_.limits());
+        gl_.ActiveTexture(GL_TEXTURE0);
+        gl_.Uniform1i(program.volume_limits, limits_unit);
+        gl_.Uniform1f(program.before_volume, before_volume ? 1.0F : 0.0F);
     }
     for (std::size_t i = 0; i < frame.meshes.size(); ++i) {
         const Mesh& mesh = frame.meshes[i];
@@ -142,6 +157,33 @@ void Painter::draw_meshes(const Frame& frame, const Program& program) {
     gl_.Disable(GL_POLYGON_OFFSET_FILL);
 }
 
+// Drawn again rather than copied: in the picture surfaces lie a little back, for the lines on them.
+void Painter::keep_opaque_depth(const Frame& frame) {
+    if (!std::ranges::any_of(frame.meshes, is_opaque)) return;
+    volumes_.begin_depth(frame.width, frame.height);
+    use(triangles_, frame);
+    for (std::size_t i = 0; i < frame.meshes.size(); ++i) {
+        if (!is_opaque(frame.meshes[i])) continue;
+        buffers(i).load(frame.meshes[i], scale_rows_[i], true);
+        buffers(i).draw();
+    }
+    target_.bind_again();
+}
+
+void Painter::draw_volumes(const Frame& frame) {
+    enable_clip_planes(false); // the volumes' programs know no planes
+    volumes_.draw(frame, transform_, target_);
+    enable_clip_planes(true);
+    draw_before_volumes(frame);
+}
+
+// Lines and points leave no depth that a volume ends on: their soft edges would cut it off. So they are seen through
+// it, and those in front of it are drawn again.
+void Painter::draw_before_volumes(const Frame& frame) {
+    draw_meshes(frame, lines_, true);
+    draw_meshes(frame, points_, true);
+}
+
 void Painter::draw_transparent(const Frame& frame) {
     const glm::mat4 view(transform_.view);
     transparent_.begin(glm::vec4(view[0].z, view[1].z, view[2].z, view[3].z));
@@ -149,14 +191,39 @@ void Painter::draw_transparent(const Frame& frame) {
         if (is_transparent(frame.meshes[i]) && frame.meshes[i].color[3] > 0)
             transparent_.add(frame.meshes[i], scale_rows_[i]);
     transparent_depth_drawn_ = transparent_.is_empty();
-    if (transparent_.is_empty()) return;
+    if (transparent_.is_empty()) {
+        if (!frame.volumes.empty()) draw_volumes(frame);
+        return;
+    }
     transparent_.sort_and_upload();
+    if (frame.samples > 1 || !frame.volumes.empty()) return peel_transparent(frame);
     use(triangles_, frame);
     gl_.DepthMask(GL_FALSE);
     gl_.Enable(GL_POLYGON_OFFSET_FILL); // behind the lines on them, which have left their depth
     transparent_.draw();
     gl_.Disable(GL_POLYGON_OFFSET_FILL);
     gl_.DepthMask(GL_TRUE);
+}
+
+// For stills, because triangles that are sorted by their centres show where they cross or enclose each other; and where
+// surfaces are inside volumes.
+void Painter::peel_transparent(const Frame& frame) {
+    DepthPeeling::Scene layers{frame.width, frame.height, frame.samples, {}, {}};
+    layers.draw_surfaces = [&] {
+        use(peeling_.program(), frame);
+        gl_.Uniform1i(peeling_.program().nearer, DepthPeeling::nearer_unit);
+        enable_clip_planes(true);
+        gl_.Enable(GL_POLYGON_OFFSET_FILL); // behind the lines on them, which have left their depth
+        transparent_.draw();
+        gl_.Disable(GL_POLYGON_OFFSET_FILL);
+        enable_clip_planes(false);
+    };
+    if (!frame.volumes.empty())
+        layers.volumes = [&](GLuint depth) { return volumes_.picture_until(frame, transform_, depth); };
+    enable_clip_planes(false);
+    peeling_.draw(layers, target_);
+    enable_clip_planes(true);
+    if (!frame.volumes.empty()) draw_before_volumes(frame);
 }
 
 bool Painter::pick(int x, int y, Vec3d& position) {

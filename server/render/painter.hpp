@@ -3,11 +3,13 @@
 
 #include "render/camera.hpp"
 #include "render/color_scales.hpp"
+#include "render/depth_peeling.hpp"
 #include "render/mesh_buffers.hpp"
 #include "render/overlay_painter.hpp"
 #include "render/shaders.hpp"
 #include "render/target.hpp"
 #include "render/transparency.hpp"
+#include "render/volume_painter.hpp"
 
 #include <list>
 
@@ -28,8 +30,12 @@ private:
     void enable_clip_planes(bool on);
     void load_scales(const Frame& frame);
     void draw_background(const Frame& frame);
-    void draw_meshes(const Frame& frame, const Program& program);
+    void draw_meshes(const Frame& frame, const Program& program, bool before_volume = false);
+    void keep_opaque_depth(const Frame& frame);
+    void draw_volumes(const Frame& frame);
+    void draw_before_volumes(const Frame& frame);
     void draw_transparent(const Frame& frame);
+    void peel_transparent(const Frame& frame);
     void use(const Program& program, const Frame& frame);
     [[nodiscard]] MeshBuffers& buffers(std::size_t slot);
 
@@ -43,6 +49,8 @@ private:
     Target target_;
     std::list<MeshBuffers> buffers_; // one per mesh of the largest frame so far
     TransparentTriangles transparent_;
+    DepthPeeling peeling_;
+    VolumePainter volumes_;
     OverlayPainter overlay_;
     ViewTransform transform_;
     std::size_t clip_planes_ = 0; // of the last frame

@@ -4,6 +4,7 @@
 #include "ciel/types.hpp"
 #include "render/annotations.hpp"
 #include "render/color_scale.hpp"
+#include "render/volume.hpp"
 
 #include <cstdint>
 #include <memory>
@@ -47,6 +48,9 @@ struct Frame {
     // Opaque triangles, then lines, then points, then transparent triangles of all meshes sorted from the back to the
     // front.
     std::vector<Mesh> meshes;
+    // In front of what is behind them and behind what is in front, but one volume after the other; transparent
+    // triangles come after them all.
+    std::vector<Volume> volumes;
     int samples = 1; // 4: multisampled, for stills
     // At most 6: of all meshes only what has dot(xyz, position) + w >= 0 is drawn, and found by pick.
     std::vector<std::array<float, 4>> clip;

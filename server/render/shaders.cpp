@@ -6,13 +6,6 @@
 namespace ciel::render {
 namespace {
 
-constexpr const char* background_vertex = R"(#version 330 core
-void main() { // one triangle that covers the picture
-    vec2 corner = vec2((gl_VertexID << 1) & 2, gl_VertexID & 2);
-    gl_Position = vec4(corner * 2.0 - 1.0, 0.0, 1.0);
-}
-)";
-
 constexpr const char* background_fragment = R"(#version 330 core
 uniform vec3 top;
 uniform vec3 bottom;
@@ -66,6 +59,9 @@ in Surface {
     vec3 position;
 } surface;
 out vec4 picture;
+#ifdef PEELED
+uniform sampler2D nearer;
+#endif
 
 vec3 facing_normal(vec3 viewer) {
     vec3 plane = cross(dFdx(surface.place), dFdy(surface.place));
@@ -78,6 +74,9 @@ vec3 facing_normal(vec3 viewer) {
 }
 
 void main() {
+#ifdef PEELED
+    if (gl_FragCoord.z <= texelFetch(nearer, ivec2(gl_FragCoord.xy), 0).r) discard;
+#endif
     vec3 base = base_color(surface.value, surface.color.rgb, surface.style.x);
     if (surface.style.y > 0.5) {
         vec3 viewer = mix(normalize(-surface.place), vec3(0.0, 0.0, 1.0), parallel);
@@ -160,6 +159,9 @@ void main() {
 
 constexpr const char* line_fragment = R"(
 uniform float half_width;
+uniform vec2 viewport;
+uniform float before_volume; // 1: only what is in front of the volume
+uniform sampler2D volume_limits;
 in Line {
     float value;
     noperspective float across;
@@ -168,6 +170,7 @@ in Line {
 } line;
 out vec4 picture;
 void main() {
+    if (before_volume > 0.5 && gl_FragCoord.z > texture(volume_limits, gl_FragCoord.xy / viewport).a) discard;
     float cover = clamp(half_width + 0.5 - abs(line.across), 0.0, 1.0);
     if (cover < 0.02) discard; // else an unseen edge would still hide what is behind it
     picture = vec4(base_color(line.value, line.color.rgb, line.style.x), line.color.a * cover);
@@ -177,6 +180,9 @@ void main() {
 // A point is a disc with soft edges, shaded as the ball that it stands for.
 constexpr const char* point_fragment = R"(
 uniform float point_size;
+uniform vec2 viewport;
+uniform float before_volume; // 1: only what is in front of the volume
+uniform sampler2D volume_limits;
 in Surface {
     vec3 place;
     vec3 normal;
@@ -187,6 +193,7 @@ in Surface {
 } surface;
 out vec4 picture;
 void main() {
+    if (before_volume > 0.5 && gl_FragCoord.z > texture(volume_limits, gl_FragCoord.xy / viewport).a) discard;
     vec2 from_center = (gl_PointCoord - 0.5) * (point_size + 1.0);
     float radius = length(from_center);
     float cover = clamp(point_size * 0.5 + 0.5 - radius, 0.0, 1.0);
@@ -215,7 +222,7 @@ void add_shader(const Gl& gl, GLuint program, GLenum kind, const std::string& so
 
 Program link(const Gl& gl, const std::vector<Stage>& stages) {
     Program program;
-    program.id = make_program(gl, stages);
+    program.id = link_stages(gl, stages);
     const auto uniform = [&](const char* name) { return gl.GetUniformLocation(program.id, name); };
     program.view = uniform("view");
     program.projection = uniform("projection");
@@ -228,16 +235,28 @@ Program link(const Gl& gl, const std::vector<Stage>& stages) {
     program.viewport = uniform("viewport");
     program.half_width = uniform("half_width");
     program.top = uniform("top");
+    program.before_volume = uniform("before_volume");
+    program.volume_limits = uniform("volume_limits");
+    program.nearer = uniform("nearer");
     program.bottom = uniform("bottom");
     program.height = uniform("height");
     return program;
 }
 
-std::string with_color_scale(const char* body) { return std::string("#version 330 core\n") + color_scale_glsl + body; }
+std::string with_color_scale(const char* body, const char* defines = "") {
+    return std::string("#version 330 core\n") + defines + color_scale_glsl + body;
+}
 
 } // namespace
 
-GLuint make_program(const Gl& gl, const std::vector<Stage>& stages) {
+const char* const cover_vertex = R"(#version 330 core
+void main() {
+    vec2 corner = vec2((gl_VertexID << 1) & 2, gl_VertexID & 2);
+    gl_Position = vec4(corner * 2.0 - 1.0, 0.0, 1.0);
+}
+)";
+
+GLuint link_stages(const Gl& gl, const std::vector<Stage>& stages) {
     const GLuint program = gl.CreateProgram();
     for (const auto& [kind, source] : stages) add_shader(gl, program, kind, source);
     gl.LinkProgram(program);
@@ -252,7 +271,7 @@ GLuint make_program(const Gl& gl, const std::vector<Stage>& stages) {
 }
 
 Program make_background_program(const Gl& gl) {
-    return link(gl, {{GL_VERTEX_SHADER, background_vertex}, {GL_FRAGMENT_SHADER, background_fragment}});
+    return link(gl, {{GL_VERTEX_SHADER, cover_vertex}, {GL_FRAGMENT_SHADER, background_fragment}});
 }
 
 Program make_triangle_program(const Gl& gl) {
@@ -261,6 +280,11 @@ Program make_triangle_program(const Gl& gl) {
 
 Program make_point_program(const Gl& gl) {
     return link(gl, {{GL_VERTEX_SHADER, surface_vertex}, {GL_FRAGMENT_SHADER, with_color_scale(point_fragment)}});
+}
+
+Program make_peeling_program(const Gl& gl) {
+    return link(gl, {{GL_VERTEX_SHADER, surface_vertex},
+                     {GL_FRAGMENT_SHADER, with_color_scale(triangle_fragment, "#define PEELED\n")}});
 }
 
 Program make_line_program(const Gl& gl) {

@@ -26,15 +26,24 @@ struct Program {
     GLint view = -1, projection = -1, scale = -1, parallel = -1, clip = -1; // triangles, lines and points
     GLint scale_colors = -1, scale_rules = -1;                              // likewise
     GLint point_size = -1;                                                  // points
-    GLint viewport = -1, half_width = -1;                                   // lines
+    GLint viewport = -1, before_volume = -1, volume_limits = -1;            // lines and points
+    GLint half_width = -1;                                                  // lines
+    GLint nearer = -1;                                                      // triangles that are peeled
     GLint top = -1, bottom = -1, height = -1;                               // background
 };
 
-using Stage = std::pair<GLenum, std::string>; // kind of a shader and its source
+// One triangle that covers the picture.
+extern const char* const cover_vertex;
+
+using Stage = std::pair<GLenum, std::string>; // kind and source of a shader
+// Throws Error with the compiler's words.
+[[nodiscard]] GLuint link_stages(const Gl& gl, const std::vector<Stage>& stages);
+
 // Each throws Error with the compiler's words.
-[[nodiscard]] GLuint make_program(const Gl& gl, const std::vector<Stage>& stages);
 [[nodiscard]] Program make_background_program(const Gl& gl);
 [[nodiscard]] Program make_triangle_program(const Gl& gl);
+// Triangles again, but only what lies behind a depth (depth_peeling.hpp).
+[[nodiscard]] Program make_peeling_program(const Gl& gl);
 [[nodiscard]] Program make_line_program(const Gl& gl);
 [[nodiscard]] Program make_point_program(const Gl& gl);
 

@@ -67,6 +67,14 @@ void Target::bind_again() {
     gl_.Viewport(0, 0, drawn_->width, drawn_->height);
 }
 
+void Target::copy_depth(GLuint framebuffer) {
+    const int width = drawn_->width;
+    const int height = drawn_->height;
+    gl_.BindFramebuffer(GL_READ_FRAMEBUFFER, drawn_->framebuffer);
+    gl_.BindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer);
+    gl_.BlitFramebuffer(0, 0, width, height, 0, 0, width, height, GL_DEPTH_BUFFER_BIT, GL_NEAREST);
+}
+
 Target::Layer& Target::resolved(GLbitfield what) {
     if (drawn_ == &single_) return single_;
     const int width = drawn_->width;

@@ -17,6 +17,8 @@ public:
     // Depth at a pixel counted from the top left, 1 where nothing was drawn.
     [[nodiscard]] float read_depth(int x, int y);
     void bind_again();
+    // Copies the depth of one sample a pixel to another framebuffer of this size, GL_DEPTH_COMPONENT24 as well.
+    void copy_depth(GLuint framebuffer);
 
 private:
     struct Layer { // one framebuffer with its two buffers

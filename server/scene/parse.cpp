@@ -256,6 +256,39 @@ Annotations annotations_of(const json& object) {
     return annotations;
 }
 
+void check_opacity_points(const VolumeLayer& volume, const std::string& path) {
+    for (std::size_t i = 0; i < volume.opacity_points.size(); ++i) {
+        const auto& [place, opacity] = volume.opacity_points[i];
+        const std::string at = path + "/opacity_points/" + std::to_string(i);
+        if (!(place >= 0 && place <= 1 && opacity >= 0 && opacity <= 1))
+            throw Invalid(at, "an opacity point is [position, opacity], each from 0 to 1");
+        if (i > 0 && place < volume.opacity_points[i - 1][0])
+            throw Invalid(at, "opacity points must be in the order of their positions");
+    }
+}
+
+VolumeLayer volume_of(const json& object, const std::string& path) {
+    static const std::map<std::string, VolumeLayer::Direction> directions{{"auto", VolumeLayer::Direction::automatic},
+                                                                          {"x", VolumeLayer::Direction::x},
+                                                                          {"y", VolumeLayer::Direction::y},
+                                                                          {"z", VolumeLayer::Direction::z},
+                                                                          {"screen", VolumeLayer::Direction::screen}};
+    VolumeLayer volume;
+    read(object, "array", volume.array);
+    volume.color = coloring_of(object, path);
+    read(object, "opacity_points", volume.opacity_points);
+    check_opacity_points(volume, path);
+    if (const auto length = object.find("unit_length"); length != object.end() && !length->is_null())
+        volume.unit_length = length->get<double>();
+    read(object, "slices", volume.slices);
+    if (const auto direction = object.find("direction"); direction != object.end())
+        volume.direction = directions.at(direction->get<std::string>());
+    read(object, "shaded", volume.shaded);
+    if (!volume.color.array.empty() && volume.color.array != volume.array)
+        throw Invalid(path + "/color/array", "a volume has the colours of its own array, " + volume.array);
+    return volume;
+}
+
 using Kind = decltype(Layer::kind);
 const std::map<std::string, Kind (*)(const json&, const std::string&)> kinds{
     {"iso", [](const json& o, const std::string& p) -> Kind { return iso_of(o, p); }},
@@ -265,6 +298,7 @@ const std::map<std::string, Kind (*)(const json&, const std::string&)> kinds{
     {"edges", [](const json& o, const std::string& p) -> Kind { return edges_layer_of(o, p); }},
     {"points", [](const json& o, const std::string& p) -> Kind { return points_of(o, p); }},
     {"clip", [](const json& o, const std::string& p) -> Kind { return clip_of(o, p); }},
+    {"volume", [](const json& o, const std::string& p) -> Kind { return volume_of(o, p); }},
 };
 
 Layer layer_of(const std::string& id, const json& object) {

@@ -103,12 +103,27 @@ struct PointsLayer {  // the mesh's vertices
     Coloring color;
 };
 
+// Emission and absorption between the mesh's boundary faces, by one array through one colour map and opacity curve.
+struct VolumeLayer {
+    enum class Direction { automatic, x, y, z, screen };
+
+    std::string array;
+    Coloring color; // its map and range
+    // (place between the ends of the range, opacity of a ray that runs one unit length through this value); ascending.
+    std::vector<std::array<double, 2>> opacity_points{{0, 0}, {1, 0.9}};
+    std::optional<double> unit_length; // none: a tenth of the bounds' diagonal
+    std::size_t slices = 200;
+    Direction direction = Direction::automatic;
+    bool shaded = true;
+};
+
 struct Layer {
     std::string id;
     double order = 0;
     bool visible = true;
     float opacity = 1;
-    std::variant<IsoLayer, SliceLayer, SurfaceLayer, OutlineLayer, ClipLayer, EdgesLayer, PointsLayer> kind;
+    std::variant<IsoLayer, SliceLayer, SurfaceLayer, OutlineLayer, ClipLayer, EdgesLayer, PointsLayer, VolumeLayer>
+        kind;
 };
 
 struct Annotations { // over the picture

@@ -7,18 +7,22 @@
 namespace ciel::session {
 namespace {
 
-render::Legend legend_of(const Drawable& drawable) { return {drawable.array, drawable.units, drawable.scale}; }
+template <class Shown>
+render::Legend legend_of(const Shown& drawable) {
+    return {drawable.array, drawable.units, drawable.scale};
+}
 
 bool is_same(const render::Legend& a, const render::Legend& b) { return a.name == b.name && a.scale == b.scale; }
 
 std::vector<render::Legend> legends_of(const Geometry& geometry) {
     std::vector<render::Legend> legends;
-    for (const Drawable& drawable : geometry.drawables) {
-        if (!drawable.scalars) continue;
-        const render::Legend legend = legend_of(drawable);
+    const auto add = [&](const render::Legend& legend) {
         const auto same = [&](const render::Legend& other) { return is_same(legend, other); };
         if (std::none_of(legends.begin(), legends.end(), same)) legends.push_back(legend);
-    }
+    };
+    for (const Drawable& drawable : geometry.drawables)
+        if (drawable.scalars) add(legend_of(drawable));
+    for (const VolumeDrawable& volume : geometry.volumes) add(legend_of(volume));
     return legends;
 }
 

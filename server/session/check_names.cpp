@@ -40,6 +40,10 @@ struct Check {
     }
     void operator()(const scene::ClipLayer&) const {}
     void operator()(const scene::OutlineLayer& outline) const { coloring(outline.color); }
+    void operator()(const scene::VolumeLayer& volume) const {
+        scalar(volume.array, "/array");
+        coloring(volume.color);
+    }
     void operator()(const scene::SurfaceLayer& surface) const { solid(surface); }
     void operator()(const scene::EdgesLayer& edges) const { solid(edges); }
     void operator()(const scene::PointsLayer& points) const { solid(points); }

@@ -24,13 +24,22 @@ wire::FrameHeader header_of(const View& view, const FrameRequest& request, const
     return header;
 }
 
+std::vector<std::string> lacking_in(const Geometry& geometry, Stream stream) {
+    std::vector<std::string> lacking = geometry.lacking;
+    lacking.insert(lacking.end(), geometry.remarks.begin(), geometry.remarks.end());
+    if (stream == Stream::geometry)
+        for (const VolumeDrawable& volume : geometry.volumes)
+            lacking.push_back("layer " + volume.layer + " is a volume, which has no polygons; it is shown in pictures");
+    return lacking;
+}
+
 } // namespace
 
 void show_frame(View& view, Worker& worker, bool still) {
     const auto request = view.take(still);
     if (!request) return;
     try {
-        const auto geometry = view.session().geometry(*request->version, request->stop);
+        const auto geometry = view.session().geometry(*request->version, request->stop, !request->still);
         if (!geometry) return view.give_up();
         wire::FrameHeader header = header_of(view, *request, *geometry);
         header.extract_ms = elapsed_ms(request->started);
@@ -44,9 +53,7 @@ void show_frame(View& view, Worker& worker, bool still) {
         } else if (view.is_new_content(content_of(*geometry))) {
             messages = geometry_messages(header, *geometry);
         }
-        auto lacking = geometry->lacking;
-        lacking.insert(lacking.end(), geometry->remarks.begin(), geometry->remarks.end());
-        view.tell_lacking(*request, lacking);
+        view.tell_lacking(*request, lacking_in(*geometry, request->stream));
         view.deliver(*request, std::move(messages),
                      {header.wait_ms, header.extract_ms, header.draw_ms, header.encode_ms});
     } catch (const std::exception& error) {

@@ -1,6 +1,7 @@
 #include "render/renderer.hpp"
 #include "session/clip.hpp"
 #include "session/scene_geometry.hpp"
+#include "session/volume_cut.hpp"
 
 #include <algorithm>
 
@@ -18,6 +19,25 @@ Background background_of(const std::string& name) {
     for (std::size_t i = 0; i < 3; ++i)
         color[i] = static_cast<float>(std::stoi(name.substr(1 + 2 * i, 2), nullptr, 16)) / 255.0F;
     return {color, color};
+}
+
+render::Volume volume_of(const VolumeDrawable& drawable) {
+    render::Volume volume;
+    volume.slices = drawable.slabs->slices;
+    volume.boundary = drawable.slabs->boundary.get();
+    volume.normal = drawable.slabs->normal;
+    volume.first = drawable.slabs->first;
+    volume.thickness = drawable.slabs->thickness;
+    volume.stride = drawable.stride;
+    volume.scale = drawable.scale;
+    volume.opacity_points = drawable.opacity_points;
+    volume.unit_length = drawable.unit_length;
+    volume.shaded = drawable.shaded;
+    volume.opacity = drawable.opacity;
+    volume.coarseness = drawable.stride > 1 ? 2 : 1;
+    volume.identity = drawable.identity;
+    volume.revision = drawable.revision;
+    return volume;
 }
 
 } // namespace
@@ -57,6 +77,7 @@ render::Frame frame_of(const Geometry& geometry, const scene::Scene& scene, int 
         mesh.lit = drawable.lit;
         frame.meshes.push_back(std::move(mesh));
     }
+    for (const VolumeDrawable& drawable : geometry.volumes) frame.volumes.push_back(volume_of(drawable));
     std::stable_partition(frame.meshes.begin(), frame.meshes.end(),
                           [](const render::Mesh& mesh) { return mesh.color[3] >= 1; });
     return frame;

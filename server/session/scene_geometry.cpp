@@ -5,6 +5,7 @@
 #include "session/color_scale_of.hpp"
 #include "session/cut.hpp"
 #include "session/errors.hpp"
+#include "session/volume_cut.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -75,6 +76,9 @@ struct Update {
     Geometry& out;
     std::map<std::pair<std::string, std::size_t>, Cut>& cuts;
     std::map<std::pair<std::string, std::size_t>, Boundary>& boundaries;
+    std::map<std::string, VolumeCut>& volumes;
+    const render::Camera camera;
+    const bool moving;
     const std::size_t most_bytes;
     std::size_t bytes;                           // of all that is kept
     std::vector<const scene::ClipLayer*> caps{}; // that surfaces get
@@ -299,6 +303,47 @@ struct Update {
         return true;
     }
 
+    bool operator()(const scene::Layer& layer, const scene::VolumeLayer& volume) {
+        VolumeCut& kept = volumes[layer.id];
+        const std::size_t before = kept.memory_bytes();
+        try {
+            kept.use_property(volume.array, out.step, *loaded);
+        } catch (const store::NotWritten& missing) {
+            lack(layer, "is not shown", missing);
+            return true;
+        }
+        const Vec3d normal = slab_normal(volume, camera, moving);
+        const store::ScalarField planes = loaded->plane(out.step, out.origin, normal);
+        const std::string place = plane_name(normal, step());
+        if (!kept.cut(place, planes, normal, volume.slices, moving, stop)) return false;
+        out.volumes.push_back(drawable_of(layer, volume, kept));
+        count(before, kept.memory_bytes());
+        return true;
+    }
+
+    [[nodiscard]] VolumeDrawable drawable_of(const scene::Layer& layer, const scene::VolumeLayer& volume,
+                                             const VolumeCut& kept) const {
+        VolumeDrawable drawable;
+        drawable.layer = layer.id;
+        drawable.slabs = kept.slabs;
+        drawable.stride = moving ? moving_stride(volume.slices) : 1;
+        drawable.array = volume.array;
+        drawable.units = dataset->find(store::parse_scalar(*dataset, volume.array).array)->units;
+        drawable.scale = color_scale_of(volume.color, range_of(*dataset, volume.array, out.step));
+        drawable.opacity_points = volume.opacity_points;
+        drawable.unit_length = volume.unit_length.value_or(0.1 * diagonal());
+        drawable.shaded = volume.shaded;
+        drawable.opacity = layer.opacity;
+        drawable.identity = kept.identity;
+        drawable.revision = kept.revision;
+        return drawable;
+    }
+
+    [[nodiscard]] double diagonal() const {
+        return std::hypot(out.bounds_max[0] - out.bounds_min[0], out.bounds_max[1] - out.bounds_min[1],
+                          out.bounds_max[2] - out.bounds_min[2]);
+    }
+
     Boundary& boundary(const scene::Layer& layer, const std::string& key, std::size_t index = 0) {
         Boundary& kept = boundaries[{layer.id, index}];
         const std::size_t before = kept.memory_bytes();
@@ -325,10 +370,12 @@ SceneGeometry& SceneGeometry::operator=(SceneGeometry&&) noexcept = default;
 
 std::shared_ptr<const Geometry> SceneGeometry::update(const scene::Scene& scene,
                                                       const std::shared_ptr<store::LoadedDataset>& loaded,
-                                                      const std::stop_token& stop, std::size_t most_bytes) {
+                                                      const std::stop_token& stop, std::size_t most_bytes,
+                                                      bool moving) {
     if (loaded != loaded_) {
         cuts_.clear();
         boundaries_.clear();
+        volumes_.clear();
         loaded_ = loaded;
     }
     const auto dataset = loaded->dataset();
@@ -346,8 +393,12 @@ std::shared_ptr<const Geometry> SceneGeometry::update(const scene::Scene& scene,
 
     geometry->clip = clip_planes(scene, geometry->origin);
     forget_all_but(scene); // first, for what comes needs the room
-    Update run{extraction_, loaded,      dataset,    stop,           *geometry,
-               cuts_,       boundaries_, most_bytes, memory_bytes(), capping(scene)};
+    // Any aspect: the default camera looks the same way.
+    Update run{extraction_,   loaded,     dataset,
+               stop,          *geometry,  cuts_,
+               boundaries_,   volumes_,   camera_of(*geometry, scene, 1),
+               moving,        most_bytes, memory_bytes(),
+               capping(scene)};
     for (const scene::Layer& layer : scene.layers) {
         if (!layer.visible) continue;
         const auto make = [&](const auto& kind) { return run(layer, kind); };
@@ -380,12 +431,14 @@ void SceneGeometry::forget_all_but(const scene::Scene& scene) {
     std::erase_if(boundaries_, [&](const auto& entry) {
         return !shown.contains(entry.first.first) || entry.first.second > cuts_of[entry.first.first];
     });
+    std::erase_if(volumes_, [&](const auto& entry) { return !shown.contains(entry.first); });
 }
 
 std::size_t SceneGeometry::memory_bytes() const {
     std::size_t bytes = 0;
     for (const auto& [key, cut] : cuts_) bytes += cut.memory_bytes();
     for (const auto& [key, boundary] : boundaries_) bytes += boundary.memory_bytes();
+    for (const auto& [layer, volume] : volumes_) bytes += volume.memory_bytes();
     return bytes;
 }
 

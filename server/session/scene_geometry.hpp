@@ -44,10 +44,26 @@ struct Drawable { // one iso-value, slice, boundary surface or outline of a laye
     [[nodiscard]] std::span<const Index> indices() const { return edges ? *edges : shape->indices; }
 };
 
+struct Slabs; // volume_cut.hpp
+
+struct VolumeDrawable {
+    std::string layer;
+    std::shared_ptr<const Slabs> slabs;
+    std::size_t stride = 1; // every so-manieth slice is drawn
+    std::string array, units;
+    render::ColorScale scale;
+    std::vector<std::array<double, 2>> opacity_points; // as in the scene
+    double unit_length = 1;
+    bool shaded = true;
+    float opacity = 1;
+    std::uint64_t identity = 0, revision = 0; // as a Drawable's, of the slabs
+};
+
 // What one scene shows. Immutable, owns all its arrays, may be read from any thread.
 struct Geometry {
-    std::vector<Drawable> drawables; // visible layers, in drawing order
-    std::vector<HalfSpace> clip;     // cut all drawables, which are whole (clip.hpp); of offsets from the origin
+    std::vector<Drawable> drawables;     // visible layers, in drawing order
+    std::vector<VolumeDrawable> volumes; // likewise
+    std::vector<HalfSpace> clip;         // cut all drawables, which are whole (clip.hpp); of offsets from the origin
     Vec3d origin{}, bounds_min{}, bounds_max{};
     double time = 0; // of the step shown
     std::size_t step = 0;
@@ -63,6 +79,7 @@ void require_complete(const Geometry& geometry);
 
 struct Cut; // cut.hpp
 struct Boundary;
+struct VolumeCut;
 
 // Not thread-safe: one at a time.
 class SceneGeometry {
@@ -74,11 +91,12 @@ public:
 
     // Brings the geometry to `scene`, whose dataset `loaded` is. Returns null when `stop` was requested. Throws Error,
     // scene::Invalid, or LimitReached as soon as what is kept needs more than `most_bytes`, which it passes by one
-    // surface at most; it can be called again with another scene then.
+    // surface at most; it can be called again with another scene then. `moving`: for a picture that others will follow
+    // at once.
     [[nodiscard]] std::shared_ptr<const Geometry> update(const scene::Scene& scene,
                                                          const std::shared_ptr<store::LoadedDataset>& loaded,
                                                          const std::stop_token& stop = {},
-                                                         std::size_t most_bytes = SIZE_MAX);
+                                                         std::size_t most_bytes = SIZE_MAX, bool moving = false);
     [[nodiscard]] std::size_t memory_bytes() const; // query state and surfaces
 
 private:
@@ -89,6 +107,7 @@ private:
     std::shared_ptr<store::LoadedDataset> loaded_;
     std::map<Key, Cut> cuts_;
     std::map<Key, Boundary> boundaries_;
+    std::map<std::string, VolumeCut> volumes_; // by layer
 };
 
 // Borrows from `geometry`. samples: 1, or 4 for stills.

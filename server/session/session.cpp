@@ -163,10 +163,12 @@ void Session::dataset_changed() {
     for (const auto& [id, view] : views_) view->offer(version_);
 }
 
-std::shared_ptr<const Geometry> Session::geometry(const SceneVersion& version, const std::stop_token& stop) {
+std::shared_ptr<const Geometry> Session::geometry(const SceneVersion& version, const std::stop_token& stop,
+                                                  bool moving) {
     const std::scoped_lock lock(geometry_mutex_);
     try {
-        auto made = scene_geometry_.update(version.scene, version.loaded, stop, services_.limits.session_memory_bytes);
+        auto made =
+            scene_geometry_.update(version.scene, version.loaded, stop, services_.limits.session_memory_bytes, moving);
         bytes_ = scene_geometry_.memory_bytes();
         return made;
     } catch (const LimitReached&) {

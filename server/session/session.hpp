@@ -59,7 +59,8 @@ public:
 
     // The geometry of a version, made on the calling thread; others wait. Null when stopped. Throws Error,
     // LimitReached.
-    [[nodiscard]] std::shared_ptr<const Geometry> geometry(const SceneVersion& version, const std::stop_token& stop);
+    [[nodiscard]] std::shared_ptr<const Geometry> geometry(const SceneVersion& version, const std::stop_token& stop,
+                                                           bool moving = false);
     void release_geometry(); // memory of a session that nobody looks at
 
     [[nodiscard]] bool is_idle_since(Clock::time_point time) const; // no connection, and not used since

@@ -27,7 +27,7 @@ struct Stage {
         frame.samples = 4;
         frame.meshes = {ball.mesh(), wall.mesh(), bubble.mesh()};
         frame.meshes[0].color = {0.2F, 0.5F, 0.9F, 1};
-        frame.meshes[1].range = {-1, 1};
+        frame.meshes[1].scale.range = {-1, 1};
         frame.meshes[2].color = {0.9F, 0.6F, 0.2F, opacity};
     }
     [[nodiscard]] test::Picture draw(Renderer& renderer) const {

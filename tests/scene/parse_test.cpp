@@ -10,14 +10,14 @@ namespace {
 
 using nlohmann::json;
 
+json fallback(const char* schema, const char* name) {
+    return contract()["components"]["schemas"][schema]["properties"][name]["default"];
+}
+
 TEST(scene, defaults_are_those_of_the_contract) {
     const Scene scene = parse({{"dataset", "d"},
                                {"camera", {{"position", {1, 2, 3}}, {"target", {0, 0, 0}}}},
                                {"layers", {{"i", {{"type", "iso"}, {"array", "p"}, {"values", json::array()}}}}}});
-    const json& schemas = contract()["components"]["schemas"];
-    const auto fallback = [&](const char* schema, const char* name) {
-        return schemas[schema]["properties"][name]["default"];
-    };
     EXPECT_EQ(scene.background, fallback("Scene", "background"));
     EXPECT_EQ(scene.annotations.legend, fallback("Annotations", "legend"));
     EXPECT_EQ(scene.annotations.triad, fallback("Annotations", "triad"));
@@ -211,9 +211,11 @@ constexpr Malformed table[] = {
     {"layers_are_a_list", R"({"dataset": "d", "layers": []})", "/layers", "/layers must be an object"},
     {"layer_is_a_number", R"({"dataset": "d", "layers": {"a": 3}})", "/layers/a", "/layers/a must be an object"},
     {"layer_without_type", R"({"dataset": "d", "layers": {"a": {}}})", "/layers/a/type",
-     "/layers/a/type must be one of \"iso\", \"slice\", \"surface\", \"outline\", \"clip\", \"edges\", \"points\""},
+     "/layers/a/type must be one of \"iso\", \"slice\", \"surface\", \"outline\", \"clip\", \"edges\", \"points\", "
+     "\"volume\""},
     {"layer_of_unknown_type", R"({"dataset": "d", "layers": {"a": {"type": "fog"}}})", "/layers/a/type",
-     "/layers/a/type must be one of \"iso\", \"slice\", \"surface\", \"outline\", \"clip\", \"edges\", \"points\""},
+     "/layers/a/type must be one of \"iso\", \"slice\", \"surface\", \"outline\", \"clip\", \"edges\", \"points\", "
+     "\"volume\""},
     {"iso_without_values", R"({"dataset": "d", "layers": {"a": {"type": "iso", "array": "p"}}})", "/layers/a/values",
      "/layers/a/values is missing"},
     {"iso_value_is_text", R"({"dataset": "d", "layers": {"a": {"type": "iso", "array": "p", "values": [1, "2"]}}})",
@@ -277,6 +279,27 @@ constexpr Malformed table[] = {
     {"slice_normal_overflows",
      R"({"dataset": "d", "layers": {"a": {"type": "slice", "origin": [0, 0, 0], "normal": [1.7e308, 1.7e308, 0]}}})",
      "/layers/a/normal", "a slice's normal must not be zero"},
+    {"volume_without_array", R"({"dataset": "d", "layers": {"a": {"type": "volume"}}})", "/layers/a/array",
+     "/layers/a/array is missing"},
+    {"volume_points_out_of_order",
+     R"({"dataset": "d", "layers": {"a": {"type": "volume", "array": "p", "opacity_points": [[0.5, 0], [0.4, 1]]}}})",
+     "/layers/a/opacity_points/1", "opacity points must be in the order of their positions"},
+    {"volume_opacity_beyond_one",
+     R"({"dataset": "d", "layers": {"a": {"type": "volume", "array": "p", "opacity_points": [[0, 1.5]]}}})",
+     "/layers/a/opacity_points/0/1", "/layers/a/opacity_points/0/1 must be at most 1"},
+    {"volume_without_points",
+     R"({"dataset": "d", "layers": {"a": {"type": "volume", "array": "p", "opacity_points": []}}})",
+     "/layers/a/opacity_points", "/layers/a/opacity_points has fewer items than 1"},
+    {"volume_of_too_many_slices",
+     R"({"dataset": "d", "layers": {"a": {"type": "volume", "array": "p", "slices": 1001}}})", "/layers/a/slices",
+     "/layers/a/slices must be at most 1000"},
+    {"volume_of_no_length", R"({"dataset": "d", "layers": {"a": {"type": "volume", "array": "p", "unit_length": 0}}})",
+     "/layers/a/unit_length", "/layers/a/unit_length must be more than 0, or must be null"},
+    {"volume_direction", R"({"dataset": "d", "layers": {"a": {"type": "volume", "array": "p", "direction": "w"}}})",
+     "/layers/a/direction", "/layers/a/direction must be one of \"auto\", \"x\", \"y\", \"z\", \"screen\""},
+    {"volume_of_two_arrays",
+     R"({"dataset": "d", "layers": {"a": {"type": "volume", "array": "p", "color": {"array": "q"}}}})",
+     "/layers/a/color/array", "a volume has the colours of its own array, p"},
     {"color_range", R"({"dataset": "d", "layers": {"a": {"type": "outline", "color": {"range": [2, 1]}}}})",
      "/layers/a/color/range", "a range is [minimum, maximum]"},
     {"color_range_of_text", R"({"dataset": "d", "layers": {"a": {"type": "outline", "color": {"range": "all"}}}})",
@@ -307,6 +330,19 @@ constexpr Malformed table[] = {
     {"group_is_a_number", R"({"dataset": "d", "layers": {"a": {"type": "surface", "groups": [7]}}})",
      "/layers/a/groups/0", "/layers/a/groups/0 must be a string"},
 };
+
+TEST(scene, a_volume_has_the_defaults_of_the_contract) {
+    const auto layer =
+        parse(json::parse(R"({"dataset": "d", "layers": {"v": {"type": "volume", "array": "p"}}})")).layers.at(0);
+    const auto& volume = std::get<VolumeLayer>(layer.kind);
+    EXPECT_EQ(volume.opacity_points,
+              (fallback("VolumeLayer", "opacity_points").get<std::vector<std::array<double, 2>>>()));
+    EXPECT_EQ(volume.slices, fallback("VolumeLayer", "slices"));
+    EXPECT_EQ(volume.shaded, fallback("VolumeLayer", "shaded"));
+    EXPECT_EQ(fallback("VolumeLayer", "direction"), "auto");
+    EXPECT_EQ(volume.direction, VolumeLayer::Direction::automatic);
+    EXPECT_FALSE(volume.unit_length);
+}
 
 TEST(scene, malformed_documents_are_refused_with_their_path) {
     for (const Malformed& row : table) {

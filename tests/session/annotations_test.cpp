@@ -41,9 +41,9 @@ TEST_F(SceneAnnotations, HaveOneLegendForEachArrayMapAndRange) {
                              {"g", {{"type", "surface"}, {"visible", false}, {"color", {{"array", "U:y"}}}}}});
     ASSERT_EQ(written.legends.size(), 4U);
     EXPECT_EQ(written.legends[0].name, "p");
-    EXPECT_EQ(written.legends[0].map, "viridis");
-    EXPECT_EQ(written.legends[1].map, "magma");
-    EXPECT_EQ(written.legends[2].range, (std::array<double, 2>{1, 2}));
+    EXPECT_EQ(written.legends[0].scale.map, "viridis");
+    EXPECT_EQ(written.legends[1].scale.map, "magma");
+    EXPECT_EQ(written.legends[2].scale.range, (std::array<float, 2>{1, 2}));
     EXPECT_EQ(written.legends[3].name, "U:x");
     for (const render::Legend& legend : written.legends)
         EXPECT_EQ(legend.units, catalog.open("box")->dataset()->find(legend.name.substr(0, 1))->units);

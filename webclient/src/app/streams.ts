@@ -1,5 +1,6 @@
 // Which stream the view gets: the person's choice, or for `auto` what the scene and the line suggest.
 import { chooseStream, hasHardwareWebGL } from "../session/choose_stream";
+import { layersOf } from "../scene/scalars";
 import type { App } from "./app";
 import { saveStream } from "./preferences";
 import type { StreamChoice } from "./state";
@@ -30,8 +31,9 @@ export class Streams {
   }
 
   private wanted(): "image" | "geometry" {
-    const { streamChoice, readout } = this.app.store.get();
+    const { streamChoice, readout, scene } = this.app.store.get();
     if (streamChoice !== "auto") return streamChoice;
+    if (layersOf(scene, "volume").some(([, layer]) => layer.visible !== false)) return "image"; // no polygons to send
     this.hardware ??= hasHardwareWebGL();
     const { triangles, roundTripMs } = readout;
     const current = readout.stream === "geometry" ? "geometry" : "image";

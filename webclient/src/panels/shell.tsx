@@ -15,6 +15,7 @@ import { StatusBar } from "./status_bar";
 import { TimeBar } from "./time_bar";
 import { Toolbar } from "./toolbar";
 import { ViewSection } from "./view_section";
+import { VolumeSection } from "./volume_section";
 
 function useTheme(): void {
   const { actions } = useApp();
@@ -55,6 +56,7 @@ export function Shell(): JSX.Element {
             <>
               <IsoSection />
               <SlicesSection />
+              <VolumeSection />
               <BoundarySection />
               <LinesAndPointsSection />
               <ClipSection />

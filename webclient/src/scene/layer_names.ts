@@ -35,6 +35,8 @@ export function layerName(layer: Layer): string {
         : `Clip at ${layer.axis} = ${formatNumber(layer.value ?? 0)}`;
     case "outline":
       return "Outline";
+    case "volume":
+      return `Volume of ${layer.array}`;
   }
 }
 

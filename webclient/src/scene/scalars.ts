@@ -83,10 +83,12 @@ export function legendsOf(scene: Scene | null): { coloring: Coloring & { array: 
   for (const [id, layer] of Object.entries(scene?.layers ?? {})) {
     if (layer.visible === false || layer.type === "outline" || layer.type === "clip") continue;
     const { color } = layer;
-    if (color?.array === undefined) continue;
-    const key = JSON.stringify([color.array, color.range ?? null, color.symmetric === true, scaleOf(color, [0, 1])]);
+    const array = layer.type === "volume" ? layer.array : color?.array;
+    if (array === undefined) continue;
+    const scale = color ?? {};
+    const key = JSON.stringify([array, scale.range ?? null, scale.symmetric === true, scaleOf(scale, [0, 1])]);
     const same = found.get(key);
-    if (same === undefined) found.set(key, { coloring: { ...color, array: color.array }, layers: [id] });
+    if (same === undefined) found.set(key, { coloring: { ...color, array }, layers: [id] });
     else same.layers.push(id);
   }
   return [...found.values()];

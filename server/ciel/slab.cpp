@@ -1,0 +1,175 @@
+#include "ciel/slab.hpp"
+
+#include "ciel/polygon.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace ciel {
+
+namespace {
+
+double dot(const Vec3d& a, const Vec3d& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+
+// Adds polygons to a SlabMesh whose first vertices are the points that they join.
+class FanWriter {
+public:
+    explicit FanWriter(SlabMesh& out) : out_(out), taken_(out.vertices.size(), 0) {}
+
+    void add(std::span<const Index> loop, const std::array<float, 2>& limits) {
+        if (loop.size() < 3 || !has_values(loop)) return;
+        const std::size_t corner = best_corner(loop), n = loop.size();
+        const Index apex = own(loop[corner]);
+        out_.vertices[apex].limits = limits;
+        for (std::size_t i = 1; i + 1 < n; ++i)
+            out_.triangles.insert(out_.triangles.end(), {apex, loop[(corner + i) % n], loop[(corner + i + 1) % n]});
+    }
+
+private:
+    [[nodiscard]] bool has_values(std::span<const Index> loop) const {
+        return std::ranges::none_of(loop, [&](Index p) { return std::isnan(out_.vertices[p].value); });
+    }
+
+    // A vertex is the first of one polygon's triangles only, for it has the limits of one cell.
+    [[nodiscard]] Index own(Index point) {
+        if (taken_[point] == 0) {
+            taken_[point] = 1;
+            return point;
+        }
+        const SlabVertex copy = out_.vertices[point];
+        out_.vertices.push_back(copy);
+        return static_cast<Index>(out_.vertices.size() - 1);
+    }
+
+    // A corner from which no triangle turns over: a fan that folds back would be blended twice. One that nobody has
+    // taken yet where there is a choice.
+    [[nodiscard]] std::size_t best_corner(std::span<const Index> loop) const {
+        if (loop.size() == 3) return free_corner(loop);
+        const Vec3d normal = area_of(loop);
+        std::size_t best = 0;
+        double best_worst = -std::numeric_limits<double>::infinity();
+        for (std::size_t k = 0, first = free_corner(loop); k < loop.size() && best_worst < 0; ++k) {
+            const std::size_t corner = (first + k) % loop.size();
+            const double worst = worst_area(loop, normal, corner);
+            if (worst > best_worst) {
+                best_worst = worst;
+                best = corner;
+            }
+        }
+        return best;
+    }
+
+    [[nodiscard]] std::size_t free_corner(std::span<const Index> loop) const {
+        const auto found = std::ranges::find_if(loop, [&](Index p) { return taken_[p] == 0; });
+        return found == loop.end() ? 0 : static_cast<std::size_t>(found - loop.begin());
+    }
+
+    [[nodiscard]] Vec3d to(Index from, Index point) const {
+        return arm(out_.vertices[from].position, out_.vertices[point].position);
+    }
+    [[nodiscard]] Vec3d area_of(std::span<const Index> loop) const {
+        Vec3d sum{};
+        for (std::size_t i = 1; i + 1 < loop.size(); ++i) {
+            const Vec3d part = cross(to(loop[0], loop[i]), to(loop[0], loop[i + 1]));
+            for (std::size_t axis = 0; axis < 3; ++axis) sum[axis] += part[axis];
+        }
+        return sum;
+    }
+    [[nodiscard]] double worst_area(std::span<const Index> loop, const Vec3d& normal, std::size_t corner) const {
+        const std::size_t n = loop.size();
+        // Rounding may turn a sliver over: that much is no fold.
+        double worst = 1e-5 * dot(normal, normal);
+        for (std::size_t i = 1; i + 1 < n; ++i)
+            worst = std::min(worst, 1e-6 * dot(normal, normal) +
+                                        dot(normal, cross(to(loop[corner], loop[(corner + i) % n]),
+                                                          to(loop[corner], loop[(corner + i + 1) % n]))));
+        return worst;
+    }
+
+    SlabMesh& out_;
+    std::vector<std::uint8_t> taken_; // by point: the first vertex of a polygon
+};
+
+Vec3f lerp(const Vec3f& a, const Vec3f& b, float t) {
+    return {ciel::lerp(a[0], b[0], t), ciel::lerp(a[1], b[1], t), ciel::lerp(a[2], b[2], t)};
+}
+
+} // namespace
+
+std::vector<std::array<float, 2>> cell_limits(const FaceMeshView& mesh, std::span<const float> values) {
+    constexpr float infinity = std::numeric_limits<float>::infinity();
+    std::vector<std::array<float, 2>> limits(mesh.cell_count(), {infinity, -infinity});
+    const auto widen = [&](Index cell, float low, float high) {
+        limits[cell] = {std::min(limits[cell][0], low), std::max(limits[cell][1], high)};
+    };
+    for (Index face = 0; face < mesh.face_count(); ++face) {
+        float low = infinity, high = -infinity;
+        for (const Index vertex : mesh.loop(face)) { // a comparison with NaN is false, which leaves it out
+            low = values[vertex] < low ? values[vertex] : low;
+            high = values[vertex] > high ? values[vertex] : high;
+        }
+        widen(mesh.owner[face], low, high);
+        if (mesh.neighbour[face] != none) widen(mesh.neighbour[face], low, high);
+    }
+    return limits;
+}
+
+void SlabSink::write(const BlockCut& cut, Part& part) const {
+    part.vertices.clear();
+    part.vertices.reserve(cut.points.size() + cut.polygon_count() / 2);
+    for (std::size_t i = 0; i < cut.points.size(); ++i) {
+        const auto& [a, b, t] = cut.points[i];
+        part.vertices.push_back({cut.positions[i],
+                                 ciel::lerp(property.value[a], property.value[b], t),
+                                 lerp(property.gradient[a], property.gradient[b], t),
+                                 {}});
+    }
+    part.triangles.clear();
+    part.triangles.reserve(3 * (cut.polygon_point.size() - 2 * cut.polygon_count()));
+    FanWriter fans(part);
+    for (std::size_t i = 0; i < cut.polygon_count(); ++i)
+        fans.add(cut.polygon(i), property.limits[cut.cell_begin + cut.polygon_cell[i]]);
+}
+
+void SlabSink::join(std::span<const Part* const> parts, Out& out) const {
+    std::size_t vertices = 0, corners = 0;
+    for (const Part* part : parts) {
+        vertices += part->vertices.size();
+        corners += part->triangles.size();
+    }
+    out.vertices.clear();
+    out.vertices.reserve(vertices);
+    out.triangles.resize(corners);
+    Index* to = out.triangles.data();
+    for (const Part* part : parts) {
+        const auto first = static_cast<Index>(out.vertices.size());
+        to = std::ranges::transform(part->triangles, to, [first](Index p) { return first + p; }).out;
+        out.vertices.insert(out.vertices.end(), part->vertices.begin(), part->vertices.end());
+    }
+}
+
+SlabMesh slab_boundary(const FaceMeshView& mesh, const SlabProperty& property) {
+    SlabMesh out;
+    std::vector<Index> local(mesh.vertex_count(), none), loop, faces;
+    for (Index face = 0; face < mesh.face_count(); ++face) {
+        if (mesh.neighbour[face] != none) continue;
+        faces.push_back(face);
+        for (const Index vertex : mesh.loop(face)) {
+            if (local[vertex] == none) {
+                local[vertex] = static_cast<Index>(out.vertices.size());
+                const float* at = &mesh.positions[std::size_t{3} * vertex];
+                out.vertices.push_back({{at[0], at[1], at[2]}, property.value[vertex], property.gradient[vertex], {}});
+            }
+        }
+    }
+    FanWriter fans(out);
+    for (const Index face : faces) {
+        loop.clear();
+        for (const Index vertex : mesh.loop(face)) loop.push_back(local[vertex]);
+        fans.add(loop, property.limits[mesh.owner[face]]);
+    }
+    return out;
+}
+
+} // namespace ciel

@@ -1,0 +1,51 @@
+// Slices for volume rendering (paper, sections 2 and 3): the mesh is cut by the middle planes of parallel slabs, and
+// each point carries the property and its gradient, so that the property can be followed through the slab along any
+// ray.
+#pragma once
+
+#include "ciel/sweep.hpp"
+
+namespace ciel {
+
+struct SlabVertex {
+    Vec3f position; // offset from the mesh's origin
+    float value;    // of the property
+    Vec3f gradient; // of the property, per length
+    // [min, max] of the property in the polygon's cell: of the polygon whose triangles have this vertex first.
+    std::array<float, 2> limits;
+};
+
+// Triangles, each polygon a fan whose first vertex is this polygon's own: its `limits` are those of the polygon.
+struct SlabMesh {
+    std::vector<SlabVertex> vertices;
+    std::vector<Index> triangles; // three vertices each
+
+    [[nodiscard]] std::size_t memory_bytes() const {
+        return vertices.capacity() * sizeof(SlabVertex) + triangles.capacity() * sizeof(Index);
+    }
+};
+
+// [min, max] of the values at each cell's vertices; NaN counts for nothing.
+[[nodiscard]] std::vector<std::array<float, 2>> cell_limits(const FaceMeshView& mesh, std::span<const float> values);
+
+// The property at the mesh's vertices and cells. Borrowed.
+struct SlabProperty {
+    std::span<const float> value;
+    std::span<const Vec3f> gradient;
+    std::span<const std::array<float, 2>> limits; // by cell
+};
+
+// For sweep. Polygons with a point that has no value are left out.
+struct SlabSink {
+    SlabProperty property;
+
+    using Part = SlabMesh;
+    using Out = SlabMesh;
+    void write(const BlockCut& cut, Part& part) const;
+    void join(std::span<const Part* const> parts, Out& out) const;
+};
+
+// The mesh's boundary in the same form, wound outwards.
+[[nodiscard]] SlabMesh slab_boundary(const FaceMeshView& mesh, const SlabProperty& property);
+
+} // namespace ciel

@@ -1,0 +1,167 @@
+#include "render/depth_peeling.hpp"
+
+#include "render/peeling_shaders.hpp"
+
+namespace ciel::render {
+namespace {
+
+constexpr int most_layers = 32;
+constexpr int most_layers_in_volumes = 8; // for each of them the volumes are drawn once
+// A layer's pixels take 20 bytes: with twice the resolution no more than a third of a gigabyte.
+constexpr int most_pixels_at_twice_the_resolution = 4 << 20;
+
+enum Unit : int { layer_unit = 0, volumes_unit = 3 };
+
+} // namespace
+
+DepthPeeling::DepthPeeling(const Gl& gl)
+    : gl_(gl), surfaces_(make_peeling_program(gl)), copy_depth_(make_depth_copy_program(gl)),
+      add_(make_layer_sum_program(gl)), picture_(make_layers_picture_program(gl)) {
+    for (Layer& layer : layers_) {
+        gl_.GenFramebuffers(1, &layer.framebuffer);
+        gl_.GenTextures(1, &layer.depth);
+    }
+    for (GLuint* texture : {&color_, &opaque_, &sum_, &nothing_}) gl_.GenTextures(1, texture);
+    gl_.GenFramebuffers(1, &opaque_framebuffer_);
+    gl_.GenFramebuffers(1, &sum_framebuffer_);
+    gl_.GenQueries(1, &query_);
+    gl_.GenVertexArrays(1, &no_array_);
+    constexpr float zeros[4] = {};
+    gl_.BindTexture(GL_TEXTURE_2D, nothing_);
+    gl_.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA16F, 1, 1, 0, GL_RGBA, GL_FLOAT, zeros);
+    gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+}
+
+void DepthPeeling::allocate(GLuint texture, GLint format, int width, int height) const {
+    const bool is_depth = format != GL_RGBA16F;
+    gl_.BindTexture(GL_TEXTURE_2D, texture);
+    gl_.TexImage2D(GL_TEXTURE_2D, 0, format, width, height, 0, is_depth ? GL_DEPTH_COMPONENT : GL_RGBA, GL_FLOAT,
+                   nullptr);
+    for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
+        gl_.TexParameteri(GL_TEXTURE_2D, filter, texture == sum_ ? GL_LINEAR : GL_NEAREST);
+    for (const GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T})
+        gl_.TexParameteri(GL_TEXTURE_2D, wrap, GL_CLAMP_TO_EDGE);
+}
+
+void DepthPeeling::attach(GLuint framebuffer, GLuint color, GLuint depth) const {
+    gl_.BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+    gl_.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, color, 0);
+    gl_.FramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, depth, 0);
+    // A framebuffer of depth alone is only copied to, which asks for less.
+    if (color != 0 && gl_.CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
+        throw Error("the GL driver cannot draw transparent surfaces to a picture of this size; ask for a smaller one");
+}
+
+void DepthPeeling::resize(const Scene& scene) {
+    const bool twice = scene.samples > 1 && scene.width * scene.height <= most_pixels_at_twice_the_resolution;
+    const int factor = twice ? 2 : 1;
+    if (width_ == scene.width && height_ == scene.height && factor_ == factor) return;
+    factor_ = 0; // not usable until it is known to be complete
+    width_ = scene.width;
+    height_ = scene.height;
+    allocate(opaque_, GL_DEPTH_COMPONENT24, width_, height_);
+    attach(opaque_framebuffer_, 0, opaque_);
+    allocate(color_, GL_RGBA16F, factor * width_, factor * height_);
+    for (const Layer& layer : layers_) {
+        // Exactly what the program compares it with.
+        allocate(layer.depth, GL_DEPTH_COMPONENT32F, factor * width_, factor * height_);
+        attach(layer.framebuffer, color_, layer.depth);
+    }
+    allocate(sum_, GL_RGBA16F, factor * width_, factor * height_);
+    attach(sum_framebuffer_, sum_, 0);
+    factor_ = factor;
+}
+
+void DepthPeeling::bind(int unit, GLuint texture) const {
+    gl_.ActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
+    gl_.BindTexture(GL_TEXTURE_2D, texture);
+    gl_.ActiveTexture(GL_TEXTURE0);
+}
+
+void DepthPeeling::cover() const {
+    gl_.BindVertexArray(no_array_);
+    gl_.DrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+void DepthPeeling::draw(const Scene& scene, Target& target) {
+    resize(scene);
+    target.copy_depth(opaque_framebuffer_);
+    gl_.Viewport(0, 0, factor_ * width_, factor_ * height_);
+    gl_.BindFramebuffer(GL_FRAMEBUFFER, sum_framebuffer_);
+    gl_.ClearColor(0, 0, 0, 1);
+    gl_.Clear(GL_COLOR_BUFFER_BIT);
+    gl_.BindFramebuffer(GL_FRAMEBUFFER, layers_[1].framebuffer);
+    gl_.DepthMask(GL_TRUE);
+    gl_.ClearDepth(0);
+    gl_.Clear(GL_DEPTH_BUFFER_BIT);
+    gl_.ClearDepth(1);
+
+    const auto volumes = [&](GLuint depth) { return scene.volumes ? scene.volumes(depth) : nothing_; };
+    const int most = scene.volumes ? most_layers_in_volumes : most_layers;
+    for (int i = 0; i < most; ++i) {
+        const Layer& layer = layers_[i % 2];
+        if (!draw_layer(scene, layer, layers_[(i + 1) % 2])) break;
+        add_to_sum(volumes(layer.depth));
+    }
+    put_on(target, volumes(0));
+}
+
+// False where nothing is behind the nearer layer any more.
+bool DepthPeeling::draw_layer(const Scene& scene, const Layer& layer, const Layer& nearer) const {
+    gl_.BindFramebuffer(GL_FRAMEBUFFER, layer.framebuffer);
+    gl_.Viewport(0, 0, factor_ * width_, factor_ * height_);
+    gl_.Disable(GL_BLEND);
+    gl_.Enable(GL_DEPTH_TEST);
+    gl_.DepthMask(GL_TRUE);
+    gl_.ClearColor(0, 0, 0, 0);
+    gl_.Clear(GL_COLOR_BUFFER_BIT);
+    gl_.ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+    gl_.DepthFunc(GL_ALWAYS);
+    bind(layer_unit, opaque_);
+    copy_depth_.use();
+    copy_depth_.set("opaque", int{layer_unit});
+    copy_depth_.set("viewport", glm::vec2(factor_ * width_, factor_ * height_));
+    cover();
+    gl_.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    gl_.DepthFunc(GL_LESS);
+    bind(nearer_unit, nearer.depth);
+    gl_.BeginQuery(GL_ANY_SAMPLES_PASSED, query_);
+    scene.draw_surfaces();
+    gl_.EndQuery(GL_ANY_SAMPLES_PASSED);
+    gl_.DepthFunc(GL_LEQUAL);
+    gl_.Enable(GL_BLEND);
+    GLuint any = 0;
+    gl_.GetQueryObjectuiv(query_, GL_QUERY_RESULT, &any);
+    return any != 0;
+}
+
+void DepthPeeling::add_to_sum(GLuint volumes) const {
+    gl_.BindFramebuffer(GL_FRAMEBUFFER, sum_framebuffer_);
+    gl_.Viewport(0, 0, factor_ * width_, factor_ * height_);
+    gl_.Disable(GL_DEPTH_TEST);
+    gl_.BlendFuncSeparate(GL_DST_ALPHA, GL_ONE, GL_ZERO, GL_ONE_MINUS_SRC_ALPHA);
+    bind(layer_unit, color_);
+    bind(volumes_unit, volumes);
+    add_.use();
+    add_.set("layer", int{layer_unit});
+    add_.set("volumes", int{volumes_unit});
+    add_.set("viewport", glm::vec2(factor_ * width_, factor_ * height_));
+    cover();
+}
+
+void DepthPeeling::put_on(Target& target, GLuint volumes) const {
+    target.bind_again();
+    gl_.Disable(GL_DEPTH_TEST);
+    gl_.BlendFuncSeparate(GL_ONE, GL_SRC_ALPHA, GL_ZERO, GL_ONE);
+    bind(layer_unit, sum_);
+    bind(volumes_unit, volumes);
+    picture_.use();
+    picture_.set("sum", int{layer_unit});
+    picture_.set("volumes", int{volumes_unit});
+    picture_.set("viewport", glm::vec2(width_, height_));
+    cover();
+    gl_.BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    gl_.Enable(GL_DEPTH_TEST);
+}
+
+} // namespace ciel::render

@@ -1,0 +1,61 @@
+// Transparent surfaces in their order at every pixel, however they cross or enclose each other: layer after layer from
+// the eye on, each drawn where it is nearest behind the one before. After Everitt, "Interactive order-independent
+// transparency", NVIDIA 2001. A layer's colour is what is seen at it through the volume in front, so layers and volumes
+// are mixed in their order as well.
+#pragma once
+
+#include "render/shaders.hpp"
+#include "render/target.hpp"
+#include "render/volume_shaders.hpp"
+
+#include <functional>
+
+namespace ciel::render {
+
+// Its GL objects live as long as their context; sheets are allocated anew when the size changes.
+class DepthPeeling {
+public:
+    explicit DepthPeeling(const Gl& gl);
+    DepthPeeling(const DepthPeeling&) = delete;
+    DepthPeeling& operator=(const DepthPeeling&) = delete;
+
+    struct Scene {
+        int width = 0, height = 0; // of the picture
+        int samples = 1;           // several: layers are drawn at twice the picture's resolution where memory allows
+        std::function<void()> draw_surfaces; // with the peeling program in use
+        // The picture of the volumes (premultiplied, RGBA) in front of a depth texture, or of all
+        // opaque surfaces for 0; empty where there are none.
+        std::function<GLuint(GLuint depth)> volumes;
+    };
+    // The program that draws the surfaces: the caller sets its uniforms.
+    static constexpr int nearer_unit = 2; // behind those of the colour scales
+    [[nodiscard]] const Program& program() const { return surfaces_; }
+    // Onto the target, over what is opaque there. Leaves depth test and blending on.
+    void draw(const Scene& scene, Target& target);
+
+private:
+    struct Layer { // one of two that take turns: what is drawn, and what it must be behind
+        GLuint framebuffer = 0, depth = 0;
+    };
+    void resize(const Scene& scene);
+    void allocate(GLuint texture, GLint format, int width, int height) const;
+    void attach(GLuint framebuffer, GLuint color, GLuint depth) const;
+    [[nodiscard]] bool draw_layer(const Scene& scene, const Layer& layer, const Layer& nearer) const;
+    void add_to_sum(GLuint volumes) const;
+    void put_on(Target& target, GLuint volumes) const;
+    void bind(int unit, GLuint texture) const;
+    void cover() const;
+
+    const Gl& gl_;
+    Program surfaces_;
+    VolumeProgram copy_depth_, add_, picture_;
+    Layer layers_[2];
+    GLuint color_ = 0; // of the layer being drawn
+    GLuint opaque_ = 0, opaque_framebuffer_ = 0;
+    GLuint sum_ = 0, sum_framebuffer_ = 0; // light so far, and the share of what is behind that comes through
+    GLuint nothing_ = 0;                   // a picture of no volume
+    GLuint query_ = 0, no_array_ = 0;
+    int width_ = 0, height_ = 0, factor_ = 0; // of the picture, and layers' pixels per pixel of it along a side
+};
+
+} // namespace ciel::render

@@ -1,0 +1,49 @@
+#include "render/peeling_shaders.hpp"
+
+#include "render/shaders.hpp"
+
+namespace ciel::render {
+namespace {
+
+constexpr const char* depth_copy_fragment = R"(#version 330 core
+uniform sampler2D opaque;
+uniform vec2 viewport;
+void main() { gl_FragDepth = texture(opaque, gl_FragCoord.xy / viewport).r; }
+)";
+
+constexpr const char* layer_sum_fragment = R"(#version 330 core
+uniform sampler2D layer;
+uniform sampler2D volumes;
+uniform vec2 viewport;
+out vec4 picture;
+void main() {
+    vec4 surface = texelFetch(layer, ivec2(gl_FragCoord.xy), 0);
+    vec4 volume = texture(volumes, gl_FragCoord.xy / viewport);
+    picture = vec4((volume.rgb + (1.0 - volume.a) * surface.rgb) * surface.a, surface.a);
+}
+)";
+
+// Where there are two by two of the layers' pixels to one, the filter takes their mean.
+constexpr const char* layers_picture_fragment = R"(#version 330 core
+uniform sampler2D sum;
+uniform sampler2D volumes;
+uniform vec2 viewport;
+out vec4 picture;
+void main() {
+    vec4 layers = texture(sum, gl_FragCoord.xy / viewport);
+    vec4 volume = texture(volumes, gl_FragCoord.xy / viewport);
+    picture = vec4(layers.rgb + layers.a * volume.rgb, layers.a * (1.0 - volume.a));
+}
+)";
+
+VolumeProgram cover_program(const Gl& gl, const char* fragment) {
+    return {gl, link_stages(gl, {{GL_VERTEX_SHADER, cover_vertex}, {GL_FRAGMENT_SHADER, fragment}})};
+}
+
+} // namespace
+
+VolumeProgram make_depth_copy_program(const Gl& gl) { return cover_program(gl, depth_copy_fragment); }
+VolumeProgram make_layer_sum_program(const Gl& gl) { return cover_program(gl, layer_sum_fragment); }
+VolumeProgram make_layers_picture_program(const Gl& gl) { return cover_program(gl, layers_picture_fragment); }
+
+} // namespace ciel::render

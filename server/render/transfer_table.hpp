@@ -1,0 +1,24 @@
+// Colour map and opacity points -> what a ray meets between two values of the property (pre-integration).
+#pragma once
+
+#include "render/volume.hpp"
+
+namespace ciel::render {
+
+// Mean colour and extinction over a span of values, by the span's middle and width, both as shares of the range. The
+// middle of a column is a value, the middle of row r the width r / (rows - 1). The colour is weighted by the
+// extinction; within one slab light is not weakened on its way out of it, which is right to the first order of the
+// slab's opacity.
+struct TransferTable {
+    static constexpr int columns = 1024, rows = 64;
+    std::vector<float> texels; // RGB 0..1, then extinction per unit length; row by row
+};
+
+[[nodiscard]] TransferTable make_transfer_table(const Volume& volume);
+
+// -ln(1 - opacity): what a ray loses in a unit length, as an exponent. Opacity 1 is 0.999: it has to be finite.
+[[nodiscard]] double extinction_of(double opacity);
+// Straight between the points, constant outside.
+[[nodiscard]] double opacity_at(std::span<const std::array<double, 2>> points, double place);
+
+} // namespace ciel::render

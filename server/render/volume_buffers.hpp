@@ -1,0 +1,47 @@
+// A volume's slices and boundary on the GL's side, kept from frame to frame.
+#pragma once
+
+#include "render/gl.hpp"
+#include "render/volume.hpp"
+
+namespace ciel::render {
+
+// Consecutive entries of the index buffer, and what is added to them.
+struct IndexRange {
+    std::size_t first = 0;
+    GLsizei count = 0;
+    GLint base = 0;
+};
+
+class VolumeBuffers {
+public:
+    explicit VolumeBuffers(const Gl& gl);
+
+    // Uploads what has changed. Throws Error when indices are beyond the vertices: the GL would read past their end.
+    void load(const Volume& volume);
+    void bind_slices() const { gl_.BindVertexArray(slices_.array); }
+    void bind_boundary() const { gl_.BindVertexArray(boundary_.array); }
+    void draw(const IndexRange& range) const;
+
+    // Slab by slab, each `stride` of the volume's: its slice, and the boundary triangles that it has a part of.
+    [[nodiscard]] const std::vector<IndexRange>& slices() const { return slice_of_slab_; }
+    [[nodiscard]] const std::vector<IndexRange>& boundary_of_slabs() const { return boundary_of_slab_; }
+    [[nodiscard]] const IndexRange& whole_boundary() const { return whole_boundary_; }
+
+private:
+    struct Arrays {
+        GLuint array = 0, vertices = 0, indices = 0;
+    };
+    [[nodiscard]] Arrays make_arrays() const;
+    void upload_slices(const Volume& volume);
+    void upload_boundary(const Volume& volume);
+
+    const Gl& gl_;
+    Arrays slices_, boundary_;
+    std::vector<IndexRange> all_slices_, slice_of_slab_, boundary_of_slab_;
+    IndexRange whole_boundary_;
+    std::uint64_t identity_ = 0, revision_ = 0;
+    std::size_t stride_ = 0;
+};
+
+} // namespace ciel::render

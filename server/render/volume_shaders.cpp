@@ -1,0 +1,304 @@
+// Which piece of a ray is drawn by whom. The middle planes of the slabs cut the mesh into slices; a ray meets them, and
+// enters and leaves the mesh through boundary faces, at any place between. Of what a ray has inside the mesh,
+//   a slice has the piece within its slab that contains it: from the slab's front or the last entry to the slab's back
+//     or the next exit;
+//   a front face has the piece within its slab that begins on it, unless there is a slice in that;
+//   a back face has the piece within its slab that ends on it, if that begins with the slab, unless there is a slice.
+// So every piece belongs to one fragment, which knows the property and its gradient at some place of it. Where an entry
+// or exit is all but on the slice, rounding decides which pixels the slice covers: there it leaves its piece to the
+// face. An opaque surface has no property: a piece that ends on it before the slice belongs to the fragment of the slab
+// in front. So does the piece from an eye inside the mesh to the first slice belong to the fragment of the slab behind.
+#include "render/volume_shaders.hpp"
+
+#include "render/shaders.hpp"
+
+#include <string>
+
+namespace ciel::render {
+namespace {
+
+constexpr const char* version = "#version 330 core\n";
+
+constexpr const char* part_vertex = R"(
+layout(location = 0) in vec3 position;
+uniform mat4 transform;
+invariant gl_Position;
+void main() { gl_Position = transform * vec4(position, 1.0); }
+)";
+
+// Depth of a fragment.
+constexpr const char* depth = R"(
+uniform vec2 parallel_depths; // nearest, and from there to the farthest; none for a perspective
+float fragment_depth() {
+    return parallel_depths.y > 0.0 ? parallel_depths.x + gl_FragCoord.z * parallel_depths.y : 1.0 / gl_FragCoord.w;
+}
+)";
+
+constexpr const char* part_fragment = R"(
+out vec4 part;
+#ifdef NEXT
+uniform sampler2D before;
+uniform float eye_rounding;
+#endif
+const float never = 1e30;
+void main() {
+    float t = fragment_depth();
+#ifdef NEXT
+    vec2 last = texelFetch(before, ivec2(gl_FragCoord.xy), 0).xy;
+    // An inner wall may be an exit and an entry at once.
+    float rounding = 1e-5 * t;
+    if (last.x > last.y * (1.0 - eye_rounding)) last.x = -never; // the eye was inside
+    if (gl_FrontFacing ? t <= max(last.y - rounding, last.x + rounding) : t <= last.y + rounding) discard;
+#endif
+    part = gl_FrontFacing ? vec4(t, never, 0.0, 0.0) : vec4(never, t, 0.0, 0.0);
+}
+)";
+
+constexpr const char* whole_vertex = R"(
+void main() { // one triangle that covers the picture
+    vec2 corner = vec2((gl_VertexID << 1) & 2, gl_VertexID & 2);
+    gl_Position = vec4(corner * 2.0 - 1.0, 0.0, 1.0);
+}
+)";
+
+constexpr const char* limits_fragment = R"(
+uniform sampler2D first_part;
+uniform sampler2D opaque;
+uniform float has_opaque;
+uniform vec2 viewport;
+uniform float eye_rounding; // how far behind an exit an entry may seem to be; none for an eye outside
+uniform vec2 depth_row; // of the projection: from -depth and 1
+uniform float parallel;
+out vec4 limits;
+const float never = 1e30;
+void main() {
+    vec2 part = texelFetch(first_part, ivec2(gl_FragCoord.xy), 0).xy;
+    if (part.x > part.y * (1.0 - eye_rounding)) part.x = -never; // the eye is inside
+    float window = 1.0;
+    if (part.x > 0.0 && part.x < never)
+        window = 0.5 + 0.5 * (depth_row.y - depth_row.x * part.x) / (parallel > 0.5 ? 1.0 : part.x);
+    float sight = never;
+    if (has_opaque > 0.5) {
+        float z = texture(opaque, gl_FragCoord.xy / viewport).r;
+        float ndc = 2.0 * z - 1.0;
+        if (z < 1.0) sight = parallel > 0.5 ? (depth_row.y - ndc) / depth_row.x : depth_row.y / (ndc + depth_row.x);
+    }
+    limits = vec4(part, sight, window);
+}
+)";
+
+// Values come as shares of the range, gradients along the eye's axes.
+constexpr const char* slab_vertex = R"(
+layout(location = 0) in vec3 position;
+layout(location = 1) in float value;
+layout(location = 2) in vec3 gradient;
+layout(location = 3) in vec2 limits;
+uniform mat4 transform;
+uniform mat4 view;
+uniform vec2 to_share;
+out float middle;
+out vec3 slope;
+flat out vec2 bounds;
+invariant gl_Position;
+void main() {
+    gl_Position = transform * vec4(position, 1.0);
+    middle = value * to_share.x + to_share.y;
+    slope = mat3(view) * gradient * to_share.x;
+    vec2 ends = limits * to_share.x + to_share.y;
+    bounds = clamp(vec2(min(ends.x, ends.y), max(ends.x, ends.y)), 0.0, 1.0);
+}
+)";
+
+constexpr const char* ray = R"(
+uniform sampler2D limits;
+uniform sampler2D table;
+uniform vec2 ray_corner; // sideways per depth at the picture's corner
+uniform vec2 ray_step;   // and per pixel
+uniform vec2 side_corner; // where a parallel ray starts
+uniform vec2 side_step;
+uniform vec3 eye_normal; // of the slabs
+uniform float eye_place; // across the slabs
+uniform float slice_place;
+uniform float half_slab;
+uniform float density; // 1 / unit length
+uniform float steepness;
+in float middle;
+in vec3 slope;
+flat in vec2 bounds;
+out vec4 picture;
+const float never = 1e30;
+
+struct Ray {
+    vec3 along;       // per depth
+    float across;     // how far across the slabs it gets per depth
+    float start;      // its place across the slabs at depth 0
+    float slice;      // depth of the slice
+    float half_depth; // of the slab
+};
+Ray ray_here() {
+    Ray ray;
+    ray.along = vec3(ray_corner + ray_step * gl_FragCoord.xy, -1.0);
+    ray.across = dot(eye_normal, ray.along);
+    if (abs(ray.across) < 1e-9) ray.across = 1e-9;
+    ray.start = eye_place + dot(eye_normal.xy, side_corner + side_step * gl_FragCoord.xy);
+    float depth_per_place = 1.0 / ray.across;
+    ray.slice = (slice_place - ray.start) * depth_per_place;
+    ray.half_depth = half_slab * abs(depth_per_place);
+    return ray;
+}
+
+// The light of the piece of a ray between two depths, the property known at `t` between or near them.
+vec4 light(vec3 along, float t, float from, float to) {
+    float rise = dot(slope, along);
+    float a = clamp(middle + rise * (from - t), bounds.x, bounds.y);
+    float b = clamp(middle + rise * (to - t), bounds.x, bounds.y);
+    vec4 mean = texture(table, vec2(0.5 * (a + b), (abs(b - a) * (ROWS - 1.0) + 0.5) / ROWS));
+    float ahead = dot(along, along);
+    float loss = mean.a * max(to - from, 0.0) * (sqrt(ahead) * density);
+    // exp alone has too few digits where thin slabs add up.
+    float opacity = loss < 0.25 ? loss * (1.0 - loss * (0.5 - loss * (1.0 / 6.0 - loss * (1.0 / 24.0))))
+                                : 1.0 - exp(-loss);
+    vec3 color = mean.rgb;
+#ifdef SHADED
+    float steep = dot(slope, slope);
+    float facing = min(rise * rise / max(steep * ahead, 1e-30), 1.0);
+    float part = steep / (steep + steepness);
+    float shine = facing * facing;
+    shine *= shine;
+    shine *= shine;
+    color = color * (1.0 - part * 0.6 * (1.0 - sqrt(facing))) + 0.12 * part * shine;
+#endif
+    return vec4(color * opacity, opacity);
+}
+)";
+
+constexpr const char* ownership = R"(
+bool yields(float slice, vec2 part, float half_depth) {
+    float margin = 0.3 * half_depth;
+    return slice - part.x < margin || part.y - slice < margin || slice <= 0.0;
+}
+// The front of the slab, or the eye.
+float front(float slice, vec2 part, float half_depth) {
+    return part.x < 0.0 && slice < 2.0 * half_depth ? 0.0 : max(slice - half_depth, 0.0);
+}
+// The back of the slab, or what ends the ray before the next slice.
+float back(float slice, vec2 part, float half_depth, float sight) {
+    return min(part.y, sight < slice + 2.0 * half_depth ? sight : slice + half_depth);
+}
+)";
+
+constexpr const char* slice_fragment = R"(
+void main() {
+    Ray ray = ray_here();
+    // From the plane: the depths of thin triangles are as coarse as the rasteriser's corners.
+    float t = ray.slice;
+    float half_depth = ray.half_depth;
+    ivec2 pixel = ivec2(gl_FragCoord.xy);
+    vec4 first = texelFetch(limits, pixel, 0);
+    vec2 part = first.xy;
+    LATER_PARTS
+    float from = max(front(t, part, half_depth), part.x);
+    float to = back(t, part, half_depth, first.z);
+    picture = t > first.z || yields(t, part, half_depth) ? vec4(0.0) : light(ray.along, t, from, to);
+}
+)";
+
+constexpr const char* edge_fragment = R"(
+uniform float first_place;
+uniform float slab;
+uniform float last_slab;
+bool is_in_slab(Ray ray, float t) {
+    return clamp(floor((ray.start + ray.across * t - first_place) / (2.0 * half_slab)), 0.0, last_slab) == slab;
+}
+void main() {
+    Ray ray = ray_here();
+    float t = fragment_depth();
+    if (!is_in_slab(ray, t)) discard;
+    float slice = ray.slice;
+    float half_depth = ray.half_depth;
+    ivec2 pixel = ivec2(gl_FragCoord.xy);
+    vec4 first = texelFetch(limits, pixel, 0);
+    vec2 part = first.xy;
+    LATER_PARTS
+    float from = t, to = t;
+    if (gl_FrontFacing) {
+        part.x = t;
+        if (t < first.z && (first.z < slice || yields(slice, part, half_depth)))
+            to = back(slice, part, half_depth, first.z);
+    } else {
+        part.y = t;
+        float begin = front(slice, part, half_depth);
+        bool begins_here = part.x >= 0.0 && is_in_slab(ray, part.x); // then that belongs to the entry
+        if (first.z >= slice && !begins_here && yields(slice, part, half_depth)) from = begin;
+        to = min(t, first.z);
+    }
+    picture = light(ray.along, t, from, to);
+}
+)";
+
+// A fragment is in the part whose ends it lies between; of a face it is clear which part it begins or ends.
+std::string later_parts(int parts, bool edge) {
+    std::string text;
+    for (int i = 1; i < parts; ++i) {
+        const std::string next = "texelFetch(part_" + std::to_string(i) + ", pixel, 0).xy";
+        text += "{ vec2 next = " + next + ";\n";
+        text += edge ? "if (gl_FrontFacing ? abs(next.x - t) < abs(part.x - t) : abs(next.y - t) < abs(part.y - t)) "
+                       "part = next; }\n"
+                     : "if (t > 0.5 * (part.y + next.x)) part = next; }\n";
+    }
+    if (parts == most_ray_parts && !edge) text += "if (t > part.y + half_depth) part = vec2(-never, never);\n";
+    return text;
+}
+
+std::string with_parts(std::string body, int parts, bool edge) {
+    const std::string word = "LATER_PARTS";
+    body.replace(body.find(word), word.size(), later_parts(parts, edge));
+    std::string samplers;
+    for (int i = 1; i < parts; ++i) samplers += "uniform sampler2D part_" + std::to_string(i) + ";\n";
+    return samplers + body;
+}
+
+constexpr const char* picture_fragment = R"(
+uniform sampler2D volume;
+uniform vec2 viewport;
+uniform float opacity;
+out vec4 picture;
+void main() { picture = texture(volume, gl_FragCoord.xy / viewport) * opacity; }
+)";
+
+std::string slab_defines(bool shaded, int rows) {
+    return std::string(version) + (shaded ? "#define SHADED\n" : "") + "#define ROWS " + std::to_string(rows) + ".0\n";
+}
+
+VolumeProgram linked(const Gl& gl, const std::string& vertex, const std::string& fragment) {
+    return {gl, link_stages(gl, {{GL_VERTEX_SHADER, vertex}, {GL_FRAGMENT_SHADER, fragment}})};
+}
+
+VolumeProgram make_slab_program(const Gl& gl, bool edge, const SlabProgramKind& kind) {
+    const std::string defines = slab_defines(kind.shaded, kind.table_rows);
+    return linked(gl, defines + slab_vertex,
+                  defines + depth + ray + ownership +
+                      with_parts(edge ? edge_fragment : slice_fragment, kind.parts, edge));
+}
+
+} // namespace
+
+VolumeProgram make_part_program(const Gl& gl, bool first) {
+    return linked(gl, std::string(version) + part_vertex,
+                  std::string(version) + (first ? "" : "#define NEXT\n") + depth + part_fragment);
+}
+
+VolumeProgram make_limits_program(const Gl& gl) {
+    return linked(gl, std::string(version) + whole_vertex, std::string(version) + limits_fragment);
+}
+
+VolumeProgram make_slice_program(const Gl& gl, const SlabProgramKind& kind) {
+    return make_slab_program(gl, false, kind);
+}
+VolumeProgram make_edge_program(const Gl& gl, const SlabProgramKind& kind) { return make_slab_program(gl, true, kind); }
+
+VolumeProgram make_volume_picture_program(const Gl& gl) {
+    return linked(gl, std::string(version) + whole_vertex, std::string(version) + picture_fragment);
+}
+
+} // namespace ciel::render

@@ -1,0 +1,99 @@
+#include "session/volume_cut.hpp"
+
+#include "session/cut.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ciel::session {
+namespace {
+
+constexpr std::size_t moving_slices = 24; // about as many as software draws ten times a second
+
+Vec3d unit_vector(const Vec3d& v) {
+    const double length = std::hypot(v[0], v[1], v[2]);
+    return length > 0 ? Vec3d{v[0] / length, v[1] / length, v[2] / length} : Vec3d{0, 1, 0};
+}
+
+} // namespace
+
+std::size_t Slabs::memory_bytes() const {
+    std::size_t bytes = 0;
+    for (const SlabMesh& slice : slices) bytes += slice.memory_bytes();
+    return bytes;
+}
+
+std::size_t moving_stride(std::size_t slices) {
+    const std::size_t stride = (slices + moving_slices - 1) / moving_slices;
+    return stride % 2 == 0 ? stride + 1 : stride;
+}
+
+VolumeCut::VolumeCut() : identity(unique_number()) {}
+
+void VolumeCut::use_property(const std::string& name, std::size_t step, store::LoadedDataset& loaded) {
+    const std::string wanted = std::to_string(step) + " " + name;
+    if (key == wanted) return;
+    const store::ScalarField field = loaded.scalar(name, step); // throws NotWritten before anything is given up
+    key.clear();
+    slabs = nullptr;
+    slabs_key.clear();
+    values = loaded.scalar_values(name, step);
+    gradients = vertex_gradients(*field.topology, field.mesh, *values);
+    limits = cell_limits(field.mesh, *values);
+    boundary = std::make_shared<const SlabMesh>(slab_boundary(field.mesh, {*values, gradients, limits}));
+    key = wanted;
+}
+
+bool VolumeCut::cut(const std::string& place, const store::ScalarField& planes, Vec3d normal, std::size_t count,
+                    bool moving, const std::stop_token& stop) {
+    const std::string wanted = place + " " + std::to_string(count);
+    const bool same = slabs && slabs_key == wanted;
+    if (same && (whole || moving)) return true;
+    auto made = std::make_shared<Slabs>();
+    const auto [low, high] = planes.field->range();
+    made->normal = normal;
+    made->first = low;
+    made->thickness = (static_cast<double>(high) - static_cast<double>(low)) / static_cast<double>(count);
+    made->boundary = boundary;
+    made->slices.resize(count);
+
+    const std::size_t stride = moving ? moving_stride(count) : 1;
+    std::vector<double> places;
+    for (std::size_t i = stride / 2; i < count; i += stride)
+        places.push_back(made->first + (static_cast<double>(i) + 0.5) * made->thickness);
+    std::vector<SlabMesh> cuts;
+    if (!sweep(*planes.topology, planes.mesh, *planes.field, places, SlabSink{{*values, gradients, limits}}, cuts,
+               stop))
+        return false;
+    for (std::size_t i = stride / 2, k = 0; i < count; i += stride, ++k) made->slices[i] = std::move(cuts[k]);
+    slabs = std::move(made);
+    slabs_key = wanted;
+    whole = stride == 1;
+    revision = unique_number();
+    return true;
+}
+
+std::size_t VolumeCut::memory_bytes() const {
+    return gradients.size() * sizeof(Vec3f) + limits.size() * sizeof(limits[0]) +
+           (boundary ? boundary->memory_bytes() : 0) + (slabs ? slabs->memory_bytes() : 0);
+}
+
+Vec3d slab_normal(const scene::VolumeLayer& volume, const render::Camera& camera, bool moving) {
+    using Direction = scene::VolumeLayer::Direction;
+    Vec3d view{};
+    for (std::size_t axis = 0; axis < 3; ++axis) view[axis] = camera.target[axis] - camera.position[axis];
+    // Planes that turn with the camera would have to be cut anew for each picture of a turning camera.
+    if (volume.direction == Direction::screen && !moving) return unit_vector(view);
+    std::size_t axis = 0;
+    if (volume.direction == Direction::automatic || volume.direction == Direction::screen) {
+        for (std::size_t other = 1; other < 3; ++other)
+            if (std::abs(view[other]) > std::abs(view[axis])) axis = other;
+    } else {
+        axis = static_cast<std::size_t>(volume.direction) - static_cast<std::size_t>(Direction::x);
+    }
+    Vec3d normal{};
+    normal[axis] = 1;
+    return normal;
+}
+
+} // namespace ciel::session

@@ -1,0 +1,46 @@
+// The kept state behind a volume layer: its property with gradients, and the slices of the current direction.
+#pragma once
+
+#include "ciel/slab.hpp"
+#include "session/scene_geometry.hpp"
+
+namespace ciel::session {
+
+// Parallel slabs of one thickness that cover the mesh; slice i is the cut of slab i's middle plane. The direction and
+// places are of dot(normal, offset from the mesh's origin).
+struct Slabs {
+    Vec3d normal{};
+    double first = 0, thickness = 1; // where slab 0 begins
+    std::vector<SlabMesh> slices;    // empty where not asked for yet
+    std::shared_ptr<const SlabMesh> boundary;
+
+    [[nodiscard]] std::size_t memory_bytes() const;
+};
+
+// While something moves, every so-manieth slice is drawn, each for a slab so many times as thick. Odd, so that the
+// slices of a still serve: the middle plane of the thick slab is that of one of the thin ones.
+[[nodiscard]] std::size_t moving_stride(std::size_t slices);
+
+struct VolumeCut {
+    std::string key; // of the property: array, step
+    std::shared_ptr<const std::vector<float>> values;
+    std::vector<Vec3f> gradients;
+    std::vector<std::array<float, 2>> limits; // by cell
+    std::shared_ptr<const SlabMesh> boundary;
+    std::shared_ptr<const Slabs> slabs;
+    std::string slabs_key;
+    bool whole = false; // all slices are there, not only those that are drawn while something moves
+    std::uint64_t identity, revision = 0;
+
+    VolumeCut();
+    void use_property(const std::string& name, std::size_t step, store::LoadedDataset& loaded);
+    // False when stopped; what was there before is kept then.
+    bool cut(const std::string& place, const store::ScalarField& planes, Vec3d normal, std::size_t slices, bool moving,
+             const std::stop_token& stop);
+    [[nodiscard]] std::size_t memory_bytes() const;
+};
+
+// The axis nearest to the view, its sign left out; or the view's own direction.
+[[nodiscard]] Vec3d slab_normal(const scene::VolumeLayer& volume, const render::Camera& camera, bool moving);
+
+} // namespace ciel::session

@@ -1,0 +1,148 @@
+// Transparent layers against what is worked out by hand: in their order at every pixel, and mixed with volumes.
+#include "scenes.hpp"
+#include "support/meshes.hpp"
+#include "volume_scene.hpp"
+
+#include <gtest/gtest.h>
+
+namespace ciel::render {
+namespace {
+
+using Color = std::array<double, 3>;
+
+// One colour over others, each `opacity` of itself: from the nearest to the background.
+Color over(const std::vector<std::pair<Color, double>>& nearest_first, const Color& background) {
+    Color sum{};
+    double through = 1;
+    for (const auto& [color, opacity] : nearest_first) {
+        for (std::size_t k = 0; k < 3; ++k) sum[k] += through * opacity * color[k];
+        through *= 1 - opacity;
+    }
+    for (std::size_t k = 0; k < 3; ++k) sum[k] += through * background[k];
+    return sum;
+}
+
+class PeelingTest : public testing::TestWithParam<Backend> {
+protected:
+    Renderer renderer{GetParam()};
+    Frame frame = front_view();
+    Image image;
+    std::vector<Shape> shapes;
+
+    PeelingTest() {
+        frame.samples = 4;
+        frame.background_top = frame.background_bottom = {0, 0, 0};
+        shapes.reserve(64);
+    }
+    void add(Shape shape, const Color& color, double opacity) {
+        shapes.push_back(std::move(shape));
+        Mesh mesh = shapes.back().mesh();
+        mesh.scalars = {};
+        mesh.lit = false;
+        for (std::size_t k = 0; k < 3; ++k) mesh.color[k] = static_cast<float>(color[k]);
+        mesh.color[3] = static_cast<float>(opacity);
+        frame.meshes.push_back(mesh);
+    }
+    void expect(int x, int y, const Color& color, double most = 2) const {
+        const std::uint8_t* p = &image.rgb[3 * static_cast<std::size_t>(y * image.width + x)];
+        for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(p[k], 255 * color[k], most) << "at " << x << ", " << y;
+    }
+};
+
+// Two squares that cross in the middle, each of two triangles: one is nearer on the left, the other on the right.
+TEST_P(PeelingTest, SurfacesThatCross) {
+    const auto leaning = [](float lean) {
+        return grid(1, 1, [&](double u, double v) {
+            return Vec3f{static_cast<float>(2 * u - 1), lean * static_cast<float>(2 * u - 1),
+                         static_cast<float>(2 * v - 1)};
+        });
+    };
+    const Color red{1, 0, 0}, blue{0, 0, 1};
+    add(leaning(0.5F), red, 0.5); // nearer, which is less y, on the left
+    add(leaning(-0.5F), blue, 0.5);
+    renderer.draw(frame, image);
+    expect(100, 120, over({{red, 0.5}, {blue, 0.5}}, {}));
+    expect(220, 120, over({{blue, 0.5}, {red, 0.5}}, {}));
+    expect(5, 5, {});
+}
+
+TEST_P(PeelingTest, ManyLayersInAnyOrder) {
+    std::vector<std::pair<Color, double>> expected;
+    for (int i = 0; i < 20; ++i)
+        expected.push_back({{i % 3 == 0 ? 1.0 : 0.0, i % 3 == 1 ? 1.0 : 0.0, i % 3 == 2 ? 1.0 : 0.0}, 0.1 + 0.01 * i});
+    for (int i = 0; i < 20; ++i) {
+        const int place = i * 7 % 20;
+        add(square(-0.9 + 0.09 * place), expected[static_cast<std::size_t>(place)].first,
+            expected[static_cast<std::size_t>(place)].second);
+    }
+    renderer.draw(frame, image);
+    expect(160, 120, over(expected, {}));
+}
+
+TEST_P(PeelingTest, OpaqueSurfacesHideWhatIsBehind) {
+    const Color red{1, 0, 0}, green{0, 1, 0}, blue{0, 0, 1};
+    add(square(-0.5), red, 0.5);
+    add(square(0), green, 1);
+    add(square(0.5), blue, 0.5);
+    renderer.draw(frame, image);
+    expect(160, 120, over({{red, 0.5}}, green));
+}
+
+// What is in front of a sphere and what is in it: four layers in the middle, two where the small one is not.
+TEST_P(PeelingTest, SurfacesThatEncloseEachOther) {
+    const Color red{1, 0, 0}, green{0, 1, 0};
+    add(sphere(0.9), red, 0.3);
+    add(sphere(0.4), green, 0.6);
+    renderer.draw(frame, image);
+    expect(160, 120, over({{red, 0.3}, {green, 0.6}, {green, 0.6}, {red, 0.3}}, {}));
+    expect(160 + 48, 120, over({{red, 0.3}, {red, 0.3}}, {}));
+}
+
+TEST_P(PeelingTest, EdgesAreSmooth) {
+    add(sphere(0.9), {1, 1, 1}, 0.5);
+    renderer.draw(frame, image);
+    std::size_t between = 0;
+    for (std::size_t i = 0; i < image.rgb.size(); i += 3)
+        if (image.rgb[i] > 20 && image.rgb[i] < 170) ++between;
+    EXPECT_GT(between, 200U) << "pixels along the outline that are partly covered";
+}
+
+// A cube of even fog with a sheet in its middle: half of the fog is before the sheet, half behind it.
+TEST_P(PeelingTest, ASheetInAVolume) {
+    VolumeScene fog(test::hexahedra({{4, 4, 4}}), [](const Vec3d&) { return 1.0; });
+    Volume volume = fog.volume({1, 0, 0}, 50);
+    volume.scale.range = {0, 1};
+    volume.opacity_points = {{0, 0.5}, {1, 0.5}};
+    volume.unit_length = 2; // half of the cube takes half of the light
+    frame.bounds_min = {0, 0, 0};
+    frame.bounds_max = {4, 4, 4};
+    frame.camera.position = {2, -9, 2};
+    frame.camera.target = {2, 2, 2};
+    frame.camera.parallel_height = 6;
+    const Color red{1, 0, 0}, green{0, 1, 0}, white{1, 1, 1};
+    const auto sheet = [](double y) {
+        return grid(1, 1, [&](double u, double v) {
+            return Vec3f{static_cast<float>(4 * u), static_cast<float>(y), static_cast<float>(4 * v)};
+        });
+    };
+    for (const int samples : {1, 4}) {
+        frame.samples = samples;
+        frame.meshes.clear();
+        frame.volumes = {volume};
+        add(sheet(2), red, 0.5);
+        renderer.draw(frame, image);
+        expect(160, 120, over({{white, 0.5}, {red, 0.5}, {white, 0.5}}, {}), 3);
+        add(sheet(3), green, 1);
+        renderer.draw(frame, image);
+        expect(160, 120, over({{white, 0.5}, {red, 0.5}, {white, 1 - std::sqrt(0.5)}}, green), 3);
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(, PeelingTest, testing::ValuesIn(available_backends()), [](const auto& parameter) {
+    std::string name = name_of(parameter.param);
+    std::replace(name.begin(), name.end(), '-', '_');
+    return name;
+});
+
+} // namespace
+} // namespace ciel::render

@@ -1,0 +1,90 @@
+#include "session/volume_cut.hpp"
+
+#include "session/scene_geometry.hpp"
+#include "small_dataset/small_dataset.hpp"
+#include "store/catalog.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+namespace ciel::session {
+namespace {
+
+using nlohmann::json;
+
+class volume_cut : public testing::Test {
+protected:
+    volume_cut() { test::write_small_dataset(folder.path() / "box.ciel"); }
+
+    VolumeDrawable show(const json& layer, bool moving = false, std::vector<double> towards = {1, -9, 2}) {
+        json document{{"dataset", "box"}, {"layers", {{"v", layer}}}};
+        const Vec3d target = test::box_origin;
+        document["camera"] = {{"target", target},
+                              {"position", {target[0] - towards[0], target[1] - towards[1], target[2] - towards[2]}}};
+        if (!loaded) loaded = catalog.open("box");
+        return geometry.update(scene::parse(document), loaded, {}, SIZE_MAX, moving)->volumes.at(0);
+    }
+    static json volume(int slices) { return {{"type", "volume"}, {"array", "p"}, {"slices", slices}}; }
+    static std::size_t cut_slices(const VolumeDrawable& drawable) {
+        return static_cast<std::size_t>(std::ranges::count_if(
+            drawable.slabs->slices, [](const SlabMesh& slice) { return !slice.triangles.empty(); }));
+    }
+
+    test::Folder folder;
+    store::Catalog catalog{{folder.path()}};
+    std::shared_ptr<store::LoadedDataset> loaded;
+    SceneGeometry geometry{Engine::signatures};
+};
+
+TEST_F(volume_cut, strides_are_odd_so_that_the_middle_slices_are_those_of_the_still) {
+    for (std::size_t slices = 1; slices <= 1000; ++slices) {
+        const std::size_t stride = moving_stride(slices);
+        EXPECT_EQ(stride % 2, 1U);
+        EXPECT_LE((slices + stride - 1) / stride, 24U);
+    }
+    EXPECT_EQ(moving_stride(24), 1U);
+}
+
+TEST_F(volume_cut, only_what_is_drawn_while_something_moves_is_cut_and_the_rest_for_the_still) {
+    const VolumeDrawable moving = show(volume(100), true);
+    EXPECT_EQ(moving.stride, 5U);
+    EXPECT_EQ(cut_slices(moving), 20U);
+    const VolumeDrawable still = show(volume(100));
+    EXPECT_EQ(still.stride, 1U);
+    EXPECT_EQ(cut_slices(still), 100U);
+    EXPECT_EQ(still.identity, moving.identity);
+    EXPECT_NE(still.revision, moving.revision);
+    const VolumeDrawable again = show(volume(100), true, {2, -9, 1}); // another view, the same axis
+    EXPECT_EQ(again.slabs, still.slabs);
+    EXPECT_EQ(again.revision, still.revision);
+}
+
+TEST_F(volume_cut, the_axis_is_the_one_nearest_to_the_view_or_the_one_that_is_asked_for) {
+    EXPECT_EQ(show(volume(3)).slabs->normal, (Vec3d{0, 1, 0}));
+    EXPECT_EQ(show(volume(3), false, {-8, 1, 2}).slabs->normal, (Vec3d{1, 0, 0}));
+    json layer = volume(3);
+    layer["direction"] = "z";
+    EXPECT_EQ(show(layer).slabs->normal, (Vec3d{0, 0, 1}));
+    layer["direction"] = "screen";
+    EXPECT_EQ(show(layer, true).slabs->normal, (Vec3d{0, 1, 0})) << "while the camera moves";
+    const Vec3d normal = show(layer, false, {0, 3, 4}).slabs->normal;
+    EXPECT_NEAR(normal[1], 0.6, 1e-12);
+    EXPECT_NEAR(normal[2], 0.8, 1e-12);
+}
+
+TEST_F(volume_cut, range_and_unit_length_are_the_scenes_or_the_arrays_and_the_bounds) {
+    const VolumeDrawable plain = show(volume(3));
+    EXPECT_NEAR(plain.unit_length, 0.1 * std::sqrt(3.0) * 6, 1e-9); // the box has edges of 6
+    json layer = volume(3);
+    layer["unit_length"] = 2;
+    layer["color"] = {{"range", {1, 2}}, {"map", "inferno"}};
+    const VolumeDrawable chosen = show(layer);
+    EXPECT_EQ(chosen.unit_length, 2);
+    EXPECT_EQ(chosen.scale.range, (std::array<float, 2>{1, 2}));
+    EXPECT_EQ(chosen.scale.map, "inferno");
+}
+
+} // namespace
+} // namespace ciel::session

@@ -1,0 +1,125 @@
+// Volumes: the mesh as a coloured fog, by one array.
+import type { JSX } from "preact";
+import { DEFAULT_MAP, colorMapNames } from "../display/color_maps";
+import type { Range, VolumeLayer } from "../generated/protocol";
+import { DEFAULT_OPACITY, inserted, middleOfGap, type OpacityPoint } from "../scene/opacity";
+import { arrayOf, layersOf, scalarsOf, shownTime, unitsOf } from "../scene/scalars";
+import { OpacityField } from "./coloring";
+import { Check, IconButton, NumberField, Section, SelectField } from "./controls";
+import { useApp, useAppState } from "./context";
+import { OpacityEditor } from "./opacity_editor";
+
+const DEFAULT_SLICES = 200;
+const MOST_SLICES = 1000;
+const DIRECTIONS = [
+  { value: "auto", text: "Axis nearest the view" },
+  { value: "x", text: "X" },
+  { value: "y", text: "Y" },
+  { value: "z", text: "Z" },
+  { value: "screen", text: "Facing the screen" },
+];
+
+function VolumeFields({ id, layer }: { id: string; layer: VolumeLayer }): JSX.Element {
+  const { actions } = useApp();
+  const maps = colorMapNames.map((name) => ({ value: name, text: name }));
+  const setSlices = (typed: number): void =>
+    actions.setLayer(id, { slices: Math.min(MOST_SLICES, Math.max(1, Math.round(typed))) });
+  return (
+    <div class="fields">
+      <SelectField
+        label="Map"
+        value={layer.color?.map ?? DEFAULT_MAP}
+        options={maps}
+        onChange={(map) => actions.setColoring([id], { map })}
+      />
+      <SelectField
+        label="Slices across"
+        value={layer.direction ?? "auto"}
+        options={DIRECTIONS}
+        onChange={(direction) => actions.setLayer(id, { direction })}
+      />
+      <label class="field">
+        <span>Slices</span>
+        <NumberField
+          label="Number of slices"
+          value={layer.slices ?? DEFAULT_SLICES}
+          span={MOST_SLICES}
+          step={10}
+          onChange={setSlices}
+        />
+      </label>
+      <Check label="Shaded" checked={layer.shaded !== false} onChange={(shaded) => actions.setLayer(id, { shaded })} />
+    </div>
+  );
+}
+
+function VolumeCard({ id, layer }: { id: string; layer: VolumeLayer }): JSX.Element {
+  const { actions, editor, histograms } = useApp();
+  const description = useAppState((state) => state.description);
+  const scene = useAppState((state) => state.scene);
+  useAppState((state) => state.histogramsAt);
+  const visible = layer.visible !== false;
+  const time = shownTime(description, scene);
+  const histogram = description === null ? null : histograms.get(description.name, layer.array, time);
+  const range: Range = layer.color?.range ?? histogram?.range ?? arrayOf(description, layer.array)?.range ?? [0, 1];
+  const points: readonly OpacityPoint[] = layer.opacity_points ?? DEFAULT_OPACITY;
+  const setPoints = (opacity_points: OpacityPoint[], gesture?: string): void =>
+    actions.setLayer(id, { opacity_points }, gesture);
+  return (
+    <article class={visible ? "card" : "card off"} aria-label={`Volume of ${layer.array}`}>
+      <div class="card-head">
+        <IconButton
+          icon={visible ? "eye" : "hidden"}
+          label={visible ? "Hide this volume" : "Show this volume"}
+          pressed={visible}
+          onClick={() => actions.setLayer(id, { visible: !visible })}
+        />
+        <SelectField
+          label="Array of the volume"
+          hideLabel
+          value={layer.array}
+          options={scalarsOf(description).map(({ name }) => ({ value: name, text: name }))}
+          onChange={(array) => actions.setLayer(id, { array, color: { range: null } })}
+        />
+        <IconButton
+          icon="plus"
+          label="Add an opacity point"
+          onClick={() => setPoints(inserted(points, middleOfGap(points))[0])}
+        />
+        <IconButton icon="close" label="Remove this volume" onClick={() => actions.removeLayer(id)} />
+      </div>
+      <OpacityEditor
+        name={layer.array}
+        units={unitsOf(description, layer.array)}
+        range={range}
+        histogram={histogram}
+        points={points}
+        newGesture={() => editor.newGesture()}
+        onChange={setPoints}
+      />
+      <VolumeFields id={id} layer={layer} />
+      <OpacityField layers={[id]} opacity={layer.opacity ?? 1} />
+    </article>
+  );
+}
+
+export function VolumeSection(): JSX.Element {
+  const { actions } = useApp();
+  const scene = useAppState((state) => state.scene);
+  const [first] = scalarsOf(useAppState((state) => state.description));
+  const volumes = layersOf(scene, "volume");
+  const add = (): void => {
+    if (first !== undefined) actions.addLayer("volume", { type: "volume", array: first.name });
+  };
+  return (
+    <Section
+      title="Volumes"
+      action={first === undefined ? null : <IconButton icon="plus" label="Add a volume" onClick={add} />}
+    >
+      {volumes.map(([id, layer]) => (
+        <VolumeCard key={id} id={id} layer={layer} />
+      ))}
+      {volumes.length === 0 && <p class="hint">None. A volume shows an array everywhere at once, as a coloured fog.</p>}
+    </Section>
+  );
+}

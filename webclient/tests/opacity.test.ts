@@ -1,0 +1,52 @@
+import { expect, test } from "vitest";
+import {
+  DEFAULT_OPACITY,
+  inserted,
+  keyedPoint,
+  middleOfGap,
+  moved,
+  removed,
+  type OpacityPoint,
+} from "../src/scene/opacity";
+
+const points: OpacityPoint[] = [
+  [0.2, 0.1],
+  [0.5, 0.8],
+  [0.9, 0.3],
+];
+
+test("a point stays between its neighbours and inside the picture", () => {
+  expect(moved(points, 1, [0.1, 2])).toEqual([
+    [0.2, 0.1],
+    [0.2, 1],
+    [0.9, 0.3],
+  ]);
+  expect(moved(points, 1, [0.95, -1])[1]).toEqual([0.9, 0]);
+  expect(moved(points, 0, [-3, 0.5])[0]).toEqual([0, 0.5]);
+  expect(moved(points, 2, [3, 0.5])[2]).toEqual([1, 0.5]);
+});
+
+test("a new point is put in the order of positions", () => {
+  expect(inserted(points, [0.6, 0.5])).toEqual([[points[0], points[1], [0.6, 0.5], points[2]], 2]);
+  expect(inserted(points, [0, 0])[1]).toBe(0);
+  expect(inserted(points, [1, 0])[1]).toBe(3);
+  expect(inserted(points, [0.5, 0])[1]).toBe(2);
+});
+
+test("the last point cannot be removed", () => {
+  expect(removed(points, 1)).toEqual([points[0], points[2]]);
+  expect(removed([[0.3, 0.4]], 0)).toEqual([[0.3, 0.4]]);
+});
+
+test("a further point goes into the widest gap, on the curve", () => {
+  const [position, opacity] = middleOfGap(points);
+  expect(position).toBeCloseTo(0.7);
+  expect(opacity).toBeCloseTo(0.55);
+  expect(middleOfGap(DEFAULT_OPACITY)).toEqual([0.5, 0.45]);
+});
+
+test("arrow keys move a point, ten times as far with shift", () => {
+  expect(keyedPoint("ArrowUp", false, [0.5, 0.5])).toEqual([0.5, 0.51]);
+  expect(keyedPoint("ArrowLeft", true, [0.5, 0.5])).toEqual([0.4, 0.5]);
+  expect(keyedPoint("a", false, [0.5, 0.5])).toBeNull();
+});
