@@ -23,9 +23,9 @@ nlohmann::json parse_points(const std::string& text) {
     nlohmann::json points = nlohmann::json::array();
     for (const std::string& point : CLI::detail::split(text, ',')) {
         const auto equals = point.find('=');
-        const auto at = parse_numbers("--points", point.substr(0, equals));
+        const auto at = parse_numbers("--color-points", point.substr(0, equals));
         if (equals == std::string::npos || at.size() != 1)
-            throw UsageError("--points " + text + " is not of the form " + points_form);
+            throw UsageError("--color-points " + text + " is not of the form " + points_form);
         points.push_back({{"at", at[0]}, {"color", point.substr(equals + 1)}});
     }
     return points;
@@ -42,7 +42,7 @@ std::string map_names() {
 void ColorOptions::add_to(CLI::App& command) {
     command.add_option("--color", array, "Point scalar that colours the layers.")->type_name("ARRAY");
     command.add_option("--map", map, "Colour map: " + map_names() + ".")->type_name("NAME")->default_str("viridis");
-    command.add_option("--points", points, "Colours of your own instead of a map, from 0 to 1 along the range.")
+    command.add_option("--color-points", points, "Colours of your own instead of a map, from 0 to 1 along the range.")
         ->type_name(points_form);
     command.add_option("--range", range, "Values of the map's two ends; the array's range by default.")
         ->type_name("MIN,MAX");

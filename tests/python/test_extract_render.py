@@ -124,7 +124,7 @@ def test_slices_have_the_colours_that_the_options_ask_for(box, tmp_path):
     common = ["--slice", "y=0", "--color", "r", "--range", "0.3,0.8", "--below-color", "#ff0000", "--above-color", "#0000ff", "--size", "200x160"]
     shown = {}
     for name, options in {"smooth": [], "reverse": ["--reverse"], "steps": ["--steps", "3", "--map", "grayscale"], "log": ["--log"],
-                          "points": ["--points", "0=#00ff00,1=#00ff00"]}.items():
+                          "points": ["--color-points", "0=#00ff00,1=#00ff00"]}.items():
         works("render", box, *common, *options, "-o", tmp_path / f"{name}.png")
         shown[name] = [tuple(color) for color in pixels(tmp_path / f"{name}.png").reshape(-1, 3)]
         assert shown[name].count((255, 0, 0)) > 100 and shown[name].count((0, 0, 255)) > 100, name
@@ -242,8 +242,8 @@ REFUSED = [
     ("log of zero", ["render", "--iso", "r=0.5", "--log", "--range", "0,1", "-o", "p.png"], "begins above zero", 1),
     ("log and symmetric", ["render", "--iso", "r=0.5", "--log", "--symmetric", "-o", "p.png"], "no logarithm", 1),
     ("one step", ["render", "--iso", "r=0.5", "--steps", "1", "-o", "p.png"], "at least 2", 1),
-    ("points without colours", ["render", "--iso", "r=0.5", "--points", "0,1", "-o", "p.png"], "AT=#rrggbb", 2),
-    ("points out of order", ["render", "--iso", "r=0.5", "--points", "1=#000000,0=#ffffff", "-o", "p.png"], "ascending", 1),
+    ("points without colours", ["render", "--iso", "r=0.5", "--color-points", "0,1", "-o", "p.png"], "AT=#rrggbb", 2),
+    ("points out of order", ["render", "--iso", "r=0.5", "--color-points", "1=#000000,0=#ffffff", "-o", "p.png"], "ascending", 1),
     ("a colour by name", ["render", "--iso", "r=0.5", "--above-color", "red", "-o", "p.png"], "color/above", 1),
     ("bad range", ["render", "--iso", "r=0.5", "--range", "1", "-o", "p.png"], "range", 2),
     ("unknown annotation", ["render", "--annotations", "legends", "-o", "p.png"], "legends", 2),
