@@ -49,7 +49,7 @@ struct Slabs; // volume_cut.hpp
 struct VolumeDrawable {
     std::string layer;
     std::shared_ptr<const Slabs> slabs;
-    std::size_t stride = 1; // every so-manieth slice is drawn
+    std::size_t stride = 1; // one slice in so many is drawn
     std::string array, units;
     render::ColorScale scale;
     std::vector<std::array<double, 2>> opacity_points; // as in the scene

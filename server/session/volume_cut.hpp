@@ -17,7 +17,7 @@ struct Slabs {
     [[nodiscard]] std::size_t memory_bytes() const;
 };
 
-// While something moves, every so-manieth slice is drawn, each for a slab so many times as thick. Odd, so that the
+// While something moves, one slice in so many is drawn, each for a slab so many times as thick. Odd, so that the
 // slices of a still serve: the middle plane of the thick slab is that of one of the thin ones.
 [[nodiscard]] std::size_t moving_stride(std::size_t slices);
 

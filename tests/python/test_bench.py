@@ -13,11 +13,11 @@ def box(tmp_path_factory):
     return write_box(tmp_path_factory.mktemp("bench") / "box.ciel", 6)
 
 
-def test_the_four_tables(box, tmp_path):
+def test_every_table(box, tmp_path):
     result = ciel("bench", box, "--array", "r", "--json", tmp_path / "bench.json")
     assert result.returncode == 0, result.stderr
     told = json.loads((tmp_path / "bench.json").read_text())
-    assert [table["name"] for table in told["tables"]] == ["memory", "preprocessing", "slices", "surfaces"]
+    assert [table["name"] for table in told["tables"]] == ["memory", "preprocessing", "slices", "surfaces", "volume"]
     figures = {figure["what"]: figure["value"] for figure in told["tables"][0]["figures"]}
     info = json.loads(ciel("info", box, "--json").stdout)
     assert figures["half-edges"] == info["mesh"]["half_edges"] and figures["topology"] == info["memory"]["topology_bytes"]

@@ -134,7 +134,8 @@ def test_the_blunt_fin_is_as_bright_as_by_vtks_ray_caster(of_vtk, fin, tmp_path,
         "shaded": False,
     }
     camera = {"position": POSITION, "target": TARGET, "up": UP, "fov": FOV}
-    scene = {"background": "#000000", "camera": camera, "layers": {"volume": volume}}
+    bare = {"legend": False, "triad": False}
+    scene = {"background": "#000000", "camera": camera, "annotations": bare, "layers": {"volume": volume}}
     (tmp_path / "scene.json").write_text(json.dumps(scene))
     works("render", fin, "--scene", tmp_path / "scene.json", "--size", f"{SIDE}x{SIDE}", "-o", tmp_path / "p.png")
     difference = np.abs(pixels(tmp_path / "p.png") - of_vtk)
