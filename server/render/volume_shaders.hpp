@@ -54,7 +54,7 @@ struct SlabProgramKind {
     int parts = 1; // of a ray
     bool shaded = false;
     int table_rows = 1;
-    auto operator<=>(const SlabProgramKind&) const = default;
+    auto operator<=>(const SlabProgramKind&) const = default; // NOLINT(modernize-use-nullptr): takes <=> for a 0
 };
 [[nodiscard]] VolumeProgram make_slice_program(const Gl& gl, const SlabProgramKind& kind);
 [[nodiscard]] VolumeProgram make_edge_program(const Gl& gl, const SlabProgramKind& kind);
