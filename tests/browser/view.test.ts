@@ -168,7 +168,7 @@ describe("view", { skip }, () => {
     await client.page.getByLabel("Title").fill("Wake, \u00b5");
     await client.page.getByLabel("Title").press("Enter");
     await client.page.getByRole("heading", { name: "Wake, \u00b5" }).waitFor();
-    await client.page.getByLabel("Time", { exact: true }).check();
+    await client.page.getByRole("checkbox", { name: "Time", exact: true }).check();
     await client.page.locator(".captions").getByText("Time: ").waitFor();
     await client.settled();
     await client.keep("annotations");
