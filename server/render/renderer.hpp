@@ -45,11 +45,11 @@ struct Frame {
     Camera camera;
     Vec3d bounds_min{}, bounds_max{}; // for the depth range, in world coordinates
     std::array<float, 3> background_top{}, background_bottom{};
-    // Opaque triangles, then lines, then points, then transparent triangles of all meshes sorted from the back to the
-    // front.
+    // Opaque triangles, then lines, then points, then transparent triangles of all meshes: sorted from the back to the
+    // front, or peeled where there are several samples or volumes.
     std::vector<Mesh> meshes;
-    // In front of what is behind them and behind what is in front, but one volume after the other; transparent
-    // triangles come after them all.
+    // In front of what is behind them and behind what is in front, but one volume after the other. `clip` leaves them
+    // whole.
     std::vector<Volume> volumes;
     int samples = 1; // 4: multisampled, for stills
     // At most 6: of all meshes only what has dot(xyz, position) + w >= 0 is drawn, and found by pick.
