@@ -23,8 +23,9 @@ void duel(const std::string& what, const Contender& ciel, const std::vector<Cont
 void set_values(vtkUnstructuredGrid* grid, const bench::Case& data, const std::vector<float>& values);
 [[nodiscard]] bool is_linear(const bench::Case& data); // tetrahedra, hexahedra, wedges and pyramids only
 
-void surfaces(const bench::Case& data, vtkUnstructuredGrid* grid);
-void slices(const bench::Case& data, vtkUnstructuredGrid* grid);
+// `many` surfaces or slices in a row.
+void surfaces(const bench::Case& data, vtkUnstructuredGrid* grid, std::size_t many);
+void slices(const bench::Case& data, vtkUnstructuredGrid* grid, std::size_t many);
 void gradients(const bench::Case& data, vtkUnstructuredGrid* grid);
 void memory(const bench::Case& data, vtkUnstructuredGrid* grid);
 

@@ -1,9 +1,11 @@
-// vs_vtk NAME.ciel [--array A]: the same work by CIEL and by VTK's best configurations, alternating within one run.
+// vs_vtk NAME.ciel [--array A] [--table T]: the same work by CIEL and by VTK's best configurations, alternating within
+// one run.
 #include "vs_vtk/duel.hpp"
 
 #include "ciel/parallel.hpp"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <vtkObject.h>
 #include <vtkVersion.h>
@@ -13,15 +15,26 @@ int main(int argc, char** argv) { // NOLINT(bugprone-exception-escape): a bench 
     std::string dataset, array;
     app.add_option("dataset", dataset, "NAME.ciel")->required();
     app.add_option("--array", array, "A scalar on the points");
+    std::vector<std::string> tables{"memory", "surfaces", "slices", "gradients"};
+    app.add_option("--table", tables, "Only these")->check(CLI::IsMember(tables))->take_all();
+    std::size_t many = 0;
+    app.add_option("--many", many,
+                   "Surfaces in a row (100; 3 of arbitrary polyhedra, which take VTK minutes) and slices "
+                   "(100; 10)");
     CLI11_PARSE(app, argc, argv);
     const ciel::bench::Case data = ciel::bench::open_case(dataset, array);
     std::printf("%s, %s, %u cells, %u threads, VTK %s\n", dataset.c_str(), data.array.c_str(), data.mesh.cell_count(),
                 ciel::thread_count(), vtkVersion::GetVTKVersion());
     vtkObject::GlobalWarningDisplayOff(); // its gradients fail in collapsed cells, thousands of times
     const auto grid = ciel::vs_vtk::as_grid(data);
-    ciel::vs_vtk::memory(data, grid);
-    ciel::vs_vtk::surfaces(data, grid);
-    ciel::vs_vtk::slices(data, grid);
-    ciel::vs_vtk::gradients(data, grid);
+    const auto wanted = [&](const char* table) { return std::ranges::find(tables, table) != tables.end(); };
+    const auto or_else = [&](std::size_t linear, std::size_t polyhedra) {
+        if (many > 0) return many;
+        return ciel::vs_vtk::is_linear(data) ? linear : polyhedra;
+    };
+    if (wanted("memory")) ciel::vs_vtk::memory(data, grid);
+    if (wanted("surfaces")) ciel::vs_vtk::surfaces(data, grid, or_else(100, 3));
+    if (wanted("slices")) ciel::vs_vtk::slices(data, grid, or_else(100, 10));
+    if (wanted("gradients")) ciel::vs_vtk::gradients(data, grid);
     return 0;
 }

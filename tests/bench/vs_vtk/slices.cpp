@@ -49,7 +49,7 @@ Contender cutter(const char* name, vtkUnstructuredGrid* grid, const Planes& plan
 
 } // namespace
 
-void slices(const bench::Case& data, vtkUnstructuredGrid* grid) {
+void slices(const bench::Case& data, vtkUnstructuredGrid* grid, std::size_t many) {
     const double part = 1 / std::sqrt(3.0);
     for (const auto& [normal, name] :
          {std::pair{Vec3d{1, 0, 0}, "box-aligned"}, {Vec3d{part, part, part}, "screen-aligned"}}) {
@@ -58,7 +58,7 @@ void slices(const bench::Case& data, vtkUnstructuredGrid* grid) {
                 data, std::make_shared<const std::vector<float>>(plane_distance(data.mesh, data.mesh.origin, along)));
         };
         const auto [low, high] = distance().range();
-        const Planes planes{normal, bench::values_between(low, high, is_linear(data) ? 100 : 10)};
+        const Planes planes{normal, bench::values_between(low, high, many)};
         std::vector<SliceSink::Out> made;
         std::vector<Contender> vtk{cutter<vtkPlaneCutter>("vtkPlaneCutter", grid, planes),
                                    cutter<vtkCutter>("vtkCutter", grid, planes)};

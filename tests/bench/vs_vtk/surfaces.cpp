@@ -159,11 +159,9 @@ void changed_field(const bench::Case& data, vtkUnstructuredGrid* grid, Own& own,
 
 } // namespace
 
-void surfaces(const bench::Case& data, vtkUnstructuredGrid* grid) {
+void surfaces(const bench::Case& data, vtkUnstructuredGrid* grid, std::size_t many) {
     Own own(data);
     const auto [low, high] = own.range();
-    // Arbitrary polyhedra take VTK minutes for a hundred.
-    const std::size_t many = is_linear(data) ? 100 : 3;
     const std::vector<double> values = bench::values_between(low, high, many);
     const std::string count = std::to_string(many) + " surfaces, warm";
     std::vector<SoupSink::Out> soups;
