@@ -75,8 +75,10 @@ void LayerOptions::add_to(CLI::App& command) {
     command.add_option("--points", points, "Vertices of the boundary, or all.")
         ->check(CLI::IsMember({"boundary", "all"}));
     command
-        .add_option("--threshold", threshold,
-                    "Only cells whose vertices all lie in this range: of --surface, --feature-edges and --points.")
+        .add_option(
+            "--threshold", threshold,
+            "Only cells whose vertices all have a value in this range, or who have one themselves where the array is "
+            "of the cells: of --surface, --feature-edges and --points.")
         ->type_name("ARRAY=MIN,MAX");
     command.add_flag("--edges", edges, "Lines along the edges of all polygons: those of the cells.");
     command.add_option("--contours", contours, "Contour lines of a point scalar on slices: ten, or at these values.")

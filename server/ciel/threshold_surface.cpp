@@ -50,6 +50,13 @@ std::vector<std::uint8_t> cells_in_range(const FaceMeshView& mesh, std::span<con
     return kept;
 }
 
+std::vector<std::uint8_t> cells_in_range(std::span<const float> of_cells, std::array<double, 2> range) {
+    std::vector<std::uint8_t> kept(of_cells.size());
+    std::ranges::transform(of_cells, kept.begin(),
+                           [&](float value) { return value >= range[0] && value <= range[1] ? 1 : 0; });
+    return kept;
+}
+
 std::vector<CellFace> threshold_faces(const FaceMeshView& mesh, std::span<const std::uint8_t> kept) {
     std::vector<CellFace> faces;
     const auto keeps = [&](Index cell) { return cell != none && kept[cell] != 0; };

@@ -11,6 +11,8 @@ enum class InRange { all, any }; // of a cell's vertices
 // none. A cell without faces is not kept.
 [[nodiscard]] std::vector<std::uint8_t> cells_in_range(const FaceMeshView& mesh, std::span<const float> values,
                                                        std::array<double, 2> range, InRange vertices);
+// Likewise where each cell has a value of its own.
+[[nodiscard]] std::vector<std::uint8_t> cells_in_range(std::span<const float> of_cells, std::array<double, 2> range);
 
 struct CellFace { // a face as a side of one of its cells
     Index face, cell;

@@ -11,10 +11,10 @@ struct Check {
     const store::Dataset& dataset;
     std::string path; // of the layer
 
-    void scalar(const std::string& name, const std::string& place) const {
+    void scalar(const std::string& name, const std::string& place, bool of_cells_too = false) const {
         try {
             const store::ScalarName parsed = store::parse_scalar(dataset, name);
-            if (dataset.find(parsed.array)->association != store::Association::point)
+            if (!of_cells_too && dataset.find(parsed.array)->association != store::Association::point)
                 throw Error(name + " belongs to the cells; layers need point values");
         } catch (const Error& error) {
             throw scene::Invalid(path + place, error.what());
@@ -51,7 +51,7 @@ struct Check {
     template <class Kind>
     void solid(const Kind& layer) const {
         coloring(layer.color);
-        if (layer.threshold) scalar(layer.threshold->array, "/threshold/array");
+        if (layer.threshold) scalar(layer.threshold->array, "/threshold/array", true);
         for (std::size_t i = 0; i < layer.groups.size(); ++i) patch(layer.groups[i], i);
     }
 

@@ -233,6 +233,15 @@ struct Update {
         return true;
     }
 
+    [[nodiscard]] std::vector<std::uint8_t> cells_of(const scene::Threshold& threshold) const {
+        const std::string array = store::parse_scalar(*dataset, threshold.array).array;
+        if (dataset->find(array)->association == store::Association::cell)
+            return cells_in_range(*loaded->cell_values(threshold.array, out.step), threshold.range);
+        return cells_in_range(dataset->mesh(step().mesh, step().coordinates),
+                              *loaded->scalar_values(threshold.array, out.step), threshold.range,
+                              threshold.any ? InRange::any : InRange::all);
+    }
+
     // The state of what a layer shows of the mesh's cells; null where its threshold has no values.
     Boundary* solid(const scene::Layer& layer, const std::vector<std::string>& groups,
                     const std::optional<scene::Threshold>& threshold, std::string key) {
@@ -246,9 +255,7 @@ struct Update {
         if (kept.shape) return &kept;
         const std::size_t before = kept.memory_bytes();
         try {
-            const auto values = loaded->scalar_values(threshold->array, out.step);
-            kept.cells = cells_in_range(dataset->mesh(step().mesh, step().coordinates), *values, threshold->range,
-                                        threshold->any ? InRange::any : InRange::all);
+            kept.cells = cells_of(*threshold);
             count(before, kept.memory_bytes());
         } catch (const store::NotWritten& missing) {
             lack(layer, "is not shown", missing);

@@ -69,11 +69,13 @@ struct LoadedDataset::State {
         return found;
     }
 
-    // The values of a point array at a step; throws when there are none.
+    // The values of an array at a step; throws when there are none.
     [[nodiscard]] static std::span<const float> written(const Dataset& dataset, const std::string& array,
-                                                        std::size_t step) {
-        if (dataset.find(array)->association == Association::cell)
-            throw Error("'" + array + "' is an array on cells; choose an array on points");
+                                                        std::size_t step, Association wanted) {
+        if (dataset.find(array)->association != wanted)
+            throw Error("'" + array + "' is an array on " +
+                        (wanted == Association::point ? "cells; choose an array on points"
+                                                      : "points; choose an array on cells"));
         const auto values = dataset.values(array, step);
         if (values.empty()) {
             std::ostringstream time;
@@ -82,6 +84,21 @@ struct LoadedDataset::State {
                              times_written(dataset, array));
         }
         return values;
+    }
+
+    [[nodiscard]] std::shared_ptr<const std::vector<float>> plain_values(const std::string& name, std::size_t step,
+                                                                         Association wanted) {
+        const auto of = current();
+        (void)step_of(*of, step);
+        const ScalarName scalar = parse_scalar(*of, name);
+        const auto values = written(*of, scalar.array, step, wanted);
+        auto made = fields.get<std::vector<float>>(step_key("values", name, step), [&]() -> Cache::Made {
+            const auto components = static_cast<std::size_t>(of->find(scalar.array)->components);
+            return {std::make_shared<std::vector<float>>(one_scalar(values, components, scalar)),
+                    values.size_bytes() / components};
+        });
+        of->check_intact();
+        return made;
     }
 
     [[nodiscard]] static const Step& step_of(const Dataset& dataset, std::size_t step) {
@@ -144,7 +161,7 @@ ScalarField LoadedDataset::scalar(const std::string& name, std::size_t step) {
     const auto of = state_->current();
     const Step& at = State::step_of(*of, step);
     const ScalarName scalar = parse_scalar(*of, name);
-    const auto values = State::written(*of, scalar.array, step);
+    const auto values = State::written(*of, scalar.array, step, Association::point);
     const bool as_it_is = !scalar.magnitude && !scalar.component;
     return state_->field(
         of, step, step_key("field", name, step), topology(at.mesh), [&] { return scalar_values(name, step); },
@@ -152,19 +169,12 @@ ScalarField LoadedDataset::scalar(const std::string& name, std::size_t step) {
 }
 
 std::shared_ptr<const std::vector<float>> LoadedDataset::scalar_values(const std::string& name, std::size_t step) {
-    const auto of = state_->current();
-    (void)State::step_of(*of, step);
-    const ScalarName scalar = parse_scalar(*of, name);
-    const auto values = State::written(*of, scalar.array, step);
-    auto made = state_->fields.get<std::vector<float>>(step_key("values", name, step), [&]() -> Cache::Made {
-        const auto components = static_cast<std::size_t>(of->find(scalar.array)->components);
-        return {std::make_shared<std::vector<float>>(one_scalar(values, components, scalar)),
-                values.size_bytes() / components};
-    });
-    of->check_intact();
-    return made;
+    return state_->plain_values(name, step, Association::point);
 }
 
+std::shared_ptr<const std::vector<float>> LoadedDataset::cell_values(const std::string& name, std::size_t step) {
+    return state_->plain_values(name, step, Association::cell);
+}
 ScalarField LoadedDataset::plane(std::size_t step, Vec3d origin, Vec3d normal) {
     const auto of = state_->current();
     const Step& at = State::step_of(*of, step);

@@ -33,6 +33,8 @@ public:
     [[nodiscard]] ScalarField scalar(const std::string& name, std::size_t step);
     // Point scalar by name as a plain array (magnitudes and components are made once), for colouring and probing.
     [[nodiscard]] std::shared_ptr<const std::vector<float>> scalar_values(const std::string& name, std::size_t step);
+    // Likewise a cell array's, for choosing cells: one value per cell.
+    [[nodiscard]] std::shared_ptr<const std::vector<float>> cell_values(const std::string& name, std::size_t step);
     // nu = dot(normal, position - origin).
     [[nodiscard]] ScalarField plane(std::size_t step, Vec3d origin, Vec3d normal);
 

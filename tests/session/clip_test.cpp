@@ -147,6 +147,20 @@ TEST_F(cells, a_threshold_shows_the_boundary_of_the_cells_kept) {
     EXPECT_THAT(lacking->lacking.at(0), testing::StartsWith("layer s is not shown: 'late' was not written"));
 }
 
+TEST_F(cells, a_threshold_by_an_array_of_the_cells_asks_no_vertices) {
+    json layer = surface;
+    layer["threshold"] = {{"array", "cell:q"}, {"range", {0, 1e6}}, {"keep", "any"}}; // the number of the cell
+    EXPECT_NEAR(enclosed(*show({{"s", layer}})), 216 - 8, 1e-3);
+    layer["threshold"]["range"] = {7, 9};
+    const auto some = show({{"s", layer}});
+    const auto values = loaded->cell_values("cell:q", 0);
+    std::set<float> kept;
+    for (const Index cell : some->drawables.at(0).shape->surface.polygon_cell) kept.insert((*values)[cell]);
+    EXPECT_THAT(kept, testing::ElementsAre(7, 8, 9));
+    layer["color"] = {{"array", "cell:q"}};
+    EXPECT_THROW(show({{"s", layer}}), scene::Invalid) << "colours need values at points";
+}
+
 double length(const Drawable& lines) {
     const auto& at = lines.shape->surface.positions;
     double sum = 0;

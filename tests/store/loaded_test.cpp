@@ -83,6 +83,9 @@ TEST_F(LoadedTest, ScalarsComponentsAndMagnitudes) {
         EXPECT_FLOAT_EQ((*magnitude)[i], std::hypot(u[3 * i], u[3 * i + 1], u[3 * i + 2]));
     }
     EXPECT_THAT(loaded.scalar("U:magnitude", 2).field->values(), ElementsAreArray(*magnitude));
+    EXPECT_EQ(loaded.cell_values("cell:p", 0)->size(), loaded.dataset()->values("cell:p", 0).size());
+    EXPECT_THROW((void)loaded.cell_values("p", 0), Error);
+    EXPECT_THROW((void)loaded.scalar_values("cell:p", 0), Error);
     EXPECT_THAT(loaded.scalar("U:magnitude", 2).field->range(), ElementsAre(magnitude->front(), magnitude->back()));
 }
 

@@ -6,6 +6,7 @@ import {
   legendsOf,
   nearestStep,
   rangeOfAllSteps,
+  thresholdScalarsOf,
   topOrder,
   unitsOf,
   wantsSurfaces,
@@ -26,6 +27,7 @@ const description = {
     array("p", 1, ["p"]),
     array("U", 3, ["U:x", "U:y", "U:z", "U:magnitude"]),
     { ...array("cell:p", 1, []), association: "cell" },
+    { ...array("cell:U", 3, []), association: "cell" },
   ],
 } as unknown as DatasetDescription;
 const scene: Scene = {
@@ -39,6 +41,12 @@ const scene: Scene = {
     outline: { type: "outline" },
   },
 };
+
+test("cells can be chosen by what belongs to them, too", () => {
+  const names = thresholdScalarsOf(description).map(({ name }) => name);
+  expect(names).toEqual(["p", "U:x", "U:y", "U:z", "U:magnitude", "cell:p", "cell:U:magnitude"]);
+  expect(thresholdScalarsOf(null)).toEqual([]);
+});
 
 describe("scalars", () => {
   test("units belong to the array, the range of all steps to scalars and magnitudes", () => {

@@ -61,9 +61,9 @@ class Threshold(TypedDict):
     """Shows the mesh as if it had only the cells whose values lie in the range. They stay whole: the boundary is then theirs, with the faces towards cells that are left out. Absent: all cells."""
 
     enabled: NotRequired[bool]
-    array: str  # a scalar name
+    array: str  # a scalar name, of the points or of the cells
     range: Range
-    keep: NotRequired[Literal["all", "any"]]  # cells with all vertices in the range, ends included, or with any
+    keep: NotRequired[Literal["all", "any"]]  # cells with all vertices in the range, ends included, or with any; without effect where the cells have values of their own
 
 
 class IsoLayer(TypedDict):

@@ -1,7 +1,7 @@
 // Which cells of the mesh a layer shows: those whose values lie in a range.
 import type { JSX } from "preact";
 import type { Range, Threshold } from "../generated/protocol";
-import { arrayOf, scalarsOf, shownTime } from "../scene/scalars";
+import { arrayOf, shownTime, thresholdScalarsOf } from "../scene/scalars";
 import { Check, NumberField, SelectField } from "./controls";
 import { useApp, useAppState } from "./context";
 
@@ -17,7 +17,7 @@ export function ThresholdFields({ id, threshold, color }: ThresholdProps): JSX.E
   const description = useAppState((state) => state.description);
   const scene = useAppState((state) => state.scene);
   useAppState((state) => state.histogramsAt);
-  const scalars = scalarsOf(description);
+  const scalars = thresholdScalarsOf(description);
   const first = color ?? scalars[0]?.name;
   if (first === undefined || description === null) return null;
   const shown = threshold !== undefined && threshold.enabled !== false;
@@ -48,15 +48,17 @@ export function ThresholdFields({ id, threshold, color }: ThresholdProps): JSX.E
               options={scalars.map(({ name }) => ({ value: name, text: name }))}
               onChange={begin}
             />
-            <SelectField
-              label="Of their vertices"
-              value={threshold.keep ?? "all"}
-              options={[
-                { value: "all", text: "all in range" },
-                { value: "any", text: "any in range" },
-              ]}
-              onChange={(keep) => set({ keep: keep as "all" | "any" })}
-            />
+            {arrayOf(description, threshold.array)?.association !== "cell" && (
+              <SelectField
+                label="Of their vertices"
+                value={threshold.keep ?? "all"}
+                options={[
+                  { value: "all", text: "all in range" },
+                  { value: "any", text: "any in range" },
+                ]}
+                onChange={(keep) => set({ keep: keep as "all" | "any" })}
+              />
+            )}
           </div>
           <div class="vector-row">
             <span>Range</span>

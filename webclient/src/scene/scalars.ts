@@ -15,9 +15,20 @@ export function scalarsOf(description: DatasetDescription | null): Scalar[] {
   );
 }
 
+/** What cells can be chosen by: also arrays that have a value per cell, of which no layer is made. */
+export function thresholdScalarsOf(description: DatasetDescription | null): Scalar[] {
+  const ofCells = (description?.arrays ?? []).filter(({ association }) => association === "cell");
+  const scalars = ofCells.map((array) => ({
+    name: array.components > 1 ? `${array.name}:magnitude` : array.name,
+    units: prettyUnits(array.units),
+    array,
+  }));
+  return [...scalarsOf(description), ...scalars];
+}
+
 /** The array that the scalar is made from. */
 export const arrayOf = (description: DatasetDescription | null, scalar: string): ArrayInfo | undefined =>
-  scalarsOf(description).find(({ name }) => name === scalar)?.array;
+  thresholdScalarsOf(description).find(({ name }) => name === scalar)?.array;
 
 /** Also of a cell array, which has no scalars: no layer is made from it, but a probe reads it. */
 export function unitsOf(description: DatasetDescription | null, name: string): string {
