@@ -20,7 +20,8 @@ int main(int argc, char** argv) { // NOLINT(bugprone-exception-escape): a bench 
     std::size_t many = 0;
     app.add_option("--many", many,
                    "Surfaces in a row (100; 3 of arbitrary polyhedra, which take VTK minutes) and slices "
-                   "(100; 10)");
+                   "(100; 10)")
+        ->check(CLI::Range(2, 1000)); // of one value alone VTK keeps the surface
     CLI11_PARSE(app, argc, argv);
     const ciel::bench::Case data = ciel::bench::open_case(dataset, array);
     std::printf("%s, %s, %u cells, %u threads, VTK %s\n", dataset.c_str(), data.array.c_str(), data.mesh.cell_count(),
