@@ -31,8 +31,9 @@ void BlockLoops::list_faces() {
     vertex.clear();
     vertices.clear();
     const auto append = [&](Index face) {
-        const bool any = append_without_repeats(mesh.loop(face), vertex) > 0;
-        if (!any) note_vertex(mesh.loop(face).front());
+        const std::span<const Index> loop = mesh.loop(face);
+        const bool any = append_without_repeats(loop, vertex) > 0;
+        if (!any && !loop.empty()) note_vertex(loop.front());
         mesh_face.push_back(face);
         begin.push_back(static_cast<Index>(vertex.size()));
         return any;

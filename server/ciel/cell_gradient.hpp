@@ -12,7 +12,9 @@ namespace ciel {
 
 struct CellGradient {
     Vec3f gradient{};
-    float volume = 0; // 0: the cell spans nothing, or lacks a value, and does not count
+    // 0: the cell spans nothing, or lacks a value, and does not count. In double: lengths that a float holds have
+    // cubes that it does not.
+    double volume = 0;
 };
 
 struct Sample {
@@ -104,7 +106,7 @@ template <const StandardShape& shape>
     return {{static_cast<float>((u * bc[0] + v * ca[0] + w * ab[0]) * share),
              static_cast<float>((u * bc[1] + v * ca[1] + w * ab[1]) * share),
              static_cast<float>((u * bc[2] + v * ca[2] + w * ab[2]) * share)},
-            static_cast<float>(std::abs(six_volumes) / 6)};
+            std::abs(six_volumes) / 6};
 }
 
 // By corners in the shape's order.
@@ -115,7 +117,7 @@ template <const StandardShape& shape>
     } else {
         const LeastSquares fit = least_squares(samples);
         if (!fit.good) return {};
-        return {fit.gradient, static_cast<float>(standard_volume<shape>(samples))};
+        return {fit.gradient, standard_volume<shape>(samples)};
     }
 }
 

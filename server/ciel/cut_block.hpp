@@ -67,6 +67,7 @@ struct CutScratch {
     std::vector<Way> way; // per local edge
     Index cell_stamp = 0;
     std::vector<Index> entry;
+    std::vector<Index> returning; // edges that a face is entered and left by
     std::vector<std::array<Index, 2>> crossing;
     std::vector<std::uint8_t> walked; // per half-edge of the polyhedra
 };

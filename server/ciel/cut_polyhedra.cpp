@@ -184,16 +184,22 @@ template <class Local>
 void PolyhedronCutter<Local>::cut_cell(Index cell) {
     const bool gap = in_.gaps && has_gap(cell);
     scratch_.entry.clear();
+    scratch_.returning.clear();
     (void)next_stamp(scratch_.cell_stamp, scratch_.way);
     bool simple = true;
     for (const Index ref : section_.faces_of(cell)) {
         CutFace& face = scratch_.face[ref / 2];
         if (face.stamp != scratch_.cut_stamp) cut_face(ref / 2, face);
         if (face.pairs == 0 || gap) continue;
-        // A face that collapsed to a line leads from an edge to itself.
-        if (face.pairs == 1 && face.pair.climbing == face.pair.descending) continue;
+        // A face that collapsed to a line leads from an edge to itself, which may have no other face.
+        if (face.pairs == 1 && face.pair.climbing == face.pair.descending) {
+            scratch_.returning.push_back(face.pair.climbing);
+            continue;
+        }
         simple = simple && link_face(face, ref % 2);
     }
+    for (const Index edge : scratch_.returning)
+        if (scratch_.way[edge].stamp != scratch_.cell_stamp) cut_.wasted = true;
     if (gap)
         cut_.wasted = true;
     else if (simple)

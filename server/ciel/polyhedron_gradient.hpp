@@ -30,7 +30,7 @@ public:
         if (samples_.size() < 4) return {};
         const LeastSquares fit = least_squares(samples_);
         if (!fit.good) return {};
-        return {fit.gradient, static_cast<float>(volume(section, cell, fit.mean))};
+        return {fit.gradient, volume(section, cell, fit.mean)};
     }
     // Of the cell that was solved last.
     [[nodiscard]] std::span<const Index> vertices() const { return vertices_; }

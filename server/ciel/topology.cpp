@@ -12,17 +12,24 @@ namespace {
 // Block boundaries (cells), so that each block but a giant cell's has local ids of 16 bits: a standard cell's
 // half-edges have such ids, a polyhedron's corners, which most often serve two cells.
 std::vector<Index> divide(const FaceMeshView& mesh, const CellFaces& faces, Index cells_per_block) {
-    constexpr std::uint64_t room = 96000;
+    constexpr std::uint64_t room = 96000, corner_room = 64000;
     std::vector<Index> begin{0};
-    std::uint64_t used = 0;
+    std::uint64_t used = 0, corners = 0; // corners: of each face once
     for (Index cell = 0; cell < mesh.cell_count(); ++cell) {
         const bool standard = static_cast<CellType>(mesh.cell_types[cell]) != CellType::polyhedron;
-        std::uint64_t of_cell = 0;
-        for (const Index f : faces.of(cell)) of_cell += mesh.loop(f).size() * (standard ? 2 : 1);
-        used += of_cell;
-        if (cell > begin.back() && (cell - begin.back() == cells_per_block || used > room)) {
+        std::uint64_t of_cell = 0, new_corners = 0;
+        for (const Index f : faces.of(cell)) {
+            const std::size_t size = mesh.loop(f).size();
+            of_cell += size;
+            if (mesh.owner[f] == cell || mesh.owner[f] < begin.back()) new_corners += size;
+        }
+        const std::uint64_t room_of_cell = standard ? 2 * of_cell : of_cell;
+        used += room_of_cell;
+        corners += new_corners;
+        if (cell > begin.back() && (cell - begin.back() == cells_per_block || used > room || corners > corner_room)) {
             begin.push_back(cell);
-            used = of_cell;
+            used = room_of_cell;
+            corners = of_cell;
         }
     }
     if (mesh.cell_count() > 0) begin.push_back(mesh.cell_count());

@@ -1,5 +1,6 @@
 // Input that assemble() must refuse, by cell where it can and as a whole where it cannot.
 #include "ciel/assemble.hpp"
+#include "ciel/topology.hpp"
 #include "support/meshes.hpp"
 #include "support/views.hpp"
 
@@ -105,6 +106,18 @@ TEST(BadCells, EachReasonHasItsEntryAndAtMostTenIds) {
 }
 
 // Three cubes that all claim the side between the first two.
+TEST(BadCells, AFaceWithoutCornersIsNothing) {
+    Polyhedra row = keep_cells(cubes(), [](Id) { return false; });
+    for (Id cell = 0; cell < 4; ++cell) {
+        std::vector<Loop> loops = cubes().loops(cell);
+        loops.emplace_back();
+        row.add_cell(polyhedron, loops);
+    }
+    const Assembled assembled = assemble(view(row));
+    EXPECT_TRUE(assembled.report.bad_cells.empty());
+    EXPECT_EQ(Topology(assembled.mesh.view()).counts().half_edges, 4U * 24);
+}
+
 TEST(BadCells, AFaceThatThreeCellsClaimStaysUnmatched) {
     Polyhedra mesh = hexahedra({{2, 1, 1}});
     std::vector<Loop> third = mesh.loops(0);

@@ -24,5 +24,15 @@ TEST(CrowdedBlock, KeepsTheMatesOfCollapsedFaces) {
         }
 }
 
+// Where half of the cells are missing, most faces serve one cell, and a block holds fewer cells.
+TEST(CrowdedBlock, KeepsItsShortIdsWhereFewFacesAreShared) {
+    const KernelMesh mesh(
+        keep_cells(hexagonal_prisms(60, 60, 10), [](Id cell) { return (cell * 2654435761U >> 8) % 2 != 0; }));
+    const TopologyCounts& counts = mesh.topology.counts();
+    ASSERT_GT(mesh.topology.block_count(), 4U);
+    ASSERT_GT(counts.boundary_faces, counts.faces / 2);
+    EXPECT_LT(mesh.topology.memory_bytes(), 9 * counts.half_edges);
+}
+
 } // namespace
 } // namespace ciel::test

@@ -141,6 +141,29 @@ INSTANTIATE_TEST_SUITE_P(All, Extract,
                              return std::get<0>(test.param).name + "_" + name_of(std::get<1>(test.param));
                          });
 
+// A face that runs along an edge and back: where only that edge is active, there is no polygon to have its point.
+TEST(ExtractSpike, AnEdgeThatAFaceRunsAlongTwiceHasNoPointOfItsOwn) {
+    const Polyhedra cube = hexahedra({{1, 1, 1}});
+    Polyhedra input = keep_cells(cube, [](Id) { return false; });
+    const Id tip = input.add_vertex({0.5, 0.5, 2});
+    std::vector<Loop> loops = cube.loops(0);
+    loops.back().insert(loops.back().begin() + 1, {tip, loops.back().front()});
+    input.add_cell(polyhedron, loops);
+    const KernelMesh mesh(input);
+    std::vector<float> values(input.vertex_count(), 0);
+    values[tip] = 1;
+    values[loops[0][0]] = 2;
+    for (const Engine engine : {Engine::signatures, Engine::propagation, Engine::naive}) {
+        Query query = mesh.query(engine);
+        const Field field = make_field(mesh.topology, mesh.stored(values));
+        query.set_field(field);
+        Surface surface;
+        ASSERT_TRUE(query.extract(0.5, true, surface));
+        EXPECT_EQ(difference(cut_every_cell(input, values, 0.5), mesh.cut(surface)), "");
+        EXPECT_EQ(broken_promise(surface, mesh, mesh.stored(values), 0.5, true), "");
+    }
+}
+
 // Values at the ends of what a float holds: differences overflow, ratios must not.
 TEST(ExtractExtremes, PositionsStayFinite) {
     const Polyhedra input = tetrahedra({{3, 3, 3}});

@@ -154,6 +154,24 @@ TEST(GradientWeights, AreTheVolumesOfTheCells) {
 }
 
 // Alternating corners: the least-squares gradient is zero everywhere, and the polygons have to tell the way.
+// Cells of atoms and of galaxies in one unit: their volumes are beyond what a float holds.
+TEST(GradientScales, DoNotMatter) {
+    for (const double edge : {1e-18, 1e-14, 1.0, 1e13, 1e18}) {
+        Polyhedra cells = hexahedra({{3, 2, 2}, 0, 1, edge});
+        std::ranges::fill(cells.cell_types, std::uint8_t{polyhedron});
+        for (const Polyhedra& input :
+             {hexahedra({{3, 2, 2}, 0, 1, edge}), tetrahedra({{2, 2, 2}, 0, 1, edge}), cells}) {
+            const KernelMesh mesh(input, {4});
+            const std::vector<float> values = linear_field(input, {{1 / edge, -2 / edge, 3 / edge}, 4});
+            for (const Vec3f& g : gradients_of(mesh, mesh.stored(values))) {
+                EXPECT_NEAR(g[0] * edge, 1, 1e-4) << edge;
+                EXPECT_NEAR(g[1] * edge, -2, 1e-4) << edge;
+                EXPECT_NEAR(g[2] * edge, 3, 1e-4) << edge;
+            }
+        }
+    }
+}
+
 TEST(NormalsWithoutAGradient, FollowThePolygons) {
     const Polyhedra input = hexahedra({{1, 1, 1}});
     const KernelMesh mesh(input);
