@@ -80,7 +80,7 @@ int run_command(const ExtractCommand& extract) {
     if (!extract.scene.has_layers()) throw UsageError("nothing to extract; give --iso, --slice or --plane");
     const auto loaded = load_dataset(extract.scene.dataset);
     const scene::Scene scene = parse_scene(extract.scene.document(*loaded->dataset()));
-    const auto geometry = make_geometry(scene, loaded, decider_named(extract.scene.decider));
+    const auto geometry = make_geometry(scene, loaded, extract.scene.extraction.chosen());
     wire::JoinedSurface joined;
     for (const session::Drawable& drawable : geometry->drawables) {
         if (!drawable.polygons()) continue;

@@ -153,7 +153,7 @@ int run_command(const RenderCommand& render) {
     nlohmann::json document = document_of(render, *loaded);
     annotate(render, document);
     const scene::Scene scene = parse_scene(document);
-    const auto geometry = make_geometry(scene, loaded, decider_named(render.scene.decider));
+    const auto geometry = make_geometry(scene, loaded, render.scene.extraction.chosen());
     for (const std::string& remark : geometry->remarks) std::cerr << "ciel: " << remark << '\n';
     render::Image image;
     render::Renderer renderer(backend);

@@ -32,7 +32,8 @@ fs::path default_import_folder() {
 struct ServeOptions {
     std::vector<fs::path> data;
     fs::path import_folder = default_import_folder();
-    std::string gl = "auto", engine = "signatures", decider = "isolate-high", log_level = "info";
+    std::string gl = "auto", log_level = "info";
+    ExtractionOptions extraction;
     unsigned render_workers = 1, threads = 0;
     gateway::GatewayOptions gateway;
 };
@@ -110,8 +111,7 @@ int serve(ServeOptions& options) {
     for (const auto& each : servable)
         if (each.problem.empty()) server_options.data.push_back(each.path);
     server_options.backend = render::backend_named(options.gl);
-    server_options.extraction = {options.engine == "propagation" ? Engine::propagation : Engine::signatures,
-                                 decider_named(options.decider)};
+    server_options.extraction = options.extraction.chosen();
     server_options.render_workers = options.render_workers;
     for (const auto& path : server_options.data) warn_of_files_to_import(path);
     session::Server server(std::move(server_options));
@@ -146,10 +146,7 @@ void add_serve(CLI::App& app, Run& run) {
     command->add_option("--gl", options->gl, "what draws")
         ->check(CLI::IsMember({"auto", "egl-device", "egl-surfaceless", "osmesa"}))
         ->capture_default_str();
-    command->add_option("--engine", options->engine, "what extracts surfaces")
-        ->check(CLI::IsMember({"signatures", "propagation"}))
-        ->capture_default_str();
-    add_decider(*command, options->decider);
+    options->extraction.add_to(*command);
     command->add_option("--workers", options->render_workers, "frames drawn at the same time")
         ->check(CLI::Range(1, 64))
         ->capture_default_str();

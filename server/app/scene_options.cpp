@@ -71,17 +71,22 @@ void SceneOptions::add_to(CLI::App& command) {
     command.add_option("--plane", planes, "Slice through a point, across a normal; may be repeated.")
         ->type_name("ox,oy,oz,nx,ny,nz");
     command.add_option("--time", time, "The step nearest to this time; the first by default.")->type_name("T");
-    add_decider(command, decider);
+    extraction.add_to(command);
 }
 
-void add_decider(CLI::App& command, std::string& name) {
-    command.add_option("--decider", name, "How points on ambiguous faces are joined.")
+void ExtractionOptions::add_to(CLI::App& command) {
+    command.add_option("--engine", engine, "What extracts surfaces; also CIEL_ENGINE.")
+        ->check(CLI::IsMember({"signatures", "propagation"}))
+        ->envname("CIEL_ENGINE")
+        ->capture_default_str();
+    command.add_option("--decider", decider, "How points on ambiguous faces are joined.")
         ->check(CLI::IsMember({"isolate-high", "asymptotic"}))
         ->capture_default_str();
 }
 
-Decider decider_named(const std::string& name) {
-    return name == "asymptotic" ? Decider::asymptotic : Decider::isolate_high;
+Extraction ExtractionOptions::chosen() const {
+    return {engine == "propagation" ? Engine::propagation : Engine::signatures,
+            decider == "asymptotic" ? Decider::asymptotic : Decider::isolate_high};
 }
 
 nlohmann::json SceneOptions::document(const store::Dataset& loaded) const {
@@ -121,9 +126,9 @@ scene::Scene parse_scene(const nlohmann::json& document) {
 }
 
 std::shared_ptr<const session::Geometry>
-make_geometry(const scene::Scene& scene, const std::shared_ptr<store::LoadedDataset>& loaded, Decider decider) {
+make_geometry(const scene::Scene& scene, const std::shared_ptr<store::LoadedDataset>& loaded, Extraction extraction) {
     try {
-        auto made = session::SceneGeometry({Engine::signatures, decider}).update(scene, loaded);
+        auto made = session::SceneGeometry(extraction).update(scene, loaded);
         session::require_complete(*made);
         return made;
     } catch (const scene::Invalid& error) {

@@ -15,11 +15,19 @@ class App;
 
 namespace ciel::app {
 
+// --engine and --decider: how surfaces are made.
+struct ExtractionOptions {
+    std::string engine = "signatures", decider = "isolate-high";
+
+    void add_to(CLI::App& command);
+    [[nodiscard]] Extraction chosen() const;
+};
+
 struct SceneOptions {
     std::string dataset;                                    // path of NAME.ciel
     std::vector<std::string> isos, slices, planes, volumes; // volumes: of `ciel render` alone
     std::optional<double> time;
-    std::string decider = "isolate-high";
+    ExtractionOptions extraction;
 
     void add_to(CLI::App& command);
     [[nodiscard]] bool has_layers() const {
@@ -34,11 +42,7 @@ struct SceneOptions {
 // Throws Error with the place in the document when it cannot be shown.
 [[nodiscard]] scene::Scene parse_scene(const nlohmann::json& document);
 [[nodiscard]] std::shared_ptr<const session::Geometry>
-make_geometry(const scene::Scene& scene, const std::shared_ptr<store::LoadedDataset>& loaded, Decider decider);
-
-// --decider: how points on ambiguous faces are joined.
-void add_decider(CLI::App& command, std::string& name);
-[[nodiscard]] Decider decider_named(const std::string& name);
+make_geometry(const scene::Scene& scene, const std::shared_ptr<store::LoadedDataset>& loaded, Extraction extraction);
 
 // The time of the step nearest to `time`; says so on stderr where it is another one.
 [[nodiscard]] double time_of_step(const store::Dataset& dataset, double time);

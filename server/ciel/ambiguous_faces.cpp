@@ -1,3 +1,4 @@
+// Section 4 of the paper: faces on which the surface could be joined in more than one way.
 #include "ciel/field.hpp"
 #include "ciel/loop.hpp"
 #include "ciel/parallel.hpp"

@@ -1,5 +1,6 @@
 #include "ciel/contour_lines.hpp"
 
+#include "ciel/edge_points.hpp"
 #include "ciel/parallel.hpp"
 #include "ciel/polygon.hpp"
 
@@ -39,8 +40,7 @@ private:
     // From the lower index to the upper, whichever way the polygon goes.
     [[nodiscard]] Vec3f crossing(Index a, Index b, double nu) const {
         if (a > b) std::swap(a, b);
-        const double from = values_[a], to = values_[b];
-        const auto t = static_cast<float>(std::clamp((nu - from) / (to - from), 0.0, 1.0));
+        const float t = share_at(nu, values_[a], values_[b]);
         const Vec3f &p = surface_.positions[a], &q = surface_.positions[b];
         return {lerp(p[0], q[0], t), lerp(p[1], q[1], t), lerp(p[2], q[2], t)};
     }

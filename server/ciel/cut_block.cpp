@@ -140,24 +140,29 @@ void begin_cut(const Block& block, CutScratch& scratch, CutBlock& cut) {
 }
 
 // The sections' polygons into the order of their cells.
-void sort_polygons(CutBlock& cut) {
-    std::vector<Index> order(cut.polygon_cell.size());
+void sort_polygons(CutScratch& scratch, CutBlock& cut) {
+    auto& [order, cell, end, edge] = scratch.sorted;
+    order.resize(cut.polygon_cell.size());
     std::iota(order.begin(), order.end(), Index{0});
-    std::ranges::stable_sort(order, {}, [&](Index p) { return cut.polygon_cell[p]; });
-    std::vector<Index> cell, end, edge;
+    std::ranges::sort(order, [&](Index p, Index q) {
+        return cut.polygon_cell[p] != cut.polygon_cell[q] ? cut.polygon_cell[p] < cut.polygon_cell[q] : p < q;
+    });
+    cell.clear();
+    end.clear();
+    edge.clear();
     for (const Index p : order) {
         cell.push_back(cut.polygon_cell[p]);
         const Index begin = p == 0 ? 0 : cut.polygon_end[p - 1];
         edge.insert(edge.end(), cut.polygon_edge.begin() + begin, cut.polygon_edge.begin() + cut.polygon_end[p]);
         end.push_back(static_cast<Index>(edge.size()));
     }
-    cut.polygon_cell.swap(cell);
-    cut.polygon_end.swap(end);
-    cut.polygon_edge.swap(edge);
+    cut.polygon_cell.assign(cell.begin(), cell.end());
+    cut.polygon_end.assign(end.begin(), end.end());
+    cut.polygon_edge.assign(edge.begin(), edge.end());
 }
 
-void end_cut(const Block& block, const CutScratch& scratch, CutBlock& cut) {
-    if (!std::ranges::is_sorted(cut.polygon_cell)) sort_polygons(cut);
+void end_cut(const Block& block, CutScratch& scratch, CutBlock& cut) {
+    if (!std::ranges::is_sorted(cut.polygon_cell)) sort_polygons(scratch, cut);
     cut.rank.resize(cut.active.size());
     Index count = 0;
     for (std::size_t w = 0; w < cut.active.size(); ++w) {

@@ -70,6 +70,10 @@ struct CutScratch {
     std::vector<Index> returning; // edges that a face is entered and left by
     std::vector<std::array<Index, 2>> crossing;
     std::vector<std::uint8_t> walked; // per half-edge of the polyhedra
+    struct Sorted {
+        std::vector<Index> order, cell, end, edge;
+    };
+    Sorted sorted; // polygons of several sections
 };
 
 [[nodiscard]] CutScratch& scratch_of_this_thread();

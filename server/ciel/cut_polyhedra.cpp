@@ -228,7 +228,8 @@ template <class Local>
 void PolyhedronCutter<Local>::walk_all(Index cell) {
     if (scratch_.walked.size() < 2 * section_.mate_face.size())
         scratch_.walked.resize(2 * section_.mate_face.size(), 0);
-    std::vector<Index> entries;
+    std::vector<Index>& entries = scratch_.entry; // half-edges now: what is linked is not used
+    entries.clear();
     for (const Index ref : section_.faces_of(cell)) {
         const Index face = ref / 2, side = ref % 2;
         for (Index k = section_.face_begin[face]; k < section_.face_begin[face + 1]; ++k)

@@ -40,8 +40,6 @@ struct Surface {
         Index block, polygon_begin, polygon_end;
     };
     std::vector<Chunk> chunks;
-
-    void clear();
 };
 
 enum class Normals {

@@ -1,3 +1,4 @@
+// One place that throws, for builds that cannot (WebAssembly).
 #include "ciel/types.hpp"
 
 #if !defined(__cpp_exceptions)

@@ -69,9 +69,9 @@ struct AddStored {
 class Pass {
 public:
     Pass(const FaceMeshView& mesh, const Field::Blocks& field, std::span<std::uint8_t> state,
-         std::span<std::unique_ptr<Vec3f[]>> gradient)
-        : mesh_(mesh), field_(field), blocks_(field.topology->blocks()), state_(state), gradient_(gradient),
-          busy_(blocks_.block.size(), 0), cell_(blocks_.block.size()) {}
+         std::span<std::uint8_t> busy, std::span<std::unique_ptr<Vec3f[]>> gradient)
+        : mesh_(mesh), field_(field), blocks_(field.topology->blocks()), state_(state), busy_(busy),
+          gradient_(gradient) {}
 
     void run(std::span<const Index> active, std::span<const CutBlock> cut) {
         for_each(active, [&](Index b) { want(b, cut[b]); });
@@ -79,6 +79,7 @@ public:
         for (Index b = 0; b < busy_.size(); ++b)
             if (busy_[b] != 0) busy.push_back(b);
         if (busy.empty()) return;
+        cell_.resize(blocks_.block.size());
         for_each(busy, [this](Index b) { sum_inside(b); });
         for_each(active, [this](Index b) { sum_at_border(b); });
         for_each(busy, [this](Index b) { settle(b); });
@@ -112,8 +113,8 @@ private:
     const Field::Blocks& field_;
     const Topology::Blocks& blocks_;
     std::span<std::uint8_t> state_;
+    std::span<std::uint8_t> busy_; // by block
     std::span<std::unique_ptr<Vec3f[]>> gradient_;
-    std::vector<std::uint8_t> busy_;
     std::vector<std::unique_ptr<CellGradient[]>> cell_; // by block; sections one after another
 };
 
@@ -261,7 +262,8 @@ void GradientCache::make_at(const FaceMeshView& mesh, const Field::Blocks& field
     const Block& last = field.topology->blocks().block.back();
     state_.resize(std::size_t{last.vertex_begin} + last.vertex_count);
     vertex_.resize(field.topology->blocks().block.size());
-    Pass(mesh, field, state_, vertex_).run(blocks, cut);
+    busy_.assign(vertex_.size(), 0);
+    Pass(mesh, field, state_, busy_, vertex_).run(blocks, cut);
 }
 
 void GradientCache::forget() {

@@ -27,6 +27,7 @@ public:
 private:
     mutable Mutex mutex_;
     std::vector<std::uint8_t> state_;              // by slot (Block::vertex_begin): see gradient.cpp
+    std::vector<std::uint8_t> busy_;               // by block, of one call
     std::vector<std::unique_ptr<Vec3f[]>> vertex_; // by block
 };
 

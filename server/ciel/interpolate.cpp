@@ -1,3 +1,4 @@
+// Any array at the points of a surface, along the edges that they lie on.
 #include "ciel/extract.hpp"
 #include "ciel/parallel.hpp"
 

@@ -33,8 +33,7 @@ unsigned thread_count() {
     return static_cast<unsigned>(tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
 }
 
-void parallel_for(std::size_t count, std::size_t grain,
-                  const std::function<void(std::size_t begin, std::size_t end)>& body) {
+void parallel_for(std::size_t count, std::size_t grain, LoopBody body) {
     if (count == 0) return;
     grain = std::max<std::size_t>(1, grain);
     if (count <= grain) return body(0, count);
@@ -57,8 +56,7 @@ unsigned thread_count() {
     return threads > 0 ? threads : std::max(1U, std::thread::hardware_concurrency());
 }
 
-void parallel_for(std::size_t count, std::size_t grain,
-                  const std::function<void(std::size_t begin, std::size_t end)>& body) {
+void parallel_for(std::size_t count, std::size_t grain, LoopBody body) {
     if (count == 0) return;
     grain = std::max<std::size_t>(1, grain);
     const std::size_t ranges = (count + grain - 1) / grain;
@@ -90,8 +88,7 @@ void set_thread_count(unsigned) {}
 
 unsigned thread_count() { return 1; }
 
-void parallel_for(std::size_t count, std::size_t grain,
-                  const std::function<void(std::size_t begin, std::size_t end)>& body) {
+void parallel_for(std::size_t count, std::size_t grain, LoopBody body) {
     grain = std::max<std::size_t>(1, grain);
     for (std::size_t begin = 0; begin < count; begin += grain) body(begin, std::min(count, begin + grain));
 }

@@ -2,14 +2,30 @@
 #pragma once
 
 #include <cstddef>
-#include <functional>
+#include <type_traits>
 
 namespace ciel {
 
+// Borrows what is called: a std::function would allocate, for each loop, a place for what it captures.
+class LoopBody {
+public:
+    template <class Body>
+    requires(!std::is_same_v<Body, LoopBody>)
+        LoopBody(const Body& body) // NOLINT(google-explicit-constructor): lambdas are passed as they are
+        : body_(&body), call_([](const void* to_call, std::size_t begin, std::size_t end) {
+              (*static_cast<const Body*>(to_call))(begin, end);
+          }) {}
+
+    void operator()(std::size_t begin, std::size_t end) const { call_(body_, begin, end); }
+
+private:
+    const void* body_;
+    void (*call_)(const void*, std::size_t, std::size_t);
+};
+
 // Calls body(begin, end) for disjoint ranges that cover [0, count), each of about `grain` items, on any thread. An
 // exception thrown by a body reaches the caller after all ranges have ended.
-void parallel_for(std::size_t count, std::size_t grain,
-                  const std::function<void(std::size_t begin, std::size_t end)>& body);
+void parallel_for(std::size_t count, std::size_t grain, LoopBody body);
 
 void set_thread_count(unsigned threads); // 0: all of the machine's; not while a loop runs
 [[nodiscard]] unsigned thread_count();

@@ -1,3 +1,4 @@
+// Section 2.1 of the paper: a slice is the iso-surface of the distance to a plane.
 #include "ciel/field.hpp"
 #include "ciel/parallel.hpp"
 

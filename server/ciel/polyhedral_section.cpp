@@ -1,3 +1,4 @@
+// Fills the polyhedra of a block: each loop is stored once for both of its cells.
 #include "ciel/block_builder.hpp"
 
 #include <algorithm>

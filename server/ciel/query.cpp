@@ -25,10 +25,8 @@ struct Query::State {
     std::unique_ptr<Cutter> cutter;
     const Field::Blocks* field = nullptr;
     Normals normals = Normals::gradient;
-    NormalSums sums{};
+    SurfaceScratch scratch{};
 };
-
-void Surface::clear() { *this = Surface{}; }
 
 Query::Query(const Topology& topology, const FaceMeshView& mesh, Extraction extraction)
     : state_(std::make_unique<State>(State{&topology, mesh, make_cutter(extraction.engine, topology)})) {
@@ -61,14 +59,12 @@ bool Query::extract(double nu, bool normals, Surface& out, const StopToken& stop
     if (state_->field == nullptr) fail("choose a field before extracting a surface");
     if (!state_->cutter->update(nu, stop)) return false;
     write_surface(*state_->topology, state_->mesh, *state_->field, *state_->cutter, nu,
-                  normals ? std::optional(state_->normals) : std::nullopt, state_->sums, out);
+                  normals ? std::optional(state_->normals) : std::nullopt, state_->scratch, out);
     return !stop.stop_requested();
 }
 
 std::size_t Query::memory_bytes() const {
-    std::size_t bytes = sizeof(State) + state_->cutter->memory_bytes() + state_->sums.sum.capacity() * sizeof(Vec3d);
-    for (const auto& shares : state_->sums.elsewhere) bytes += shares.capacity() * sizeof(NormalSums::Share);
-    return bytes;
+    return sizeof(State) + state_->cutter->memory_bytes() + state_->scratch.memory_bytes();
 }
 
 bool extract_series(Query& query, std::span<const double> values, bool normals,

@@ -1,3 +1,4 @@
+// Which vertices of a block are high says all about its cut: while that is the same, the cut is.
 #include "ciel/cutter.hpp"
 #include "ciel/field_blocks.hpp"
 #include "ciel/parallel.hpp"

@@ -1,3 +1,4 @@
+// Tetrahedra, hexahedra, wedges and pyramids as the faces that assemble takes, in the order of VTK and CGNS.
 #include "ciel/assemble.hpp"
 #include "ciel/standard_shapes.hpp"
 

@@ -1,3 +1,4 @@
+// Normals from a surface's own polygons, and where the field's gradient cannot be one.
 #include "ciel/parallel.hpp"
 #include "ciel/polygon.hpp"
 #include "ciel/surface_writer.hpp"
@@ -15,8 +16,8 @@ double dot(const Vec3f& a, const Vec3d& b) { return a[0] * b[0] + a[1] * b[1] + 
 
 // Points whose gradient vanishes, or points against a polygon around them: in flat cells at a wall the least squares of
 // a cell and the surface in it may disagree.
-std::vector<std::uint8_t> doubtful_points(const Surface& surface) {
-    std::vector<std::uint8_t> doubtful(surface.points.size(), 0);
+void mark_doubtful(const Surface& surface, std::vector<std::uint8_t>& doubtful) {
+    doubtful.assign(surface.points.size(), 0);
     parallel_for(surface.polygon_cell.size(), 4096, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
             const std::span<const Index> loop = polygon(surface, i);
@@ -26,29 +27,36 @@ std::vector<std::uint8_t> doubtful_points(const Surface& surface) {
                     std::atomic_ref(doubtful[p]).store(1, std::memory_order_relaxed);
         }
     });
-    return doubtful;
 }
 
 } // namespace
 
-// A point's sum is made in the order of its polygons, whatever the chunks: first those of its own chunk, then what the
+std::size_t SurfaceScratch::memory_bytes() const {
+    std::size_t bytes = ranges.capacity() * sizeof(PointRange) + sum.capacity() * sizeof(Vec3d) + doubtful.capacity() +
+                        renumbered.capacity() * sizeof(Index) + elsewhere.capacity() * sizeof(std::vector<Share>);
+    for (const auto& shares : elsewhere) bytes += shares.capacity() * sizeof(Share);
+    return bytes;
+}
+
+// A point's sum is made in the order of its polygons, whatever the ranges: first those of its own range, then what the
 // others have noted for it.
-void write_polygon_normals(std::span<const PointRange> chunks, NormalSums& sums, Surface& surface) {
-    std::vector<Vec3d>& sum = sums.sum;
-    std::vector<std::vector<NormalSums::Share>>& elsewhere = sums.elsewhere;
+void write_polygon_normals(SurfaceScratch& scratch, Surface& surface) {
+    const std::span<const PointRange> ranges = scratch.ranges;
+    std::vector<Vec3d>& sum = scratch.sum;
+    std::vector<std::vector<SurfaceScratch::Share>>& elsewhere = scratch.elsewhere;
     sum.assign(surface.points.size(), {});
-    elsewhere.resize(chunks.size());
-    for (std::vector<NormalSums::Share>& shares : elsewhere) shares.clear();
+    if (elsewhere.size() < ranges.size()) elsewhere.resize(ranges.size());
+    for (std::vector<SurfaceScratch::Share>& shares : elsewhere) shares.clear();
     const auto add = [&sum](Index point, const Vec3d& area) {
         for (std::size_t axis = 0; axis < 3; ++axis) sum[point][axis] += area[axis];
     };
-    parallel_for(chunks.size(), 4, [&](std::size_t begin, std::size_t end) {
+    parallel_for(ranges.size(), 4, [&](std::size_t begin, std::size_t end) {
         for (std::size_t c = begin; c < end; ++c)
-            for (Index i = chunks[c].polygon_begin; i < chunks[c].polygon_end; ++i) {
+            for (Index i = ranges[c].polygon_begin; i < ranges[c].polygon_end; ++i) {
                 const std::span<const Index> loop = polygon(surface, i);
                 const Vec3d area = area_vector(surface.positions, loop);
                 for (const Index p : loop)
-                    if (p >= chunks[c].point_begin && p < chunks[c].point_end)
+                    if (p >= ranges[c].point_begin && p < ranges[c].point_end)
                         add(p, area);
                     else
                         elsewhere[c].push_back({p, area});
@@ -56,17 +64,19 @@ void write_polygon_normals(std::span<const PointRange> chunks, NormalSums& sums,
     });
     constexpr std::size_t points_per_task = 65536;
     parallel_for(sum.size(), points_per_task, [&](std::size_t begin, std::size_t end) {
-        for (const std::vector<NormalSums::Share>& shares : elsewhere)
-            for (const NormalSums::Share& share : shares)
+        for (const std::vector<SurfaceScratch::Share>& shares : elsewhere)
+            for (const SurfaceScratch::Share& share : shares)
                 if (share.point >= begin && share.point < end) add(share.point, share.area);
         for (std::size_t p = begin; p < end; ++p) surface.normals[p] = unit(sum[p]);
     });
 }
 
-void mend_normals(Surface& surface) {
-    const std::vector<std::uint8_t> doubtful = doubtful_points(surface);
+void mend_normals(SurfaceScratch& scratch, Surface& surface) {
+    const std::vector<std::uint8_t>& doubtful = scratch.doubtful;
+    mark_doubtful(surface, scratch.doubtful);
     if (std::ranges::none_of(doubtful, [](std::uint8_t flag) { return flag != 0; })) return;
-    std::vector<Vec3d> sum(surface.points.size());
+    std::vector<Vec3d>& sum = scratch.sum;
+    sum.assign(surface.points.size(), {});
     for (std::size_t i = 0; i < surface.polygon_cell.size(); ++i) {
         const std::span<const Index> loop = polygon(surface, i);
         if (std::ranges::none_of(loop, [&](Index p) { return doubtful[p] != 0; })) continue;

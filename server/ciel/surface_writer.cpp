@@ -1,5 +1,6 @@
 #include "ciel/surface_writer.hpp"
 
+#include "ciel/edge_points.hpp"
 #include "ciel/parallel.hpp"
 #include "ciel/polygon.hpp"
 
@@ -15,15 +16,15 @@ constexpr Index ahead = 8; // points whose positions are on their way from memor
 class Writer {
 public:
     Writer(const Topology& topology, const FaceMeshView& mesh, const Field::Blocks& field, Cutter& cutter, double nu,
-           std::optional<Normals> normals, NormalSums& sums, Surface& out)
+           std::optional<Normals> normals, SurfaceScratch& scratch, Surface& out)
         : blocks_(topology.blocks()), mesh_(mesh), field_(field), active_(cutter.active()), cut_(cutter.cut()), nu_(nu),
-          normals_(normals), sums_(sums), out_(out) {}
+          normals_(normals), scratch_(scratch), out_(out) {}
 
     void run() {
         number();
         if (normals_ == Normals::gradient) field_.gradients.make_at(mesh_, field_, active_, cut_);
         parallel_for(active_.size(), blocks_per_task, [this](std::size_t begin, std::size_t end) {
-            std::vector<Index> point;
+            static thread_local std::vector<Index> point;
             for (std::size_t i = begin; i < end; ++i) {
                 const Block& block = blocks_.block[active_[i]];
                 write_points(active_[i], block);
@@ -31,9 +32,12 @@ public:
                 write_polygons(active_[i], block, point);
             }
         });
-        if (normals_ == Normals::polygons) write_polygon_normals(ranges(), sums_, out_);
+        if (normals_ == Normals::polygons) {
+            list_ranges();
+            write_polygon_normals(scratch_, out_);
+        }
         if (std::ranges::any_of(active_, [this](Index b) { return cut_[b].wasted; })) drop_unused_points();
-        if (normals_ == Normals::gradient) mend_normals(out_);
+        if (normals_ == Normals::gradient) mend_normals(scratch_, out_);
     }
 
 private:
@@ -42,7 +46,7 @@ private:
     void write_normals(Index b);
     void write_polygons(Index b, const Block& block, std::vector<Index>& point);
     [[nodiscard]] Index point_of_ghost(Index edge, Index& owner) const;
-    [[nodiscard]] std::vector<PointRange> ranges() const;
+    void list_ranges();
     void drop_unused_points();
 
     const Topology::Blocks& blocks_;
@@ -52,7 +56,7 @@ private:
     std::span<CutBlock> cut_;
     double nu_;
     std::optional<Normals> normals_;
-    NormalSums& sums_;
+    SurfaceScratch& scratch_;
     Surface& out_;
 };
 
@@ -87,13 +91,9 @@ void Writer::write_points(Index b, const Block& block) {
         if (i + ahead < ends.size())
             for (const Index end : ends[i + ahead])
                 __builtin_prefetch(&mesh_.positions[3 * std::size_t{block.vertex(end)}]);
-        const auto [low, high] = ends[i];
-        const double from = values[low], to = values[high];
-        const auto t = static_cast<float>(std::clamp((nu_ - from) / (to - from), 0.0, 1.0));
-        const EdgePoint point{block.vertex(low), block.vertex(high), t};
-        const float *a = &mesh_.positions[3 * std::size_t{point.a}], *c = &mesh_.positions[3 * std::size_t{point.b}];
+        const EdgePoint point = edge_point(block, values, ends[i], nu_);
         out_.points[cut.first_point + i] = point;
-        out_.positions[cut.first_point + i] = {lerp(a[0], c[0], t), lerp(a[1], c[1], t), lerp(a[2], c[2], t)};
+        out_.positions[cut.first_point + i] = position_of(point, mesh_.positions);
     }
 }
 
@@ -139,19 +139,19 @@ void Writer::write_polygons(Index b, const Block& block, std::vector<Index>& poi
     }
 }
 
-std::vector<PointRange> Writer::ranges() const {
-    std::vector<PointRange> out;
+void Writer::list_ranges() {
+    scratch_.ranges.clear();
     for (const Index b : active_) {
         const CutBlock& cut = cut_[b];
-        out.push_back({cut.first_polygon, cut.first_polygon + static_cast<Index>(cut.polygon_cell.size()),
-                       cut.first_point, cut.first_point + cut.owned()});
+        scratch_.ranges.push_back({cut.first_polygon, cut.first_polygon + static_cast<Index>(cut.polygon_cell.size()),
+                                   cut.first_point, cut.first_point + cut.owned()});
     }
-    return out;
 }
 
 // Where cells were passed over, an active edge may have no polygon.
 void Writer::drop_unused_points() {
-    std::vector<Index> renumbered(out_.points.size(), none);
+    std::vector<Index>& renumbered = scratch_.renumbered;
+    renumbered.assign(out_.points.size(), none);
     for (const Index p : out_.polygon_vertex) renumbered[p] = 0;
     Index kept = 0;
     for (std::size_t p = 0; p < renumbered.size(); ++p) {
@@ -171,8 +171,8 @@ void Writer::drop_unused_points() {
 } // namespace
 
 void write_surface(const Topology& topology, const FaceMeshView& mesh, const Field::Blocks& field, Cutter& cutter,
-                   double nu, std::optional<Normals> normals, NormalSums& sums, Surface& out) {
-    Writer(topology, mesh, field, cutter, nu, normals, sums, out).run();
+                   double nu, std::optional<Normals> normals, SurfaceScratch& scratch, Surface& out) {
+    Writer(topology, mesh, field, cutter, nu, normals, scratch, out).run();
 }
 
 } // namespace ciel

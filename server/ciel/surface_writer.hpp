@@ -8,27 +8,34 @@
 
 namespace ciel {
 
-// Scratch of one query: the polygons' areas around the points of a surface.
-struct NormalSums {
+// Polygons and points that are made together: both consecutive.
+struct PointRange {
+    Index polygon_begin, polygon_end, point_begin, point_end;
+};
+
+// Scratch of one query, kept so that the next surface allocates nothing.
+struct SurfaceScratch {
     struct Share {
         Index point;
         Vec3d area;
     };
-    std::vector<Vec3d> sum;                    // by point
-    std::vector<std::vector<Share>> elsewhere; // by chunk: what belongs to points of others
+    std::vector<PointRange> ranges;
+    std::vector<Vec3d> sum;                    // of the polygons' areas around a point, by point
+    std::vector<std::vector<Share>> elsewhere; // by range: what belongs to points of others
+    std::vector<std::uint8_t> doubtful;        // by point
+    std::vector<Index> renumbered;             // by point
+
+    [[nodiscard]] std::size_t memory_bytes() const;
 };
 
 void write_surface(const Topology& topology, const FaceMeshView& mesh, const Field::Blocks& field, Cutter& cutter,
-                   double nu, std::optional<Normals> normals, NormalSums& sums, Surface& out);
+                   double nu, std::optional<Normals> normals, SurfaceScratch& scratch, Surface& out);
 
-// Sums up what polygons have around each of the surface's points. `chunks`: consecutive polygons and points that are
-// made together, in order; a point's owner comes first of those that use it.
-struct PointRange {
-    Index polygon_begin, polygon_end, point_begin, point_end;
-};
-void write_polygon_normals(std::span<const PointRange> chunks, NormalSums& sums, Surface& surface);
+// Sums up what polygons have around each of the surface's points, range by range of the scratch; a point's owner comes
+// first of those that use it.
+void write_polygon_normals(SurfaceScratch& scratch, Surface& surface);
 
 // The polygons' own direction where the gradient's is none, or the opposite of theirs taken together.
-void mend_normals(Surface& surface);
+void mend_normals(SurfaceScratch& scratch, Surface& surface);
 
 } // namespace ciel

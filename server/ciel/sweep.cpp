@@ -1,6 +1,7 @@
 #include "ciel/sweep.hpp"
 
 #include "ciel/cut_block.hpp"
+#include "ciel/edge_points.hpp"
 #include "ciel/field_blocks.hpp"
 #include "ciel/parallel.hpp"
 #include "ciel/slab.hpp"
@@ -34,13 +35,8 @@ private:
         points_.resize(cut_.ends.size());
         positions_.resize(cut_.ends.size());
         for (std::size_t i = 0; i < cut_.ends.size(); ++i) {
-            const auto [low, high] = cut_.ends[i];
-            const double from = values[low], to = values[high];
-            const auto t = static_cast<float>(std::clamp((nu - from) / (to - from), 0.0, 1.0));
-            points_[i] = {block.vertex(low), block.vertex(high), t};
-            const float *a = &mesh_.positions[3 * std::size_t{points_[i].a}],
-                        *c = &mesh_.positions[3 * std::size_t{points_[i].b}];
-            positions_[i] = {lerp(a[0], c[0], t), lerp(a[1], c[1], t), lerp(a[2], c[2], t)};
+            points_[i] = edge_point(block, values, cut_.ends[i], nu);
+            positions_[i] = position_of(points_[i], mesh_.positions);
         }
         place_.resize(64 * cut_.active.size());
         Index i = 0;

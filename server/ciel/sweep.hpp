@@ -23,10 +23,13 @@ struct BlockCut {
 };
 
 // A sink makes a Part of each cut, on any thread, and joins a value's parts in the order of the blocks. Three kinds are
-// below, SlabSink is in slab.hpp; one of your own has
+// below, SlabSink is in slab.hpp; another has
 //     using Part = ...; using Out = ...;
 //     void write(const BlockCut& cut, Part& part) const;
-//     void join(std::span<const Part*> parts, Out& out) const;
+//     void join(std::span<const Part* const> parts, Out& out) const;
+// and a line at the end of sweep.cpp, where the loop is. Points at the border of two blocks are in both, so indexed
+// parts (SliceSink, SlabSink) have other points with other blocks, though the same triangles. Ambiguous faces: the high
+// side is cut off (Decider::isolate_high).
 
 // Indexed triangles, each polygon a fan, with a property at the points: slices to blend.
 struct SliceSink {

@@ -1,3 +1,4 @@
+// Fans from the first corner that is good enough: polygons of cells are mostly convex, and nearly flat.
 #include "ciel/parallel.hpp"
 #include "ciel/polygon.hpp"
 

@@ -38,11 +38,14 @@ Contender cutter(const char* name, vtkUnstructuredGrid* grid, const Planes& plan
     } else {
         filter->SetPlane(plane);
         return {name, [filter, planes, cut = vtkSmartPointer<vtkPlane>(plane)] {
+                    std::uint64_t cells = 0;
                     for (const double at : planes.at) {
                         cut->SetOrigin(at * planes.normal[0], at * planes.normal[1], at * planes.normal[2]);
                         filter->Update();
+                        cells += static_cast<std::uint64_t>(
+                            filter->GetOutputDataObject(0)->GetNumberOfElements(vtkDataObject::CELL));
                     }
-                    return static_cast<std::uint64_t>(planes.at.size());
+                    return cells;
                 }};
     }
 }

@@ -1,0 +1,72 @@
+// A hand that goes to and fro: once every buffer has been as large as it gets, the kernel asks for no memory.
+#include "allocations/counted_new.hpp"
+#include "ciel/extract.hpp"
+#include "ciel/parallel.hpp"
+#include "support/fields.hpp"
+#include "support/meshes.hpp"
+#include "support/views.hpp"
+
+#include <gtest/gtest.h>
+
+namespace ciel::test {
+namespace {
+
+struct How {
+    const char* name;
+    Extraction extraction;
+    std::optional<Normals> normals;
+};
+
+const std::vector<How> ways{
+    {"signatures", {}, {}},
+    {"signatures_gradients", {}, Normals::gradient},
+    {"signatures_polygons", {}, Normals::polygons},
+    {"decided", {Engine::signatures, Decider::asymptotic}, Normals::gradient},
+    {"propagation", {Engine::propagation}, {}},
+    {"propagation_gradients", {Engine::propagation}, Normals::gradient},
+};
+
+class SteadyState : public testing::TestWithParam<std::tuple<NamedMesh, How>> {
+protected:
+    void SetUp() override { set_thread_count(1); } // each thread has scratch of its own to grow
+    void TearDown() override { set_thread_count(0); }
+};
+
+TEST_P(SteadyState, AllocatesNothing) {
+    const auto& [named, how] = GetParam();
+    const Polyhedra input = named.make();
+    const Assembled assembled = assemble(view(input));
+    const FaceMeshView mesh = assembled.mesh.view();
+    const Topology topology(mesh, {64});
+    std::vector<float> values = random_field(topology.counts().vertices, 3);
+    if (!values.empty()) values[values.size() / 2] = std::numeric_limits<float>::quiet_NaN();
+    const std::vector<float> ones = values;
+    const Field first(topology, ones, nullptr);
+    for (float& value : values) value = 1 - value;
+    const std::vector<float> others = values;
+    const Field second(topology, others, nullptr);
+    Query query(topology, mesh, how.extraction);
+    if (how.normals) query.set_normals(*how.normals);
+    Surface surface;
+    const auto to_and_fro = [&] {
+        for (const Field* field : {&first, &second}) {
+            query.set_field(*field);
+            for (int i = 0; i <= 40; ++i)
+                (void)query.extract(i <= 20 ? i / 20.0 : 2 - i / 20.0, how.normals.has_value(), surface);
+        }
+    };
+    to_and_fro();
+    to_and_fro();
+    const std::size_t before = allocations();
+    to_and_fro();
+    EXPECT_EQ(allocations() - before, 0U);
+}
+
+INSTANTIATE_TEST_SUITE_P(meshes, SteadyState,
+                         testing::Combine(testing::ValuesIn(all_meshes()), testing::ValuesIn(ways)),
+                         [](const auto& test) {
+                             return std::get<0>(test.param).name + std::string("_") + std::get<1>(test.param).name;
+                         });
+
+} // namespace
+} // namespace ciel::test
