@@ -139,7 +139,7 @@ VolumeBuffers& VolumePainter::buffers_of(std::size_t slot) {
 
 int VolumePainter::find_parts(const VolumeBuffers& buffers) {
     const glm::mat4 transform(transform_->projection * transform_->view);
-    for (const VolumeProgram* program : {&first_part_, &next_part_}) {
+    for (const ShaderProgram* program : {&first_part_, &next_part_}) {
         program->use();
         program->set("transform", transform);
         program->set("parallel_depths", parallel_depths());
@@ -232,7 +232,7 @@ glm::vec2 VolumePainter::parallel_depths() const {
     return {static_cast<float>((b + 1) / a), static_cast<float>(-2 / a)};
 }
 
-void VolumePainter::set_ray(const VolumeProgram& program, const Volume& volume, double thickness, int parts) const {
+void VolumePainter::set_ray(const ShaderProgram& program, const Volume& volume, double thickness, int parts) const {
     const glm::dmat4& projection = transform_->projection;
     program.use();
     program.set("transform", glm::mat4(projection * transform_->view));
@@ -259,8 +259,8 @@ void VolumePainter::set_ray(const VolumeProgram& program, const Volume& volume, 
 void VolumePainter::draw_slabs(const Volume& volume, const VolumeBuffers& buffers, int parts) {
     const double thickness = volume.thickness * static_cast<double>(volume.stride);
     const SlabProgramKind kind{parts, volume.shaded, TransferTable::rows};
-    const VolumeProgram& slice = slice_program(kind);
-    const VolumeProgram& edge = edge_program(kind);
+    const ShaderProgram& slice = slice_program(kind);
+    const ShaderProgram& edge = edge_program(kind);
     const std::size_t slabs = buffers.slices().size();
     set_ray(slice, volume, thickness, parts);
     set_ray(edge, volume, thickness, parts);
@@ -308,13 +308,13 @@ std::vector<std::size_t> VolumePainter::back_to_front(const Volume& volume, std:
     return order;
 }
 
-const VolumeProgram& VolumePainter::slice_program(const SlabProgramKind& kind) {
+const ShaderProgram& VolumePainter::slice_program(const SlabProgramKind& kind) {
     const auto found = slice_programs_.find(kind);
     return found != slice_programs_.end() ? found->second
                                           : slice_programs_.emplace(kind, make_slice_program(gl_, kind)).first->second;
 }
 
-const VolumeProgram& VolumePainter::edge_program(const SlabProgramKind& kind) {
+const ShaderProgram& VolumePainter::edge_program(const SlabProgramKind& kind) {
     const auto found = edge_programs_.find(kind);
     return found != edge_programs_.end() ? found->second
                                          : edge_programs_.emplace(kind, make_edge_program(gl_, kind)).first->second;

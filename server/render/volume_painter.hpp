@@ -48,15 +48,15 @@ private:
     void find_limits();
     void load_table(const Volume& volume, std::size_t slot);
     void draw_slabs(const Volume& volume, const VolumeBuffers& buffers, int parts);
-    void set_ray(const VolumeProgram& program, const Volume& volume, double thickness, int parts) const;
+    void set_ray(const ShaderProgram& program, const Volume& volume, double thickness, int parts) const;
     void put_on_picture(const Volume& volume) const;
     [[nodiscard]] std::vector<std::size_t> back_to_front(const Volume& volume, std::size_t slabs) const;
     [[nodiscard]] glm::vec2 parallel_depths() const; // nearest and span; zero for a perspective
     [[nodiscard]] float eye_rounding() const;
     [[nodiscard]] double eye_place(const Volume& volume) const; // across the slabs
     [[nodiscard]] VolumeBuffers& buffers_of(std::size_t slot);
-    const VolumeProgram& slice_program(const SlabProgramKind& kind);
-    const VolumeProgram& edge_program(const SlabProgramKind& kind);
+    const ShaderProgram& slice_program(const SlabProgramKind& kind);
+    const ShaderProgram& edge_program(const SlabProgramKind& kind);
 
     struct Table {
         GLuint texture = 0;
@@ -66,8 +66,8 @@ private:
     };
 
     const Gl& gl_;
-    VolumeProgram first_part_, next_part_, limits_program_, picture_program_;
-    std::map<SlabProgramKind, VolumeProgram> slice_programs_, edge_programs_;
+    ShaderProgram first_part_, next_part_, limits_program_, picture_program_;
+    std::map<SlabProgramKind, ShaderProgram> slice_programs_, edge_programs_;
     Sheet parts_[most_ray_parts], limits_, picture_, depth_, together_;
     GLuint query_ = 0, no_array_ = 0;
     bool has_depth_ = false;

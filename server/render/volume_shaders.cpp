@@ -10,8 +10,6 @@
 // in front. So does the piece from an eye inside the mesh to the first slice belong to the fragment of the slab behind.
 #include "render/volume_shaders.hpp"
 
-#include "render/shaders.hpp"
-
 #include <string>
 
 namespace ciel::render {
@@ -51,13 +49,6 @@ void main() {
     if (gl_FrontFacing ? t <= max(last.y - rounding, last.x + rounding) : t <= last.y + rounding) discard;
 #endif
     part = gl_FrontFacing ? vec4(t, never, 0.0, 0.0) : vec4(never, t, 0.0, 0.0);
-}
-)";
-
-constexpr const char* whole_vertex = R"(
-void main() { // one triangle that covers the picture
-    vec2 corner = vec2((gl_VertexID << 1) & 2, gl_VertexID & 2);
-    gl_Position = vec4(corner * 2.0 - 1.0, 0.0, 1.0);
 }
 )";
 
@@ -270,35 +261,31 @@ std::string slab_defines(bool shaded, int rows) {
     return std::string(version) + (shaded ? "#define SHADED\n" : "") + "#define ROWS " + std::to_string(rows) + ".0\n";
 }
 
-VolumeProgram linked(const Gl& gl, const std::string& vertex, const std::string& fragment) {
-    return {gl, link_stages(gl, {{GL_VERTEX_SHADER, vertex}, {GL_FRAGMENT_SHADER, fragment}})};
-}
-
-VolumeProgram make_slab_program(const Gl& gl, bool edge, const SlabProgramKind& kind) {
+ShaderProgram make_slab_program(const Gl& gl, bool edge, const SlabProgramKind& kind) {
     const std::string defines = slab_defines(kind.shaded, kind.table_rows);
-    return linked(gl, defines + slab_vertex,
-                  defines + depth + ray + ownership +
-                      with_parts(edge ? edge_fragment : slice_fragment, kind.parts, edge));
+    return make_shader_program(gl, defines + slab_vertex,
+                               defines + depth + ray + ownership +
+                                   with_parts(edge ? edge_fragment : slice_fragment, kind.parts, edge));
 }
 
 } // namespace
 
-VolumeProgram make_part_program(const Gl& gl, bool first) {
-    return linked(gl, std::string(version) + part_vertex,
-                  std::string(version) + (first ? "" : "#define NEXT\n") + depth + part_fragment);
+ShaderProgram make_part_program(const Gl& gl, bool first) {
+    return make_shader_program(gl, std::string(version) + part_vertex,
+                               std::string(version) + (first ? "" : "#define NEXT\n") + depth + part_fragment);
 }
 
-VolumeProgram make_limits_program(const Gl& gl) {
-    return linked(gl, std::string(version) + whole_vertex, std::string(version) + limits_fragment);
+ShaderProgram make_limits_program(const Gl& gl) {
+    return make_cover_program(gl, std::string(version) + limits_fragment);
 }
 
-VolumeProgram make_slice_program(const Gl& gl, const SlabProgramKind& kind) {
+ShaderProgram make_slice_program(const Gl& gl, const SlabProgramKind& kind) {
     return make_slab_program(gl, false, kind);
 }
-VolumeProgram make_edge_program(const Gl& gl, const SlabProgramKind& kind) { return make_slab_program(gl, true, kind); }
+ShaderProgram make_edge_program(const Gl& gl, const SlabProgramKind& kind) { return make_slab_program(gl, true, kind); }
 
-VolumeProgram make_volume_picture_program(const Gl& gl) {
-    return linked(gl, std::string(version) + whole_vertex, std::string(version) + picture_fragment);
+ShaderProgram make_volume_picture_program(const Gl& gl) {
+    return make_cover_program(gl, std::string(version) + picture_fragment);
 }
 
 } // namespace ciel::render
