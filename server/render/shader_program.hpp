@@ -6,6 +6,8 @@
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+#include <span>
 #include <string>
 
 namespace ciel::render {
@@ -21,6 +23,9 @@ public:
     void set(const char* name, float value) const { gl_->Uniform1f(at(name), value); }
     void set(const char* name, glm::vec2 value) const { gl_->Uniform2f(at(name), value.x, value.y); }
     void set(const char* name, glm::vec3 value) const { gl_->Uniform3f(at(name), value.x, value.y, value.z); }
+    void set(const char* name, std::span<const glm::vec4> values) const {
+        gl_->Uniform4fv(at(name), static_cast<GLsizei>(values.size()), &values[0][0]);
+    }
     void set(const char* name, const glm::mat4& value) const {
         gl_->UniformMatrix4fv(at(name), 1, GL_FALSE, &value[0][0]);
     }

@@ -22,12 +22,14 @@ inline constexpr int most_ray_parts = 4;
 //
 // parts: where a ray enters (R) and leaves (G) the mesh; the first time, or next after the part in `before`.
 [[nodiscard]] ShaderProgram make_part_program(const Gl& gl, bool first);
-// First part, how far opaque surfaces let one see (B), and the window's depth of the entry (A).
+// Where a ray is between the frame's clip planes: from (R), to (G).
+[[nodiscard]] ShaderProgram make_kept_program(const Gl& gl);
+// First part, how far opaque surfaces let one see (B), and the window's depth where there is anything to see (A).
 [[nodiscard]] ShaderProgram make_limits_program(const Gl& gl);
 // Slices: each for what a ray has in common with its slab; and boundary faces: for what no slice stands for.
 struct SlabProgramKind {
     int parts = 1; // of a ray
-    bool shaded = false;
+    bool shaded = false, clipped = false;
     int table_rows = 1;
     auto operator<=>(const SlabProgramKind&) const = default; // NOLINT(modernize-use-nullptr): takes <=> for a 0
 };
