@@ -266,15 +266,20 @@ void VolumePainter::bind_later_parts(const ShaderProgram& program, int parts) co
     }
 }
 
+VolumePainter::Rays VolumePainter::rays_of_pixels() const {
+    const glm::dvec2 corner(1 / transform_->projection[0][0], 1 / transform_->projection[1][1]);
+    const glm::dvec2 step = 2.0 * corner / glm::dvec2(width_, height_);
+    if (frame_->camera.parallel) return {{}, {}, -corner, step};
+    return {-corner, step, {}, {}};
+}
+
 // Of the program in use.
 void VolumePainter::set_rays(const ShaderProgram& program) const {
-    const glm::dmat4& projection = transform_->projection;
-    const bool parallel = frame_->camera.parallel;
-    const glm::dvec2 corner(1 / projection[0][0], 1 / projection[1][1]);
-    program.set("ray_corner", parallel ? glm::vec2(0) : glm::vec2(-corner));
-    program.set("ray_step", parallel ? glm::vec2(0) : glm::vec2(2.0 * corner / glm::dvec2(width_, height_)));
-    program.set("side_corner", parallel ? glm::vec2(-corner) : glm::vec2(0));
-    program.set("side_step", parallel ? glm::vec2(2.0 * corner / glm::dvec2(width_, height_)) : glm::vec2(0));
+    const Rays rays = rays_of_pixels();
+    program.set("ray_corner", glm::vec2(rays.corner));
+    program.set("ray_step", glm::vec2(rays.step));
+    program.set("side_corner", glm::vec2(rays.side_corner));
+    program.set("side_step", glm::vec2(rays.side_step));
 }
 
 void VolumePainter::set_slabs(const ShaderProgram& program, const Volume& volume, double thickness, int parts) const {
@@ -284,8 +289,13 @@ void VolumePainter::set_slabs(const ShaderProgram& program, const Volume& volume
     program.set("view", glm::mat4(transform_->view));
     program.set("to_share", normalisation(volume.scale.range));
     program.set("parallel_depths", parallel_depths());
-    program.set("eye_normal", glm::vec3(glm::dmat3(transform_->view) * vector_of(volume.normal)));
-    program.set("eye_place", static_cast<float>(eye_place(volume)));
+    const Rays rays = rays_of_pixels();
+    const glm::dvec3 normal = glm::dmat3(transform_->view) * vector_of(volume.normal); // along the eye's axes
+    const glm::dvec2 sideways(normal);
+    program.set("across_corner", static_cast<float>(glm::dot(sideways, rays.corner) - normal.z));
+    program.set("across_step", glm::vec2(sideways * rays.step));
+    program.set("start_corner", static_cast<float>(eye_place(volume) + glm::dot(sideways, rays.side_corner)));
+    program.set("start_step", glm::vec2(sideways * rays.side_step));
     program.set("half_slab", static_cast<float>(thickness / 2));
     program.set("density", static_cast<float>(1 / volume.unit_length));
     // Where the property changes by less than a third of its range along the whole mesh there is no surface to light.

@@ -40,6 +40,11 @@ private:
     void size(Sheet& sheet, GLint format, int width, int height) const;
     void begin(const Sheet& sheet) const;
 
+    // Of a pixel at (x, y): sideways per depth corner + step * (x, y), from there at depth 0 on.
+    struct Rays {
+        glm::dvec2 corner, step, side_corner, side_step;
+    };
+
     void draw_each(const Frame& frame, const ViewTransform& transform, GLuint depth,
                    const std::function<void()>& bind_picture);
     void draw_volume(const Volume& volume, std::size_t slot);
@@ -49,6 +54,7 @@ private:
     void find_limits(int parts);
     void load_table(const Volume& volume, std::size_t slot);
     void draw_slabs(const Volume& volume, const VolumeBuffers& buffers, int parts);
+    [[nodiscard]] Rays rays_of_pixels() const;
     void bind_later_parts(const ShaderProgram& program, int parts) const;
     void set_rays(const ShaderProgram& program) const;
     void set_slabs(const ShaderProgram& program, const Volume& volume, double thickness, int parts) const;

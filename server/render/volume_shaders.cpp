@@ -147,8 +147,10 @@ void main() {
 constexpr const char* ray = R"(
 uniform sampler2D limits;
 uniform sampler2D table;
-uniform vec3 eye_normal; // of the slabs
-uniform float eye_place; // across the slabs
+uniform float across_corner; // how far a ray gets across the slabs per depth: at the picture's corner
+uniform vec2 across_step;    // and per pixel
+uniform float start_corner;  // where across the slabs it is at depth 0
+uniform vec2 start_step;
 uniform float slice_place;
 uniform float half_slab;
 uniform float density; // 1 / unit length
@@ -166,12 +168,13 @@ struct Ray {
     float slice;      // depth of the slice
     float half_depth; // of the slab
 };
-Ray ray_here() {
+Ray ray_here() { // of each fragment: sums of products that do not depend on the pixel are uniforms
     Ray ray;
-    ray.along = vec3(ray_corner + ray_step * gl_FragCoord.xy, -1.0);
-    ray.across = dot(eye_normal, ray.along);
+    vec2 at = gl_FragCoord.xy;
+    ray.along = vec3(ray_corner + ray_step * at, -1.0);
+    ray.across = across_corner + dot(across_step, at);
     if (abs(ray.across) < 1e-9) ray.across = 1e-9;
-    ray.start = eye_place + dot(eye_normal.xy, side_corner + side_step * gl_FragCoord.xy);
+    ray.start = start_corner + dot(start_step, at);
     float depth_per_place = 1.0 / ray.across;
     ray.slice = (slice_place - ray.start) * depth_per_place;
     ray.half_depth = half_slab * abs(depth_per_place);
