@@ -4,9 +4,9 @@
 // are mixed in their order as well.
 #pragma once
 
+#include "render/shader_program.hpp"
 #include "render/shaders.hpp"
 #include "render/target.hpp"
-#include "render/volume_shaders.hpp"
 
 #include <functional>
 
@@ -48,7 +48,7 @@ private:
 
     const Gl& gl_;
     Program surfaces_;
-    VolumeProgram copy_depth_, add_, picture_;
+    ShaderProgram copy_depth_, add_, picture_;
     Layer layers_[2];
     GLuint color_ = 0; // of the layer being drawn
     GLuint opaque_ = 0, opaque_framebuffer_ = 0;

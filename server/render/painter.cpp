@@ -171,7 +171,7 @@ void Painter::keep_opaque_depth(const Frame& frame) {
 }
 
 void Painter::draw_volumes(const Frame& frame) {
-    enable_clip_planes(false); // the volumes' programs know no planes
+    enable_clip_planes(false); // the volumes' programs cut rays, not triangles
     volumes_.draw(frame, transform_, target_);
     enable_clip_planes(true);
     draw_before_volumes(frame);

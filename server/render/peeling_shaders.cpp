@@ -1,7 +1,5 @@
 #include "render/peeling_shaders.hpp"
 
-#include "render/shaders.hpp"
-
 namespace ciel::render {
 namespace {
 
@@ -36,14 +34,10 @@ void main() {
 }
 )";
 
-VolumeProgram cover_program(const Gl& gl, const char* fragment) {
-    return {gl, link_stages(gl, {{GL_VERTEX_SHADER, cover_vertex}, {GL_FRAGMENT_SHADER, fragment}})};
-}
-
 } // namespace
 
-VolumeProgram make_depth_copy_program(const Gl& gl) { return cover_program(gl, depth_copy_fragment); }
-VolumeProgram make_layer_sum_program(const Gl& gl) { return cover_program(gl, layer_sum_fragment); }
-VolumeProgram make_layers_picture_program(const Gl& gl) { return cover_program(gl, layers_picture_fragment); }
+ShaderProgram make_depth_copy_program(const Gl& gl) { return make_cover_program(gl, depth_copy_fragment); }
+ShaderProgram make_layer_sum_program(const Gl& gl) { return make_cover_program(gl, layer_sum_fragment); }
+ShaderProgram make_layers_picture_program(const Gl& gl) { return make_cover_program(gl, layers_picture_fragment); }
 
 } // namespace ciel::render

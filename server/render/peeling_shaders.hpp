@@ -1,15 +1,15 @@
 // The programs of depth_peeling.hpp but the surfaces' own (shaders.hpp).
 #pragma once
 
-#include "render/volume_shaders.hpp"
+#include "render/shader_program.hpp"
 
 namespace ciel::render {
 
 // The depth of what is opaque, at the layers' resolution.
-[[nodiscard]] VolumeProgram make_depth_copy_program(const Gl& gl);
+[[nodiscard]] ShaderProgram make_depth_copy_program(const Gl& gl);
 // One layer seen through the volumes in front of it; blended with what the nearer ones let through.
-[[nodiscard]] VolumeProgram make_layer_sum_program(const Gl& gl);
+[[nodiscard]] ShaderProgram make_layer_sum_program(const Gl& gl);
 // All layers and volumes onto the picture; alpha: the share of what is opaque that comes through.
-[[nodiscard]] VolumeProgram make_layers_picture_program(const Gl& gl);
+[[nodiscard]] ShaderProgram make_layers_picture_program(const Gl& gl);
 
 } // namespace ciel::render

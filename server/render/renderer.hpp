@@ -48,11 +48,10 @@ struct Frame {
     // Opaque triangles, then lines, then points, then transparent triangles of all meshes: sorted from the back to the
     // front, or peeled where there are several samples or volumes.
     std::vector<Mesh> meshes;
-    // In front of what is behind them and behind what is in front, but one volume after the other. `clip` leaves them
-    // whole.
+    // In front of what is behind them and behind what is in front, but one volume after the other.
     std::vector<Volume> volumes;
     int samples = 1; // 4: multisampled, for stills
-    // At most 6: of all meshes only what has dot(xyz, position) + w >= 0 is drawn, and found by pick.
+    // At most 6: only what has dot(xyz, position) + w >= 0 is drawn, and of meshes found by pick.
     std::vector<std::array<float, 4>> clip;
     Annotations annotations; // over all of it
 };

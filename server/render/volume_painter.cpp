@@ -1,6 +1,7 @@
 #include "render/volume_painter.hpp"
 
 #include "render/mesh_buffers.hpp"
+#include "render/shaders.hpp"
 #include "render/transfer_table.hpp"
 
 #include <algorithm>
@@ -11,7 +12,8 @@ namespace {
 
 constexpr float never = 1e30F; // as in the programs
 
-enum Unit : int { limits_unit = 0, table_unit = 1, opaque_unit = 2, first_part_unit = 3 };
+enum Unit : int { limits_unit = 0, table_unit = 1, opaque_unit = 2, first_part_unit = 3, kept_unit = 7 };
+static_assert(first_part_unit + most_ray_parts <= kept_unit);
 
 glm::dvec3 vector_of(const Vec3d& v) { return {v[0], v[1], v[2]}; }
 
@@ -39,8 +41,9 @@ glm::vec2 normalisation(const std::array<float, 2>& range) {
 
 VolumePainter::VolumePainter(const Gl& gl)
     : gl_(gl), first_part_(make_part_program(gl, true)), next_part_(make_part_program(gl, false)),
-      limits_program_(make_limits_program(gl)), picture_program_(make_volume_picture_program(gl)),
-      limits_(make_sheet()), picture_(make_sheet()), depth_(make_sheet()), together_(make_sheet()) {
+      kept_program_(make_kept_program(gl)), limits_program_(make_limits_program(gl)),
+      picture_program_(make_volume_picture_program(gl)), kept_(make_sheet()), limits_(make_sheet()),
+      picture_(make_sheet()), depth_(make_sheet()), together_(make_sheet()) {
     for (Sheet& part : parts_) part = make_sheet();
     gl_.GenQueries(1, &query_);
     gl_.GenVertexArrays(1, &no_array_);
@@ -127,7 +130,8 @@ void VolumePainter::draw_volume(const Volume& volume, std::size_t slot) {
     gl_.Enable(GL_BLEND);
     const int parts = find_parts(buffers);
     gl_.Disable(GL_BLEND);
-    find_limits();
+    find_kept();
+    find_limits(parts);
     gl_.Enable(GL_BLEND);
     draw_slabs(volume, buffers, parts);
 }
@@ -139,7 +143,7 @@ VolumeBuffers& VolumePainter::buffers_of(std::size_t slot) {
 
 int VolumePainter::find_parts(const VolumeBuffers& buffers) {
     const glm::mat4 transform(transform_->projection * transform_->view);
-    for (const VolumeProgram* program : {&first_part_, &next_part_}) {
+    for (const ShaderProgram* program : {&first_part_, &next_part_}) {
         program->use();
         program->set("transform", transform);
         program->set("parallel_depths", parallel_depths());
@@ -181,13 +185,36 @@ bool VolumePainter::find_next_part(const VolumeBuffers& buffers, int part) {
     return true;
 }
 
-void VolumePainter::find_limits() {
+void VolumePainter::find_kept() {
+    if (!is_clipped()) return;
+    size(kept_, GL_RG32F, width_, height_);
+    begin(kept_);
+    const glm::dmat4 to_eye = glm::transpose(glm::inverse(transform_->view));
+    std::array<glm::vec4, most_clip_planes> planes;
+    planes.fill({0, 0, 0, 1});
+    for (std::size_t i = 0; i < frame_->clip.size(); ++i) {
+        const auto& [x, y, z, offset] = frame_->clip[i];
+        planes[i] = glm::vec4(to_eye * glm::dvec4(x, y, z, offset));
+    }
+    kept_program_.use();
+    set_rays(kept_program_);
+    kept_program_.set("planes", planes);
+    gl_.BindVertexArray(no_array_);
+    gl_.DrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+void VolumePainter::find_limits(int parts) {
     size(limits_, GL_RGBA32F, width_, height_);
     begin(limits_);
-    bind(gl_, first_part_unit, parts_[0].texture);
     bind(gl_, opaque_unit, opaque_);
+    bind(gl_, kept_unit, is_clipped() ? kept_.texture : 0);
     limits_program_.use();
+    bind(gl_, first_part_unit, parts_[0].texture);
     limits_program_.set("first_part", int{first_part_unit});
+    bind_later_parts(limits_program_, parts);
+    limits_program_.set("parts", parts);
+    limits_program_.set("between_planes", int{kept_unit});
+    limits_program_.set("has_planes", is_clipped() ? 1.0F : 0.0F);
     limits_program_.set("opaque", int{opaque_unit});
     limits_program_.set("eye_rounding", eye_rounding());
     limits_program_.set("has_opaque", opaque_ != 0 ? 1.0F : 0.0F);
@@ -232,38 +259,61 @@ glm::vec2 VolumePainter::parallel_depths() const {
     return {static_cast<float>((b + 1) / a), static_cast<float>(-2 / a)};
 }
 
-void VolumePainter::set_ray(const VolumeProgram& program, const Volume& volume, double thickness, int parts) const {
-    const glm::dmat4& projection = transform_->projection;
+void VolumePainter::bind_later_parts(const ShaderProgram& program, int parts) const {
+    for (int i = 1; i < most_ray_parts; ++i) {
+        program.set(("part_" + std::to_string(i)).c_str(), first_part_unit + i);
+        bind(gl_, first_part_unit + i, i < parts ? parts_[i].texture : 0);
+    }
+}
+
+VolumePainter::Rays VolumePainter::rays_of_pixels() const {
+    const glm::dvec2 corner(1 / transform_->projection[0][0], 1 / transform_->projection[1][1]);
+    const glm::dvec2 step = 2.0 * corner / glm::dvec2(width_, height_);
+    if (frame_->camera.parallel) return {{}, {}, -corner, step};
+    return {-corner, step, {}, {}};
+}
+
+// Of the program in use.
+void VolumePainter::set_rays(const ShaderProgram& program) const {
+    const Rays rays = rays_of_pixels();
+    program.set("ray_corner", glm::vec2(rays.corner));
+    program.set("ray_step", glm::vec2(rays.step));
+    program.set("side_corner", glm::vec2(rays.side_corner));
+    program.set("side_step", glm::vec2(rays.side_step));
+}
+
+void VolumePainter::set_slabs(const ShaderProgram& program, const Volume& volume, double thickness, int parts) const {
     program.use();
-    program.set("transform", glm::mat4(projection * transform_->view));
+    set_rays(program);
+    program.set("transform", glm::mat4(transform_->projection * transform_->view));
     program.set("view", glm::mat4(transform_->view));
     program.set("to_share", normalisation(volume.scale.range));
     program.set("parallel_depths", parallel_depths());
-    const bool parallel = frame_->camera.parallel;
-    const glm::dvec2 corner(1 / projection[0][0], 1 / projection[1][1]);
-    program.set("ray_corner", parallel ? glm::vec2(0) : glm::vec2(-corner));
-    program.set("ray_step", parallel ? glm::vec2(0) : glm::vec2(2.0 * corner / glm::dvec2(width_, height_)));
-    program.set("side_corner", parallel ? glm::vec2(-corner) : glm::vec2(0));
-    program.set("side_step", parallel ? glm::vec2(2.0 * corner / glm::dvec2(width_, height_)) : glm::vec2(0));
-    program.set("eye_normal", glm::vec3(glm::dmat3(transform_->view) * vector_of(volume.normal)));
-    program.set("eye_place", static_cast<float>(eye_place(volume)));
+    const Rays rays = rays_of_pixels();
+    const glm::dvec3 normal = glm::dmat3(transform_->view) * vector_of(volume.normal); // along the eye's axes
+    const glm::dvec2 sideways(normal);
+    program.set("across_corner", static_cast<float>(glm::dot(sideways, rays.corner) - normal.z));
+    program.set("across_step", glm::vec2(sideways * rays.step));
+    program.set("start_corner", static_cast<float>(eye_place(volume) + glm::dot(sideways, rays.side_corner)));
+    program.set("start_step", glm::vec2(sideways * rays.side_step));
     program.set("half_slab", static_cast<float>(thickness / 2));
     program.set("density", static_cast<float>(1 / volume.unit_length));
     // Where the property changes by less than a third of its range along the whole mesh there is no surface to light.
     program.set("steepness", static_cast<float>(0.1 * transform_->scale * transform_->scale));
     program.set("limits", int{limits_unit});
     program.set("table", int{table_unit});
-    for (int i = 1; i < parts; ++i) program.set(("part_" + std::to_string(i)).c_str(), first_part_unit + i);
+    program.set("between_planes", int{kept_unit});
+    bind_later_parts(program, parts);
 }
 
 void VolumePainter::draw_slabs(const Volume& volume, const VolumeBuffers& buffers, int parts) {
     const double thickness = volume.thickness * static_cast<double>(volume.stride);
-    const SlabProgramKind kind{parts, volume.shaded, TransferTable::rows};
-    const VolumeProgram& slice = slice_program(kind);
-    const VolumeProgram& edge = edge_program(kind);
+    const SlabProgramKind kind{parts, volume.shaded, is_clipped(), TransferTable::rows};
+    const ShaderProgram& slice = slice_program(kind);
+    const ShaderProgram& edge = edge_program(kind);
     const std::size_t slabs = buffers.slices().size();
-    set_ray(slice, volume, thickness, parts);
-    set_ray(edge, volume, thickness, parts);
+    set_slabs(slice, volume, thickness, parts);
+    set_slabs(edge, volume, thickness, parts);
     edge.set("first_place", static_cast<float>(volume.first));
     edge.set("last_slab", static_cast<float>(slabs - 1));
 
@@ -273,7 +323,6 @@ void VolumePainter::draw_slabs(const Volume& volume, const VolumeBuffers& buffer
     gl_.Clear(GL_COLOR_BUFFER_BIT);
     gl_.BlendFuncSeparate(GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
     bind(gl_, limits_unit, limits_.texture);
-    for (int i = 1; i < parts; ++i) bind(gl_, first_part_unit + i, parts_[i].texture);
     for (const std::size_t slab : back_to_front(volume, slabs)) {
         const auto place = static_cast<float>(volume.first + (static_cast<double>(slab) + 0.5) * thickness);
         if (buffers.boundary_of_slabs()[slab].count > 0) {
@@ -308,13 +357,13 @@ std::vector<std::size_t> VolumePainter::back_to_front(const Volume& volume, std:
     return order;
 }
 
-const VolumeProgram& VolumePainter::slice_program(const SlabProgramKind& kind) {
+const ShaderProgram& VolumePainter::slice_program(const SlabProgramKind& kind) {
     const auto found = slice_programs_.find(kind);
     return found != slice_programs_.end() ? found->second
                                           : slice_programs_.emplace(kind, make_slice_program(gl_, kind)).first->second;
 }
 
-const VolumeProgram& VolumePainter::edge_program(const SlabProgramKind& kind) {
+const ShaderProgram& VolumePainter::edge_program(const SlabProgramKind& kind) {
     const auto found = edge_programs_.find(kind);
     return found != edge_programs_.end() ? found->second
                                          : edge_programs_.emplace(kind, make_edge_program(gl_, kind)).first->second;

@@ -40,23 +40,33 @@ private:
     void size(Sheet& sheet, GLint format, int width, int height) const;
     void begin(const Sheet& sheet) const;
 
+    // Of a pixel at (x, y): sideways per depth corner + step * (x, y), from there at depth 0 on.
+    struct Rays {
+        glm::dvec2 corner, step, side_corner, side_step;
+    };
+
     void draw_each(const Frame& frame, const ViewTransform& transform, GLuint depth,
                    const std::function<void()>& bind_picture);
     void draw_volume(const Volume& volume, std::size_t slot);
     int find_parts(const VolumeBuffers& buffers);
     bool find_next_part(const VolumeBuffers& buffers, int part);
-    void find_limits();
+    void find_kept();
+    void find_limits(int parts);
     void load_table(const Volume& volume, std::size_t slot);
     void draw_slabs(const Volume& volume, const VolumeBuffers& buffers, int parts);
-    void set_ray(const VolumeProgram& program, const Volume& volume, double thickness, int parts) const;
+    [[nodiscard]] Rays rays_of_pixels() const;
+    void bind_later_parts(const ShaderProgram& program, int parts) const;
+    void set_rays(const ShaderProgram& program) const;
+    void set_slabs(const ShaderProgram& program, const Volume& volume, double thickness, int parts) const;
     void put_on_picture(const Volume& volume) const;
     [[nodiscard]] std::vector<std::size_t> back_to_front(const Volume& volume, std::size_t slabs) const;
+    [[nodiscard]] bool is_clipped() const { return !frame_->clip.empty(); }
     [[nodiscard]] glm::vec2 parallel_depths() const; // nearest and span; zero for a perspective
     [[nodiscard]] float eye_rounding() const;
     [[nodiscard]] double eye_place(const Volume& volume) const; // across the slabs
     [[nodiscard]] VolumeBuffers& buffers_of(std::size_t slot);
-    const VolumeProgram& slice_program(const SlabProgramKind& kind);
-    const VolumeProgram& edge_program(const SlabProgramKind& kind);
+    const ShaderProgram& slice_program(const SlabProgramKind& kind);
+    const ShaderProgram& edge_program(const SlabProgramKind& kind);
 
     struct Table {
         GLuint texture = 0;
@@ -66,9 +76,9 @@ private:
     };
 
     const Gl& gl_;
-    VolumeProgram first_part_, next_part_, limits_program_, picture_program_;
-    std::map<SlabProgramKind, VolumeProgram> slice_programs_, edge_programs_;
-    Sheet parts_[most_ray_parts], limits_, picture_, depth_, together_;
+    ShaderProgram first_part_, next_part_, kept_program_, limits_program_, picture_program_;
+    std::map<SlabProgramKind, ShaderProgram> slice_programs_, edge_programs_;
+    Sheet parts_[most_ray_parts], kept_, limits_, picture_, depth_, together_;
     GLuint query_ = 0, no_array_ = 0;
     bool has_depth_ = false;
     std::list<VolumeBuffers> buffers_; // one per volume of the largest frame so far

@@ -8,9 +8,9 @@
 // or exit is all but on the slice, rounding decides which pixels the slice covers: there it leaves its piece to the
 // face. An opaque surface has no property: a piece that ends on it before the slice belongs to the fragment of the slab
 // in front. So does the piece from an eye inside the mesh to the first slice belong to the fragment of the slab behind.
+// Clip planes cut slices and faces nowhere: each fragment draws of its piece what lies between the planes, where a ray
+// is in one stretch, for what they keep is convex.
 #include "render/volume_shaders.hpp"
-
-#include "render/shaders.hpp"
 
 #include <string>
 
@@ -54,15 +54,40 @@ void main() {
 }
 )";
 
-constexpr const char* whole_vertex = R"(
-void main() { // one triangle that covers the picture
-    vec2 corner = vec2((gl_VertexID << 1) & 2, gl_VertexID & 2);
-    gl_Position = vec4(corner * 2.0 - 1.0, 0.0, 1.0);
+constexpr const char* ray_uniforms = R"(
+uniform vec2 ray_corner; // sideways per depth at the picture's corner
+uniform vec2 ray_step;   // and per pixel
+uniform vec2 side_corner; // where a parallel ray starts
+uniform vec2 side_step;
+)";
+
+constexpr const char* kept_fragment = R"(
+uniform vec4 planes[6]; // along the eye's axes; (0, 0, 0, 1) keeps everything
+out vec4 kept;
+const float never = 1e30;
+void main() {
+    vec3 along = vec3(ray_corner + ray_step * gl_FragCoord.xy, -1.0);
+    vec4 start = vec4(side_corner + side_step * gl_FragCoord.xy, 0.0, 1.0);
+    vec2 span = vec2(0.0, never);
+    for (int i = 0; i < 6; ++i) {
+        float inside = dot(planes[i], start);
+        float rate = dot(planes[i].xyz, along);
+        if (rate > 0.0) span.x = max(span.x, -inside / rate);
+        if (rate < 0.0) span.y = min(span.y, -inside / rate);
+        if (rate == 0.0 && inside < 0.0) span.y = -never;
+    }
+    kept = vec4(span, 0.0, 0.0);
 }
 )";
 
 constexpr const char* limits_fragment = R"(
 uniform sampler2D first_part;
+uniform sampler2D part_1;
+uniform sampler2D part_2;
+uniform sampler2D part_3;
+uniform int parts;
+uniform sampler2D between_planes;
+uniform float has_planes;
 uniform sampler2D opaque;
 uniform float has_opaque;
 uniform vec2 viewport;
@@ -71,12 +96,22 @@ uniform vec2 depth_row; // of the projection: from -depth and 1
 uniform float parallel;
 out vec4 limits;
 const float never = 1e30;
+// What of a part the planes keep; nothing where it begins behind its end.
+vec2 kept_of(vec2 part, vec2 kept) { return vec2(max(part.x, kept.x), min(part.y, kept.y)); }
+float window_depth(vec2 first) {
+    ivec2 pixel = ivec2(gl_FragCoord.xy);
+    vec2 kept = has_planes > 0.5 ? texelFetch(between_planes, pixel, 0).xy : vec2(0.0, never);
+    vec2 seen = kept_of(first, kept);
+    if (seen.x >= seen.y && parts > 1) seen = kept_of(texelFetch(part_1, pixel, 0).xy, kept);
+    if (seen.x >= seen.y && parts > 2) seen = kept_of(texelFetch(part_2, pixel, 0).xy, kept);
+    if (seen.x >= seen.y && parts > 3) seen = kept_of(texelFetch(part_3, pixel, 0).xy, kept);
+    if (seen.x >= seen.y) return 1.0;
+    return 0.5 + 0.5 * (depth_row.y - depth_row.x * seen.x) / (parallel > 0.5 ? 1.0 : max(seen.x, 1e-30));
+}
 void main() {
     vec2 part = texelFetch(first_part, ivec2(gl_FragCoord.xy), 0).xy;
     if (part.x > part.y * (1.0 - eye_rounding)) part.x = -never; // the eye is inside
-    float window = 1.0;
-    if (part.x > 0.0 && part.x < never)
-        window = 0.5 + 0.5 * (depth_row.y - depth_row.x * part.x) / (parallel > 0.5 ? 1.0 : part.x);
+    float window = window_depth(part);
     float sight = never;
     if (has_opaque > 0.5) {
         float z = texture(opaque, gl_FragCoord.xy / viewport).r;
@@ -112,12 +147,10 @@ void main() {
 constexpr const char* ray = R"(
 uniform sampler2D limits;
 uniform sampler2D table;
-uniform vec2 ray_corner; // sideways per depth at the picture's corner
-uniform vec2 ray_step;   // and per pixel
-uniform vec2 side_corner; // where a parallel ray starts
-uniform vec2 side_step;
-uniform vec3 eye_normal; // of the slabs
-uniform float eye_place; // across the slabs
+uniform float across_corner; // how far a ray gets across the slabs per depth: at the picture's corner
+uniform vec2 across_step;    // and per pixel
+uniform float start_corner;  // where across the slabs it is at depth 0
+uniform vec2 start_step;
 uniform float slice_place;
 uniform float half_slab;
 uniform float density; // 1 / unit length
@@ -135,12 +168,13 @@ struct Ray {
     float slice;      // depth of the slice
     float half_depth; // of the slab
 };
-Ray ray_here() {
+Ray ray_here() { // of each fragment: sums of products that do not depend on the pixel are uniforms
     Ray ray;
-    ray.along = vec3(ray_corner + ray_step * gl_FragCoord.xy, -1.0);
-    ray.across = dot(eye_normal, ray.along);
+    vec2 at = gl_FragCoord.xy;
+    ray.along = vec3(ray_corner + ray_step * at, -1.0);
+    ray.across = across_corner + dot(across_step, at);
     if (abs(ray.across) < 1e-9) ray.across = 1e-9;
-    ray.start = eye_place + dot(eye_normal.xy, side_corner + side_step * gl_FragCoord.xy);
+    ray.start = start_corner + dot(start_step, at);
     float depth_per_place = 1.0 / ray.across;
     ray.slice = (slice_place - ray.start) * depth_per_place;
     ray.half_depth = half_slab * abs(depth_per_place);
@@ -187,6 +221,18 @@ float back(float slice, vec2 part, float half_depth, float sight) {
 }
 )";
 
+constexpr const char* clipping = R"(
+#ifdef CLIPPED
+uniform sampler2D between_planes;
+vec2 kept(vec2 piece, ivec2 pixel) {
+    vec2 span = texelFetch(between_planes, pixel, 0).xy;
+    return vec2(max(piece.x, span.x), min(piece.y, span.y));
+}
+#else
+vec2 kept(vec2 piece, ivec2 pixel) { return piece; }
+#endif
+)";
+
 constexpr const char* slice_fragment = R"(
 void main() {
     Ray ray = ray_here();
@@ -197,9 +243,8 @@ void main() {
     vec4 first = texelFetch(limits, pixel, 0);
     vec2 part = first.xy;
     LATER_PARTS
-    float from = max(front(t, part, half_depth), part.x);
-    float to = back(t, part, half_depth, first.z);
-    picture = t > first.z || yields(t, part, half_depth) ? vec4(0.0) : light(ray.along, t, from, to);
+    vec2 piece = kept(vec2(max(front(t, part, half_depth), part.x), back(t, part, half_depth, first.z)), pixel);
+    picture = t > first.z || yields(t, part, half_depth) ? vec4(0.0) : light(ray.along, t, piece.x, piece.y);
 }
 )";
 
@@ -232,7 +277,8 @@ void main() {
         if (first.z >= slice && !begins_here && yields(slice, part, half_depth)) from = begin;
         to = min(t, first.z);
     }
-    picture = light(ray.along, t, from, to);
+    vec2 piece = kept(vec2(from, to), pixel);
+    picture = light(ray.along, t, piece.x, piece.y);
 }
 )";
 
@@ -266,39 +312,40 @@ out vec4 picture;
 void main() { picture = texture(volume, gl_FragCoord.xy / viewport) * opacity; }
 )";
 
-std::string slab_defines(bool shaded, int rows) {
-    return std::string(version) + (shaded ? "#define SHADED\n" : "") + "#define ROWS " + std::to_string(rows) + ".0\n";
+std::string slab_defines(const SlabProgramKind& kind) {
+    return std::string(version) + (kind.shaded ? "#define SHADED\n" : "") + (kind.clipped ? "#define CLIPPED\n" : "") +
+           "#define ROWS " + std::to_string(kind.table_rows) + ".0\n";
 }
 
-VolumeProgram linked(const Gl& gl, const std::string& vertex, const std::string& fragment) {
-    return {gl, link_stages(gl, {{GL_VERTEX_SHADER, vertex}, {GL_FRAGMENT_SHADER, fragment}})};
-}
-
-VolumeProgram make_slab_program(const Gl& gl, bool edge, const SlabProgramKind& kind) {
-    const std::string defines = slab_defines(kind.shaded, kind.table_rows);
-    return linked(gl, defines + slab_vertex,
-                  defines + depth + ray + ownership +
-                      with_parts(edge ? edge_fragment : slice_fragment, kind.parts, edge));
+ShaderProgram make_slab_program(const Gl& gl, bool edge, const SlabProgramKind& kind) {
+    const std::string defines = slab_defines(kind);
+    return make_shader_program(gl, defines + slab_vertex,
+                               defines + depth + ray_uniforms + ray + ownership + clipping +
+                                   with_parts(edge ? edge_fragment : slice_fragment, kind.parts, edge));
 }
 
 } // namespace
 
-VolumeProgram make_part_program(const Gl& gl, bool first) {
-    return linked(gl, std::string(version) + part_vertex,
-                  std::string(version) + (first ? "" : "#define NEXT\n") + depth + part_fragment);
+ShaderProgram make_part_program(const Gl& gl, bool first) {
+    return make_shader_program(gl, std::string(version) + part_vertex,
+                               std::string(version) + (first ? "" : "#define NEXT\n") + depth + part_fragment);
 }
 
-VolumeProgram make_limits_program(const Gl& gl) {
-    return linked(gl, std::string(version) + whole_vertex, std::string(version) + limits_fragment);
+ShaderProgram make_kept_program(const Gl& gl) {
+    return make_cover_program(gl, std::string(version) + ray_uniforms + kept_fragment);
 }
 
-VolumeProgram make_slice_program(const Gl& gl, const SlabProgramKind& kind) {
+ShaderProgram make_limits_program(const Gl& gl) {
+    return make_cover_program(gl, std::string(version) + limits_fragment);
+}
+
+ShaderProgram make_slice_program(const Gl& gl, const SlabProgramKind& kind) {
     return make_slab_program(gl, false, kind);
 }
-VolumeProgram make_edge_program(const Gl& gl, const SlabProgramKind& kind) { return make_slab_program(gl, true, kind); }
+ShaderProgram make_edge_program(const Gl& gl, const SlabProgramKind& kind) { return make_slab_program(gl, true, kind); }
 
-VolumeProgram make_volume_picture_program(const Gl& gl) {
-    return linked(gl, std::string(version) + whole_vertex, std::string(version) + picture_fragment);
+ShaderProgram make_volume_picture_program(const Gl& gl) {
+    return make_cover_program(gl, std::string(version) + picture_fragment);
 }
 
 } // namespace ciel::render

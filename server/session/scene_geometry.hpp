@@ -63,7 +63,7 @@ struct VolumeDrawable {
 struct Geometry {
     std::vector<Drawable> drawables;     // visible layers, in drawing order
     std::vector<VolumeDrawable> volumes; // likewise
-    std::vector<HalfSpace> clip;         // cut all drawables, which are whole (clip.hpp); of offsets from the origin
+    std::vector<HalfSpace> clip;         // cut all volumes, and all drawables, which are whole (clip.hpp); of offsets
     Vec3d origin{}, bounds_min{}, bounds_max{};
     double time = 0; // of the step shown
     std::size_t step = 0;

@@ -3,7 +3,7 @@
 #include "scenes.hpp"
 #include "support/fields.hpp"
 #include "support/meshes.hpp"
-#include "volume_scene.hpp"
+#include "volume_compare.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -13,93 +13,6 @@ namespace ciel::render {
 namespace {
 
 using test::Box;
-
-constexpr int side = 160;
-
-Renderer& renderer() {
-    static Renderer one(Backend::automatic);
-    return one;
-}
-
-struct View {
-    const char* name;
-    Vec3d from; // the direction to the eye
-    double fov; // 0: parallel
-    double distance = 3;
-
-    friend std::ostream& operator<<(std::ostream& out, const View& view) { return out << view.name; }
-};
-
-const std::vector<View> views{
-    {"along_y_parallel", {0.001, -1, 0.002}, 0}, {"slanted_parallel", {0.4, -1, 0.3}, 0},
-    {"corner_parallel", {1, 1, 1}, 0},           {"along_x", {1, 0.003, 0.001}, 30},
-    {"slanted", {-0.5, 0.9, 0.45}, 30},          {"below", {0.3, 0.2, -1}, 45},
-    {"forty_five_degrees", {1, 0.99, 0.02}, 30}, {"corner_wide", {-1, -1, 1}, 80, 1.3},
-    {"eye_inside", {0.3, -1, 0.4}, 70, 0.3},
-};
-
-// A unit cube in the middle of a black picture.
-Frame frame_of(const View& view, const Vec3d& low = {0, 0, 0}, const Vec3d& high = {1, 1, 1}) {
-    Frame frame;
-    frame.width = frame.height = side;
-    frame.bounds_min = low;
-    frame.bounds_max = high;
-    const Vec3d middle{(low[0] + high[0]) / 2, (low[1] + high[1]) / 2, (low[2] + high[2]) / 2};
-    frame.camera.target = middle;
-    frame.camera.position = plus(middle, unit_of(view.from), view.distance);
-    frame.camera.parallel = view.fov == 0;
-    frame.camera.parallel_height = 2;
-    if (!frame.camera.parallel) frame.camera.fov_degrees = view.fov;
-    return frame;
-}
-
-struct Difference {
-    double largest = 0, mean = 0; // of 255; the mean with its sign
-    int x = 0, y = 0;             // where it is largest
-    int beyond = 0, pixels = 0;   // pixels that are off by more than is allowed; pixels with anything to see
-};
-
-// `expected`: 0 to 1 for a ray.
-Difference compare(const Frame& frame, const std::function<double(const Ray&)>& expected, double share) {
-    Image image;
-    renderer().draw(frame, image);
-    Difference difference;
-    for (int y = 0; y < frame.height; ++y)
-        for (int x = 0; x < frame.width; ++x) {
-            const double wanted = 255 * expected(ray_of(frame, x + 0.5, y + 0.5));
-            const double seen = image.rgb[3 * static_cast<std::size_t>(y * frame.width + x)];
-            if (wanted == 0 && seen == 0) continue;
-            const double off = seen - wanted;
-            ++difference.pixels;
-            difference.mean += off;
-            if (std::abs(off) > std::abs(difference.largest)) {
-                difference.largest = off;
-                difference.x = x;
-                difference.y = y;
-            }
-            if (std::abs(off) > share * wanted + 0.75) ++difference.beyond;
-        }
-    difference.mean /= std::max(1, difference.pixels);
-    return difference;
-}
-
-// The rasteriser snaps corners to 1/256 pixel: at the outline of the mesh a pixel may be in on one side of that and out
-// on the other.
-void expect_close(const Difference& difference, const std::string& what) {
-    EXPECT_GT(difference.pixels, side * side / 20) << what;
-    EXPECT_LE(difference.beyond, difference.pixels / 500)
-        << what << ", most of all by " << difference.largest << " at " << difference.x << ", " << difference.y;
-    EXPECT_LT(std::abs(difference.mean), 0.6) << what; // 0.5 where all pixels are rounded alike
-}
-
-Vec3d nearest_axis(const Vec3d& v) {
-    std::size_t axis = 0;
-    for (std::size_t other = 1; other < 3; ++other)
-        if (std::abs(v[other]) > std::abs(v[axis])) axis = other;
-    Vec3d normal{};
-    normal[axis] = 1;
-    return normal;
-}
 
 struct Solid {
     const char* name;
