@@ -26,6 +26,13 @@ export function thresholdScalarsOf(description: DatasetDescription | null): Scal
   return [...scalarsOf(description), ...scalars];
 }
 
+/** What a further layer begins with: what the dataset is first shown by, which has more than one value. */
+export function firstScalar(description: DatasetDescription | null): string | undefined {
+  for (const layer of Object.values(description?.default_scene.layers ?? {}))
+    if (layer.type === "iso" || layer.type === "volume") return layer.array;
+  return scalarsOf(description)[0]?.name;
+}
+
 /** The array that the scalar is made from. */
 export const arrayOf = (description: DatasetDescription | null, scalar: string): ArrayInfo | undefined =>
   thresholdScalarsOf(description).find(({ name }) => name === scalar)?.array;
