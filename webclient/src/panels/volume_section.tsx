@@ -47,7 +47,7 @@ function VolumeFields({ id, layer }: { id: string; layer: VolumeLayer }): JSX.El
         <NumberField
           label={`Length${units === "" ? "" : ` in ${units}`} after which the opacity of the curve is reached`}
           value={layer.unit_length ?? null}
-          placeholder="diagonal / 10"
+          placeholder="auto"
           onChange={(typed) => actions.setLayer(id, { unit_length: typed > 0 ? typed : null })}
         />
       </label>
