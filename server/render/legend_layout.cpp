@@ -47,8 +47,7 @@ std::string title_of(const Legend& legend) {
 
 Entry entry_of(Page& page, const Legend& legend) {
     const TextSize& size = page.text();
-    Entry entry{legend, page.shortened(title_of(legend), size, widest_title * page.width()),
-                end_marks(legend.scale)};
+    Entry entry{legend, page.shortened(title_of(legend), size, widest_title * page.width()), end_marks(legend.scale)};
     int labels = 0;
     for (const auto& marks : {entry.ends, inner_marks(legend.scale, most_ticks)})
         for (const Mark& mark : marks) labels = std::max(labels, page.width_of(mark.label, size));

@@ -322,7 +322,8 @@ void check_clip_planes(const std::vector<Layer>& layers) {
 // Documents that were saved before `annotations` had it.
 void refuse_old_legend(const json& document) {
     if (document.is_object() && document.contains("legend"))
-        throw Invalid("/legend", "/legend is not known here; it is annotations.legend: {\"annotations\": {\"legend\": true}}");
+        throw Invalid("/legend",
+                      "/legend is not known here; it is annotations.legend: {\"annotations\": {\"legend\": true}}");
 }
 
 } // namespace

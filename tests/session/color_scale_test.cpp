@@ -71,8 +71,7 @@ TEST(ColorScale, MarksOfALinearScaleFollowTheCases) {
 TEST(ColorScale, NumbersFollowTheCases) {
     for (const json& row : tick_cases()["numbers"])
         EXPECT_EQ(render::number_label(number_of(row[0]), row[1], row[2]), row[3]) << row;
-    for (const json& row : tick_cases()["alone"])
-        EXPECT_EQ(render::number_label(number_of(row[0])), row[1]) << row;
+    for (const json& row : tick_cases()["alone"]) EXPECT_EQ(render::number_label(number_of(row[0])), row[1]) << row;
 }
 
 TEST(ColorScale, TakesACommonPowerOfTenOutOfItsNumbersUnlessItIsLogarithmic) {

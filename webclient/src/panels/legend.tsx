@@ -1,6 +1,6 @@
 // Colour bars over the canvas, one per colouring in use; the range is edited in place.
 import type { JSX } from "preact";
-import { useEffect, useRef } from "preact/hooks";
+import { useEffect, useRef, useState } from "preact/hooks";
 import { colorsAlong, hasWidth, type ColorScale } from "../display/color_scale";
 import type { Coloring, Range } from "../generated/protocol";
 import type { Size } from "../camera/camera";
@@ -41,12 +41,12 @@ function ColorBar({ scale }: { scale: ColorScale }): JSX.Element {
 }
 
 const LINE_PIXELS = 14;
+const USUAL_HEIGHT = 120;
 const LINES_APART = 1.7;
 const MOST_TICKS = 6;
 
 /** Of those between the two ends, the ones whose labels stand clear of the labels below and above them. */
-function spacedTicks(scale: ColorScale): ColorTick[] {
-  const height = clamp(0.22 * window.innerHeight, 84, 172);
+function spacedTicks(scale: ColorScale, height: number): ColorTick[] {
   const gap = LINE_PIXELS / height;
   let last = 0;
   return colorTicks(scale, clamp(Math.floor(height / (LINES_APART * LINE_PIXELS)), 1, MOST_TICKS)).filter((tick) => {
@@ -64,6 +64,15 @@ interface Entry {
 
 function LegendScale({ coloring, layers, scale, range }: Entry & { scale: ColorScale; range: Range }): JSX.Element {
   const { actions, toasts } = useApp();
+  const along = useRef<HTMLDivElement>(null);
+  const [height, setHeight] = useState(USUAL_HEIGHT);
+  useEffect(() => {
+    const element = along.current;
+    if (element === null) return;
+    const observer = new ResizeObserver(() => setHeight(element.clientHeight));
+    observer.observe(element);
+    return () => observer.disconnect();
+  }, []);
   const span = scale.log ? undefined : range[1] - range[0];
   const shown = (value: number): string => labelOn(scale, value);
   const setRange = (low: number, high: number): void => {
@@ -81,8 +90,8 @@ function LegendScale({ coloring, layers, scale, range }: Entry & { scale: ColorS
         shown={shown}
         onChange={(high) => setRange(mirrored ? -high : range[0], high)}
       />
-      <div class="ticks" aria-hidden="true">
-        {spacedTicks(scale).map(({ value, at, label }) => (
+      <div class="ticks" ref={along} aria-hidden="true">
+        {spacedTicks(scale, height).map(({ value, at, label }) => (
           <span key={value} class={label === "" ? "mark" : ""} style={{ bottom: `${at * 100}%` }}>
             {label}
           </span>

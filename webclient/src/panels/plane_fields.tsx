@@ -12,7 +12,15 @@ const AXES = ["x", "y", "z"] as const;
 /** In the ranges that a dataset has, five digits of a coordinate are what a hand means. */
 const tidy = (vector: Vec3): Vec3 => vector.map((value) => Number(value.toPrecision(6))) as Vec3;
 
-function VectorRow({ label, value, set }: { label: string; value: Vec3; set: (to: Vec3) => void }): JSX.Element {
+interface VectorProps {
+  label: string;
+  value: Vec3;
+  /** Of what it is among: how many digits are worth showing. */
+  span: number;
+  set: (to: Vec3) => void;
+}
+
+function VectorRow({ label, value, span, set }: VectorProps): JSX.Element {
   return (
     <div class="vector-row">
       <span>{label}</span>
@@ -21,6 +29,7 @@ function VectorRow({ label, value, set }: { label: string; value: Vec3; set: (to
           key={axis}
           label={`${label} ${axis}`}
           value={value[at] ?? 0}
+          span={span}
           onChange={(typed) => set(value.map((old, i) => (i === at ? typed : old)) as Vec3)}
         />
       ))}
@@ -62,10 +71,11 @@ export function PlaneFields({ id, origin, normal }: PlaneProps): JSX.Element {
         newGesture={() => editor.newGesture()}
         onChange={moveTo}
       />
-      <VectorRow label="Origin" value={origin} set={(to) => actions.setLayer(id, { origin: to })} />
+      <VectorRow label="Origin" value={origin} span={2 * reach} set={(to) => actions.setLayer(id, { origin: to })} />
       <VectorRow
         label="Normal"
         value={normal}
+        span={10 * Math.hypot(...normal)}
         set={(to) => {
           if (to.some((part) => part !== 0)) actions.setLayer(id, { normal: to });
         }}
