@@ -1,6 +1,6 @@
 // Slices at right angles to the axes, each with a slider over the dataset's bounds, and free planes.
 import type { JSX } from "preact";
-import { boundsCentre, type Bounds } from "../camera/camera";
+import { boundsCentre } from "../camera/camera";
 import type { SliceLayer } from "../generated/protocol";
 import { formatNumber, niceStep } from "../scene/numbers";
 import { firstScalar, layersOf } from "../scene/scalars";
@@ -117,7 +117,7 @@ export function SlicesSection(): JSX.Element {
           disabled={description === null}
           onClick={() => {
             if (description === null) return;
-            const origin = boundsCentre(description.bounds as Bounds);
+            const origin = boundsCentre(description.bounds);
             actions.addLayer("slice", { type: "slice", origin, normal: [1, 1, 0], ...style });
           }}
         />
