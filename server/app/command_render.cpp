@@ -3,7 +3,6 @@
 #include "app/commands.hpp"
 #include "app/layer_options.hpp"
 #include "app/scene_options.hpp"
-#include "render/make_room.hpp"
 #include "session/default_scene.hpp"
 #include "session/errors.hpp"
 #include "session/picture.hpp"
@@ -157,9 +156,7 @@ int run_command(const RenderCommand& render) {
     for (const std::string& remark : geometry->remarks) std::cerr << "ciel: " << remark << '\n';
     render::Image image;
     render::Renderer renderer(backend);
-    render::Frame frame = session::picture_of(*geometry, scene, size);
-    if (!scene.camera) frame.camera = render::clear_of_annotations(frame);
-    renderer.draw(frame, image);
+    renderer.draw(session::picture_of(*geometry, scene, size), image);
     std::vector<std::uint8_t> png;
     wire::encode_png(image.width, image.height, image.rgb, wire::PngEffort::still, png);
     store::replace_file(std::filesystem::absolute(render.output), std::as_bytes(std::span(png)));

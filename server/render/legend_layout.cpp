@@ -28,50 +28,28 @@ struct Entry {
     double width = 0;
 };
 
-bool is_plain(const ColorScale& scale) { return !scale.log && scale.steps == 0; }
-
-std::array<double, 2> range_of(const Legend& legend) { return {legend.scale.range[0], legend.scale.range[1]}; }
-
-int exponent_of(const Legend& legend) {
-    return legend.scale.log ? 0 : common_exponent(range_of(legend)[0], range_of(legend)[1]);
+std::vector<Mark> end_marks(const ColorScale& scale) {
+    if (!has_width(scale)) return {{0.5, label_on(scale, scale.range[0])}};
+    return {{0, label_on(scale, scale.range[0])}, {1, label_on(scale, scale.range[1])}};
 }
 
-std::vector<Mark> end_marks(const Legend& legend, int exponent) {
-    const auto [low, high] = range_of(legend);
-    if (!(low < high)) return {{0.5, number_label(low, 0, exponent)}};
-    if (legend.scale.log) return {{0, value_label(low)}, {1, value_label(high)}};
-    return {{0, number_label(low, high - low, exponent)}, {1, number_label(high, high - low, exponent)}};
-}
-
-std::vector<Mark> inner_marks(const Legend& legend, int most) {
-    const auto [low, high] = range_of(legend);
+std::vector<Mark> inner_marks(const ColorScale& scale, int most) {
     std::vector<Mark> marks;
-    if (!(low < high)) return marks;
-    if (!is_plain(legend.scale)) {
-        const int exponent = exponent_of(legend);
-        for (const ColorTick& tick : color_ticks(legend.scale, most)) {
-            const bool is_named = !tick.label.empty() && !legend.scale.log;
-            marks.push_back({tick.at, is_named ? number_label(tick.value, high - low, exponent) : tick.label});
-        }
-        return marks;
-    }
-    for (const Tick& tick : nice_scale(low, high, most).ticks)
-        marks.push_back({(tick.value - low) / (high - low), tick.label});
+    if (!has_width(scale)) return marks;
+    for (const ColorTick& tick : color_ticks(scale, most)) marks.push_back({tick.at, tick.label});
     return marks;
 }
 
-std::string title_of(const Legend& legend, int exponent) {
+std::string title_of(const Legend& legend) {
     const std::string units = pretty_units(legend.units);
-    return legend.name + (units.empty() ? "" : " [" + units + "]") + times_power_of_ten(exponent);
+    return legend.name + (units.empty() ? "" : " [" + units + "]") + times_power_of_ten(exponent_of(legend.scale));
 }
 
 Entry entry_of(Page& page, const Legend& legend) {
-    const int exponent = exponent_of(legend);
     const TextSize& size = page.text();
-    Entry entry{legend, page.shortened(title_of(legend, exponent), size, widest_title * page.width()),
-                end_marks(legend, exponent)};
+    Entry entry{legend, page.shortened(title_of(legend), size, widest_title * page.width()), end_marks(legend.scale)};
     int labels = 0;
-    for (const auto& marks : {entry.ends, inner_marks(legend, most_ticks)})
+    for (const auto& marks : {entry.ends, inner_marks(legend.scale, most_ticks)})
         for (const Mark& mark : marks) labels = std::max(labels, page.width_of(mark.label, size));
     const double scale = (bar_width + tick_end + gap) * page.em() + labels;
     entry.width = std::max<double>(scale, page.width_of(entry.title, size));
@@ -153,7 +131,7 @@ void draw_entry(Page& page, const Entry& entry, int left, double top, double bar
     page.take(bar);
     draw_marks(page, entry.ends, bar); // first: where there is no room for both, the inner mark goes
     const int most = std::clamp(static_cast<int>(bar.height() / (tick_spacing * size.line())), 1, most_ticks);
-    draw_marks(page, inner_marks(entry.legend, most), bar);
+    draw_marks(page, inner_marks(entry.legend.scale, most), bar);
 }
 
 } // namespace

@@ -23,6 +23,8 @@ std::string superscript(const std::string& digits) {
     return out;
 }
 
+std::string power_of_ten(int exponent) { return "10" + superscript(std::to_string(exponent)); }
+
 std::string with_decimals(double value, int decimals) {
     std::array<char, 400> text{}; // 309 digits before the point at most
     std::snprintf(text.data(), text.size(), "%.*f", std::clamp(decimals, 0, most_decimals), value);
@@ -83,12 +85,11 @@ std::string number_label(double value) {
     const double mantissa = value * std::pow(10.0, -exponent);
     if (!std::isfinite(mantissa)) return "n/a";
     const int places = mantissa == 0 ? 0 : magnitude(std::abs(mantissa));
-    return without_trailing_zeros(with_decimals(mantissa, 5 - places)) + times_power_of_ten(exponent);
+    const std::string digits = without_trailing_zeros(with_decimals(mantissa, 5 - places));
+    return exponent != 0 && digits == "1" ? power_of_ten(exponent) : digits + times_power_of_ten(exponent);
 }
 
-std::string times_power_of_ten(int exponent) {
-    return exponent == 0 ? "" : " ×10" + superscript(std::to_string(exponent));
-}
+std::string times_power_of_ten(int exponent) { return exponent == 0 ? "" : " ×" + power_of_ten(exponent); }
 
 Scale nice_scale(double low, double high, int most) {
     Scale scale;

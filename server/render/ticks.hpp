@@ -1,4 +1,5 @@
-// Where a scale is marked, and how its numbers are written.
+// Where a scale is marked, and how its numbers are written; webclient/src/scene/ticks.ts is its twin, and both are held
+// to tests/support/tick_cases.json.
 #pragma once
 
 #include <string>
@@ -23,7 +24,7 @@ struct Scale {
 [[nodiscard]] int common_exponent(double low, double high);
 // With the digits that tell apart thousandths of `span`; no trailing zeros, U+2212 as minus sign.
 [[nodiscard]] std::string number_label(double value, double span, int exponent);
-// As it stands, with six digits and its own power of ten: a time, say.
+// As it stands, with six digits and its own power of ten: a time, say, or a number on a logarithmic scale.
 [[nodiscard]] std::string number_label(double value);
 // " ×10⁵", or nothing for 0
 [[nodiscard]] std::string times_power_of_ten(int exponent);

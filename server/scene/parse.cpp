@@ -319,10 +319,18 @@ void check_clip_planes(const std::vector<Layer>& layers) {
                                                                  " clip planes can cut at a time; hide or remove one");
 }
 
+// Documents that were saved before `annotations` had it.
+void refuse_old_legend(const json& document) {
+    if (document.is_object() && document.contains("legend"))
+        throw Invalid("/legend",
+                      "/legend is not known here; it is annotations.legend: {\"annotations\": {\"legend\": true}}");
+}
+
 } // namespace
 
 Scene parse(const json& document) {
     static const json& schema = contract().at("components").at("schemas").at("Scene");
+    refuse_old_legend(document);
     if (const auto violation = check_schema(schema, document))
         throw Invalid(violation->path,
                       (violation->path.empty() ? "the scene" : violation->path) + " " + violation->reason);

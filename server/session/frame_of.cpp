@@ -1,4 +1,6 @@
+#include "render/make_room.hpp"
 #include "render/renderer.hpp"
+#include "session/annotations.hpp"
 #include "session/clip.hpp"
 #include "session/scene_geometry.hpp"
 #include "session/volume_cut.hpp"
@@ -40,6 +42,13 @@ render::Volume volume_of(const VolumeDrawable& drawable) {
     return volume;
 }
 
+// Frames look from where the scene's pictures do, whether they are written on or not: a pixel of one is the same pixel
+// of the other.
+render::Camera beside_annotations(render::Frame frame, const Geometry& geometry, const scene::Scene& scene) {
+    frame.annotations = annotations_of(geometry, scene);
+    return render::clear_of_annotations(frame);
+}
+
 } // namespace
 
 render::Camera camera_of(const Geometry& geometry, const scene::Scene& scene, double aspect) {
@@ -57,6 +66,7 @@ render::Frame frame_of(const Geometry& geometry, const scene::Scene& scene, int 
     frame.camera = camera_of(geometry, scene, static_cast<double>(width) / height);
     frame.bounds_min = geometry.bounds_min;
     frame.bounds_max = geometry.bounds_max;
+    if (!scene.camera) frame.camera = beside_annotations(frame, geometry, scene);
     frame.clip = shader_planes(geometry);
     const Background background = background_of(scene.background);
     frame.background_top = background.top;

@@ -52,12 +52,13 @@ std::optional<Vec3d> position_under(const Geometry& geometry, const scene::Scene
     const auto width = static_cast<int>(size.width), height = static_cast<int>(size.height);
     if (!(pixel[0] >= 0 && pixel[0] < width && pixel[1] >= 0 && pixel[1] < height)) return {};
     render::Image image;
-    worker.renderer().draw(frame_of(geometry, scene, width, height, 1), image);
+    const render::Frame frame = frame_of(geometry, scene, width, height, 1);
+    worker.renderer().draw(frame, image);
     Vec3d hit{};
     if (!worker.renderer().pick(static_cast<int>(pixel[0]), static_cast<int>(pixel[1]), hit)) return {};
     if (locator.cell_at(hit) != none) return hit;
 
-    const render::Camera camera = camera_of(geometry, scene, static_cast<double>(width) / height);
+    const render::Camera& camera = frame.camera;
     const auto& from = camera.parallel ? camera.target : hit;
     Vec3d sight{}, diagonal{};
     double sight_length = 0, size_of_all = 0;

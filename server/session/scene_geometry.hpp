@@ -110,7 +110,8 @@ private:
     std::map<std::string, VolumeCut> volumes_; // by layer
 };
 
-// Borrows from `geometry`. samples: 1, or 4 for stills.
+// Borrows from `geometry`. samples: 1, or 4 for stills. Without a camera in the scene it looks from as far as what is
+// written over pictures needs (render/make_room.hpp), though it carries none of it.
 [[nodiscard]] render::Frame frame_of(const Geometry& geometry, const scene::Scene& scene, int width, int height,
                                      int samples);
 // The scene's, or the default view of the bounds.

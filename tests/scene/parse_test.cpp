@@ -185,6 +185,8 @@ constexpr Malformed table[] = {
     {"no_dataset", R"({})", "/dataset", "/dataset is missing"},
     {"empty_dataset", R"({"dataset": ""})", "/dataset", "/dataset has fewer characters than 1"},
     {"unknown_member", R"({"dataset": "d", "colour": 1})", "/colour", "/colour is not known here"},
+    {"legend_of_older_documents", R"({"dataset": "d", "legend": true})", "/legend",
+     "/legend is not known here; it is annotations.legend: {\"annotations\": {\"legend\": true}}"},
     {"time_is_text", R"({"dataset": "d", "time": "1"})", "/time", "/time must be a number"},
     {"background", R"({"dataset": "d", "background": "pink"})", "/background",
      "/background must be one of \"dark\", \"light\", or must match ^#[0-9a-fA-F]{6}$"},

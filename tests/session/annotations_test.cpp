@@ -45,8 +45,16 @@ TEST_F(SceneAnnotations, HaveOneLegendForEachArrayMapAndRange) {
     EXPECT_EQ(written.legends[1].scale.map, "magma");
     EXPECT_EQ(written.legends[2].scale.range, (std::array<float, 2>{1, 2}));
     EXPECT_EQ(written.legends[3].name, "U:x");
-    for (const render::Legend& legend : written.legends)
-        EXPECT_EQ(legend.units, catalog.open("box")->dataset()->find(legend.name.substr(0, 1))->units);
+}
+
+TEST_F(SceneAnnotations, HaveTheUnitsOfTheArrayThatAScalarIsMadeFrom) {
+    const json volume{{"type", "volume"}, {"array", "U:magnitude"}};
+    const auto written =
+        of({{"a", surface({{"array", "p"}})}, {"b", surface({{"array", "U:x"}})}, {"c", volume}}, {{"axes", true}});
+    std::map<std::string, std::string> units;
+    for (const render::Legend& legend : written.legends) units[legend.name] = legend.units;
+    EXPECT_EQ(units, (std::map<std::string, std::string>{{"p", "Pa"}, {"U:x", "m/s"}, {"U:magnitude", "m/s"}}));
+    EXPECT_EQ(written.length_units, "m");
 }
 
 TEST_F(SceneAnnotations, AreLegendAndTriadWhereNothingIsSaid) {
@@ -74,6 +82,21 @@ TEST_F(SceneAnnotations, AreSwitched) {
     EXPECT_EQ(written.captions, (std::vector<std::string>{"box", "Time: 1"}));
     EXPECT_EQ(written.title, "µ");
     EXPECT_EQ(written.scale, 2);
+}
+
+TEST_F(SceneAnnotations, MakeRoomForThemselvesInPicturesAndFramesAlike) {
+    static_cast<void>(of({{"a", surface({{"array", "p"}})}}, {{"axes", true}}));
+    const auto picture = picture_of(*shown, scene, {320, 200}).camera;
+    const auto bare = camera_of(*shown, scene, 1.6);
+    const auto away = [](const render::Camera& camera) {
+        return std::hypot(camera.position[0] - camera.target[0], camera.position[1] - camera.target[1],
+                          camera.position[2] - camera.target[2]);
+    };
+    EXPECT_GT(away(picture), 1.05 * away(bare)) << "else the legend lies on the box";
+    EXPECT_EQ(picture.position, frame_of(*shown, scene, 320, 200, 1).camera.position)
+        << "a pixel of the one is probed in the other";
+    scene.camera = scene::Camera{{9, 8, 7}, {0, 0, 0}, {0, 0, 1}, 30, false, 1};
+    EXPECT_EQ(picture_of(*shown, scene, {320, 200}).camera.position, scene.camera->position);
 }
 
 TEST_F(SceneAnnotations, AreOnPicturesAndNotOnFrames) {

@@ -1,5 +1,6 @@
 // From a scene's words on colours to colours, by the cases that the browser is held to, too.
 #include "render/color_ticks.hpp"
+#include "render/ticks.hpp"
 #include "session/color_scale_of.hpp"
 
 #include <cmath>
@@ -51,10 +52,37 @@ TEST(ColorScale, FollowsTheCasesWorkedOutByHand) {
     }
 }
 
-TEST(ColorScale, LabelsHaveTheDigitsThatCount) {
-    for (const json& row : cases()["labels"])
-        EXPECT_EQ(render::value_label(row[0], row[1]), row[2]) << row[0] << " over " << row[1];
-    EXPECT_EQ(render::value_label(NAN), "n/a");
+const json& tick_cases() {
+    static const json document = json::parse(std::ifstream(CIEL_SOURCE_DIR "/tests/support/tick_cases.json"));
+    return document;
+}
+
+double number_of(const json& value) { return value.is_null() ? NAN : value.get<double>(); }
+
+TEST(ColorScale, MarksOfALinearScaleFollowTheCases) {
+    for (const json& row : tick_cases()["scales"]) {
+        const render::Scale scale = render::nice_scale(row[0], row[1], row[2]);
+        std::string labels;
+        for (const render::Tick& tick : scale.ticks) labels += (labels.empty() ? "" : " ") + tick.label;
+        EXPECT_EQ(labels + render::times_power_of_ten(scale.exponent), row[3]) << row;
+    }
+}
+
+TEST(ColorScale, NumbersFollowTheCases) {
+    for (const json& row : tick_cases()["numbers"])
+        EXPECT_EQ(render::number_label(number_of(row[0]), row[1], row[2]), row[3]) << row;
+    for (const json& row : tick_cases()["alone"]) EXPECT_EQ(render::number_label(number_of(row[0])), row[1]) << row;
+}
+
+TEST(ColorScale, TakesACommonPowerOfTenOutOfItsNumbersUnlessItIsLogarithmic) {
+    render::ColorScale scale;
+    scale.range = {1.2e-5F, 3.4e-5F};
+    EXPECT_EQ(render::exponent_of(scale), -5);
+    EXPECT_EQ(render::label_on(scale, 2.5e-5), "2.5");
+    scale.log = true;
+    EXPECT_EQ(render::exponent_of(scale), 0);
+    EXPECT_EQ(render::label_on(scale, 2.5e-5), "2.5 ×10⁻⁵");
+    EXPECT_EQ(render::label_on(scale, 1e-5), "10⁻⁵");
 }
 
 TEST(ColorScale, TicksStayInsideAndInOrderWhateverTheRange) {

@@ -1,6 +1,7 @@
 import { describe, expect, test } from "vitest";
 import type { ArrayInfo, DatasetDescription, Layer, Scene } from "../src/generated/protocol";
 import {
+  firstScalar,
   freeId,
   layersOf,
   legendsOf,
@@ -48,6 +49,13 @@ test("cells can be chosen by what belongs to them, too", () => {
   expect(thresholdScalarsOf(null)).toEqual([]);
 });
 
+test("a further layer begins with what the dataset is first shown by, not with its first array", () => {
+  const iso: Layer = { type: "iso", array: "U:x", values: [0] };
+  expect(firstScalar({ ...description, default_scene: { dataset: "d", layers: { iso } } })).toBe("U:x");
+  expect(firstScalar({ ...description, default_scene: { dataset: "d" } })).toBe("p");
+  expect(firstScalar(null)).toBeUndefined();
+});
+
 describe("scalars", () => {
   test("units belong to the array, the range of all steps to scalars and magnitudes", () => {
     expect(unitsOf(description, "U:x")).toBe("m\u00b2/s\u00b2");
@@ -67,6 +75,9 @@ describe("scalars", () => {
     expect(of({ iso: { type: "iso", array: "p", values: [] } })).toBe(false);
     expect(of({ clip: { type: "clip", axis: "x", value: 1 } })).toBe(false);
     expect(of({ points: { type: "points" } })).toBe(true);
+    const volume: Layer = { type: "volume", array: "p" };
+    expect(of({ volume, iso: { type: "iso", array: "p", values: [9] } })).toBe(false); // it has no triangles to miss
+    expect(of({ volume: { ...volume, visible: false }, points: { type: "points" } })).toBe(true);
     expect([of({}), wantsSurfaces(null)]).toEqual([false, false]);
   });
 

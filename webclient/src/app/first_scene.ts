@@ -29,9 +29,21 @@ export function openingScene(description: DatasetDescription, size: CanvasSize, 
   return { ...scene, camera, background };
 }
 
+/** What lies over the canvas is drawn by the camera, so a scene from elsewhere gets the one that it would be shown with. */
+async function withCamera(call: Caller, scene: Scene, size: CanvasSize): Promise<Scene> {
+  if (scene.camera) return scene;
+  try {
+    const { bounds } = await call("dataset.describe", { dataset: scene.dataset });
+    return { ...scene, camera: size.clearOfCorner(defaultView(bounds, size.aspect), bounds) };
+  } catch (error) {
+    if (!(error instanceof RpcError)) throw error;
+    return scene; // what is wrong with it, opening it will say
+  }
+}
+
 /** null where the server offers nothing that can be opened. */
 export async function firstScene(call: Caller, options: FirstSceneOptions): Promise<Scene | null> {
-  if (options.link !== null) return options.link;
+  if (options.link !== null) return withCamera(call, options.link, options.size);
   try {
     if (options.rejoin) return (await call("scene.get", { session: options.session })).scene;
   } catch (error) {

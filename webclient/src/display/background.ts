@@ -14,3 +14,12 @@ export function backgroundColors(background: string | undefined): { top: Rgb; bo
   }
   return NAMED[name] ?? { top: [0, 0, 0], bottom: [0, 0, 0] };
 }
+
+const LUMA: Rgb = [0.2126, 0.7152, 0.0722];
+
+/** Whether what is written on it has to be dark: by the luma of its middle, as in the server's pictures. */
+export function isBright(background: string | undefined): boolean {
+  const { top, bottom } = backgroundColors(background);
+  const luma = LUMA.reduce((sum, weight, i) => sum + (weight * ((top[i] ?? 0) + (bottom[i] ?? 0))) / 2, 0);
+  return luma > 0.5;
+}

@@ -14,6 +14,7 @@ const ARM = 26;
 export function AxesTriad(): JSX.Element | null {
   const { actions } = useApp();
   const wanted = useAppState((state) => state.scene?.annotations?.triad !== false);
+  const scale = useAppState((state) => state.scene?.annotations?.scale ?? 1);
   useAppState((state) => state.scene?.camera);
   useAppState((state) => state.description);
   const camera = actions.camera();
@@ -26,7 +27,7 @@ export function AxesTriad(): JSX.Element | null {
     depth: dot(direction, forward),
   })).sort((a, b) => b.depth - a.depth);
   return (
-    <svg class="triad" viewBox="-40 -40 80 80" role="img" aria-label="Directions of x, y and z">
+    <svg class="triad" style={{ zoom: scale }} viewBox="-40 -40 80 80" role="img" aria-label="Directions of x, y and z">
       {arms.map(({ name, x, y }) => (
         <g key={name} class={`axis-${name}`}>
           <line x1={0} y1={0} x2={x} y2={y} />

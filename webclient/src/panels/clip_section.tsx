@@ -5,6 +5,7 @@ import { formatNumber, niceStep } from "../scene/numbers";
 import { layersOf } from "../scene/scalars";
 import { Check, IconButton, NumberField, Section, Slider } from "./controls";
 import { useApp, useAppState } from "./context";
+import { PlaneFields } from "./plane_fields";
 
 const AXES = ["x", "y", "z"] as const;
 const MOST_SHOWN = 6;
@@ -33,22 +34,6 @@ function PositionRow({ id, layer, at }: { id: string; layer: ClipLayer; at: numb
   );
 }
 
-function VectorRow({ label, value, set }: { label: string; value: Vec3; set: (to: Vec3) => void }): JSX.Element {
-  return (
-    <div class="vector-row">
-      <span>{label}</span>
-      {AXES.map((axis, at) => (
-        <NumberField
-          key={axis}
-          label={`${label} ${axis}`}
-          value={value[at] ?? 0}
-          onChange={(typed) => set(value.map((old, i) => (i === at ? typed : old)) as Vec3)}
-        />
-      ))}
-    </div>
-  );
-}
-
 function ClipCard({ id, layer }: { id: string; layer: ClipLayer }): JSX.Element {
   const { actions } = useApp();
   const visible = layer.visible !== false;
@@ -66,18 +51,7 @@ function ClipCard({ id, layer }: { id: string; layer: ClipLayer }): JSX.Element 
         <IconButton icon="close" label="Remove this clip" onClick={() => actions.removeLayer(id)} />
       </div>
       {layer.axis === undefined ? (
-        <>
-          <VectorRow
-            label="Origin"
-            value={layer.origin ?? [0, 0, 0]}
-            set={(origin) => actions.setLayer(id, { origin })}
-          />
-          <VectorRow
-            label="Normal"
-            value={layer.normal ?? [1, 0, 0]}
-            set={(normal) => actions.setLayer(id, { normal })}
-          />
-        </>
+        <PlaneFields id={id} origin={layer.origin ?? [0, 0, 0]} normal={layer.normal ?? [1, 0, 0]} />
       ) : (
         <PositionRow id={id} layer={layer} at={AXES.indexOf(layer.axis)} />
       )}

@@ -1,6 +1,5 @@
 // Colours of one's own: points on a bar that the hand and the keyboard move, and a row for each.
 import type { JSX } from "preact";
-import { useRef } from "preact/hooks";
 import { colorOf, hexOf, placeOf, valueAtPlace, type ColorScale } from "../display/color_scale";
 import type { ColorPoint } from "../generated/protocol";
 import { addedPoint, MOST_POINTS, movedPoint } from "../scene/color_edit";
@@ -8,6 +7,7 @@ import { clamp, formatNumber } from "../scene/numbers";
 import { gradientOf } from "./color_swatch";
 import { IconButton, NumberField } from "./controls";
 import { useApp } from "./context";
+import { useHandleDrag } from "./handle_drag";
 
 const KEY_STEPS: Record<string, number> = {
   ArrowRight: 0.01,
@@ -31,41 +31,26 @@ const rounded = (at: number): number => Number(at.toFixed(4));
 function PointsBar({ scale, onChange }: Props): JSX.Element {
   const { editor } = useApp();
   const { points } = scale;
-  const bar = useRef<HTMLDivElement>(null);
-  const drag = useRef<{ index: number; gesture: string } | null>(null);
-  const keyGesture = useRef("");
   const move = (index: number, at: number, gesture: string): void =>
     onChange(movedPoint(points, index, rounded(clamp(at, 0, 1))), gesture);
-  const onPointerDown = (event: PointerEvent): void => {
-    const handle = (event.target as Element).closest<HTMLElement>("[data-index]");
-    if (handle === null || event.button !== 0) return;
-    drag.current = { index: Number(handle.dataset.index), gesture: editor.newGesture() };
-    handle.focus();
-    bar.current?.setPointerCapture(event.pointerId);
-    event.preventDefault();
-  };
-  const onPointerMove = (event: PointerEvent): void => {
-    const box = bar.current?.getBoundingClientRect();
-    if (drag.current === null || box === undefined) return;
-    move(drag.current.index, (event.clientX - box.left) / box.width, drag.current.gesture);
-  };
+  const { track, pointer, keyGesture } = useHandleDrag({
+    newGesture: () => editor.newGesture(),
+    pressed: () => null,
+    moved: (index, { x }, gesture) => move(index, x, gesture),
+  });
   const onKeyDown = (event: KeyboardEvent, index: number): void => {
     const step = KEY_STEPS[event.key];
     if (step === undefined) return;
     event.preventDefault();
     event.stopPropagation();
-    if (!event.repeat || keyGesture.current === "") keyGesture.current = editor.newGesture();
-    move(index, (points[index]?.at ?? 0) + step, keyGesture.current);
+    move(index, (points[index]?.at ?? 0) + step, keyGesture(event));
   };
   return (
     <div
       class="points-bar"
-      ref={bar}
+      ref={track}
       style={{ background: gradientOf({ ...scale, steps: 0, reverse: false }) }}
-      onPointerDown={onPointerDown}
-      onPointerMove={onPointerMove}
-      onPointerUp={() => (drag.current = null)}
-      onPointerCancel={() => (drag.current = null)}
+      {...pointer}
     >
       {points.map(({ at, color }, index) => (
         <div

@@ -17,7 +17,14 @@ function Scale(props: { layers: string[]; coloring: Coloring & { array: string }
   return <ColorScalePanel {...props} data={useSomeRange(props.coloring.array)} />;
 }
 
-export function ColoringFields({ layers, coloring }: { layers: string[]; coloring: Coloring }): JSX.Element {
+interface ColoringProps {
+  layers: string[];
+  coloring: Coloring;
+  /** A volume has one array for its colours and its density, which is chosen elsewhere. */
+  ofArray?: boolean;
+}
+
+export function ColoringFields({ layers, coloring, ofArray = false }: ColoringProps): JSX.Element {
   const { actions } = useApp();
   const description = useAppState((state) => state.description);
   const scalars = scalarsOf(description);
@@ -29,15 +36,17 @@ export function ColoringFields({ layers, coloring }: { layers: string[]; colorin
   const maps = [...own, ...colorMapNames.map((name) => ({ value: name, text: name }))];
   return (
     <div class="fields">
-      <SelectField
-        label="Colour by"
-        value={coloring.array ?? SOLID}
-        options={arrays}
-        onChange={(array) =>
-          // The range belonged to the array before.
-          actions.setColoring(layers, { array: array === SOLID ? undefined : array, range: undefined })
-        }
-      />
+      {!ofArray && (
+        <SelectField
+          label="Colour by"
+          value={coloring.array ?? SOLID}
+          options={arrays}
+          onChange={(array) =>
+            // The range belonged to the array before.
+            actions.setColoring(layers, { array: array === SOLID ? undefined : array, range: undefined })
+          }
+        />
+      )}
       {coloring.array === undefined ? (
         <label class="field">
           <span>Colour</span>

@@ -2,7 +2,7 @@
 import type { JSX } from "preact";
 import type { Contours } from "../generated/protocol";
 import { clamp } from "../scene/numbers";
-import { scalarsOf } from "../scene/scalars";
+import { firstScalar, scalarsOf } from "../scene/scalars";
 import { Check, NumberField, SelectField } from "./controls";
 import { useApp, useAppState } from "./context";
 import { LineStyleFields } from "./line_fields";
@@ -21,8 +21,9 @@ export function ContourFields({
   color: string | undefined;
 }): JSX.Element | null {
   const { editor } = useApp();
-  const scalars = scalarsOf(useAppState((state) => state.description));
-  const first = color ?? scalars[0]?.name;
+  const description = useAppState((state) => state.description);
+  const scalars = scalarsOf(description);
+  const first = color ?? firstScalar(description);
   const shown = contours !== undefined && contours.visible !== false;
   const set = (change: { [K in keyof Contours]?: Contours[K] | null }): void =>
     editor.change({ layers: Object.fromEntries(layers.map((id) => [id, { contours: change }])) });

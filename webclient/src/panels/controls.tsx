@@ -38,17 +38,20 @@ interface NumberFieldProps {
   label: string;
   /** Of the values around it: how many digits are worth showing. */
   span?: number;
+  /** How the value stands there while nobody types, where that is not the number itself. */
+  shown?: (value: number) => string;
   placeholder?: string;
   step?: number;
   onChange: (value: number) => void;
 }
 
 /** Commits on Enter and when it loses the focus; Escape takes the typing back. */
-export function NumberField({ value, label, span, placeholder, step, onChange }: NumberFieldProps): JSX.Element {
+export function NumberField(props: NumberFieldProps): JSX.Element {
+  const { value, label, span, placeholder, step, onChange } = props;
   const shown = value === null ? "" : formatNumber(value, span === undefined ? undefined : span / 10);
   const { toasts } = useApp();
   const [typed, setTyped] = useState<string | null>(null);
-  const text = typed ?? shown;
+  const text = typed ?? (value === null || props.shown === undefined ? shown : props.shown(value));
   const wrong = typed !== null && typed !== "" && parseNumber(typed) === null;
   const commit = (): void => {
     const parsed = typed === null || typed === shown ? null : parseNumber(typed);
@@ -78,7 +81,10 @@ export function NumberField({ value, label, span, placeholder, step, onChange }:
       placeholder={placeholder}
       value={text}
       onInput={(event) => setTyped(event.currentTarget.value)}
-      onFocus={(event) => event.currentTarget.select()}
+      onFocus={(event) => {
+        if (props.shown !== undefined) setTyped((event.currentTarget.value = shown));
+        event.currentTarget.select();
+      }}
       onBlur={commit}
       onKeyDown={onKeyDown}
     />

@@ -1,9 +1,10 @@
 // Iso-values over the histogram of their array: every value is a handle that the hand and the keyboard move.
 import type { JSX } from "preact";
-import { useEffect, useRef } from "preact/hooks";
 import type { Histogram } from "../app/state";
 import type { Range } from "../generated/protocol";
-import { barHeights, clamp, formatNumber, fractionOf, logarithmicStart, niceStep, valueAt } from "../scene/numbers";
+import { clamp, formatNumber, fractionOf, logarithmicStart, niceStep, valueAt } from "../scene/numbers";
+import { useHandleDrag, type Place } from "./handle_drag";
+import { histogramBars } from "./histogram_bars";
 
 interface Props {
   name: string;
@@ -18,17 +19,6 @@ interface Props {
 }
 
 const HEIGHT = 64;
-
-function bars({ histogram, range, logarithmicCounts, logarithmicAxis }: Props): string {
-  if (histogram === null) return "";
-  const heights = barHeights(histogram.counts, logarithmicCounts);
-  const [low, high] = histogram.range;
-  const edge = (bin: number): number =>
-    100 * fractionOf(low + ((high - low) * bin) / heights.length, range, logarithmicAxis);
-  return heights
-    .map((height, i) => (height > 0 ? `M${edge(i)} ${HEIGHT}v${-height * (HEIGHT - 4)}H${edge(i + 1)}V${HEIGHT}z` : ""))
-    .join("");
-}
 
 const KEYS: Record<string, [direction: 1 | -1, reach: "step" | "page" | "end"]> = {
   ArrowRight: [1, "step"],
@@ -56,57 +46,36 @@ export function keyed(key: string, shift: boolean, value: number, range: Range, 
 }
 
 export function HistogramSlider(props: Props): JSX.Element {
-  const { name, units, range, values, logarithmicAxis, newGesture, onChange } = props;
-  const track = useRef<HTMLDivElement>(null);
-  const drag = useRef<{ index: number; gesture: string } | null>(null);
-  const keyGesture = useRef("");
-  const latest = useRef(props);
-  useEffect(() => void (latest.current = props));
-
-  const valueUnder = (clientX: number): number => {
-    const box = track.current?.getBoundingClientRect();
-    return box === undefined ? range[0] : valueAt((clientX - box.left) / box.width, range, logarithmicAxis);
-  };
+  const { name, units, range, histogram, values, logarithmicCounts, logarithmicAxis, newGesture, onChange } = props;
   const nearest = (value: number): number =>
     values.reduce((best, v, i) => (Math.abs(v - value) < Math.abs((values[best] ?? Infinity) - value) ? i : best), 0);
-
-  const onPointerDown = (event: PointerEvent): void => {
-    if (event.button !== 0 || values.length === 0) return;
-    const handle = (event.target as Element).closest("[data-index]");
-    const value = valueUnder(event.clientX);
-    const index = handle === null ? nearest(value) : Number(handle.getAttribute("data-index"));
-    drag.current = { index, gesture: newGesture() };
-    track.current?.setPointerCapture(event.pointerId);
-    track.current?.querySelector<HTMLElement>(`[data-index="${index}"]`)?.focus();
-    event.preventDefault();
-    if (handle === null) onChange(index, value, drag.current.gesture);
-  };
-  const onPointerMove = (event: PointerEvent): void => {
-    if (drag.current !== null)
-      latest.current.onChange(drag.current.index, valueUnder(event.clientX), drag.current.gesture);
-  };
+  const move = (index: number, { x }: Place, gesture: string): void =>
+    onChange(index, valueAt(x, range, logarithmicAxis), gesture);
+  const { track, pointer, keyGesture } = useHandleDrag({
+    newGesture,
+    pressed: (place, gesture) => {
+      if (values.length === 0) return null;
+      const index = nearest(valueAt(place.x, range, logarithmicAxis));
+      move(index, place, gesture);
+      return index;
+    },
+    moved: move,
+  });
   const onKeyDown = (event: KeyboardEvent, index: number): void => {
     const value = values[index] ?? range[0];
     const next = keyed(event.key, event.shiftKey, value, range, logarithmicAxis);
     if (next === null) return;
     event.preventDefault();
     event.stopPropagation();
-    if (!event.repeat || keyGesture.current === "") keyGesture.current = newGesture();
-    if (next !== value) onChange(index, next, keyGesture.current);
+    const gesture = keyGesture(event);
+    if (next !== value) onChange(index, next, gesture);
   };
   const span = range[1] - range[0];
   return (
     <div class="histogram">
-      <div
-        class="histogram-track"
-        ref={track}
-        onPointerDown={onPointerDown}
-        onPointerMove={onPointerMove}
-        onPointerUp={() => (drag.current = null)}
-        onPointerCancel={() => (drag.current = null)}
-      >
+      <div class="histogram-track" ref={track} {...pointer}>
         <svg viewBox={`0 0 100 ${HEIGHT}`} preserveAspectRatio="none" aria-hidden="true">
-          <path d={bars(props)} />
+          <path d={histogramBars(histogram, { range, height: HEIGHT, logarithmicCounts, logarithmicAxis })} />
         </svg>
         {values.map((value, index) => (
           <div

@@ -1,14 +1,15 @@
 // Colour bars over the canvas, one per colouring in use; the range is edited in place.
 import type { JSX } from "preact";
-import { useEffect, useRef } from "preact/hooks";
+import { useEffect, useRef, useState } from "preact/hooks";
 import { colorsAlong, hasWidth, type ColorScale } from "../display/color_scale";
 import type { Coloring, Range } from "../generated/protocol";
 import type { Size } from "../camera/camera";
 import { withRange } from "../scene/color_edit";
 import { rangeOf, scaleOf } from "../scene/color_range";
-import { colorTicks, type ColorTick } from "../scene/color_ticks";
+import { colorTicks, exponentOf, labelOn, type ColorTick } from "../scene/color_ticks";
 import { clamp, formatNumber } from "../scene/numbers";
 import { legendsOf, rangeOfAllSteps, unitsOf } from "../scene/scalars";
+import { timesPowerOfTen } from "../scene/ticks";
 import { IconButton, NumberField } from "./controls";
 import { useApp, useAppState } from "./context";
 import { useDataRange } from "./data_range";
@@ -39,15 +40,20 @@ function ColorBar({ scale }: { scale: ColorScale }): JSX.Element {
   );
 }
 
-/** Those whose labels would stand on each other, or on the fields at the ends, are marks alone. */
-function spacedTicks(scale: ColorScale): ColorTick[] {
-  const gap = 14 / clamp(0.22 * window.innerHeight, 84, 172);
-  let last = gap * 0.3;
-  return colorTicks(scale).map((tick) => {
-    if (tick.label === "") return tick;
-    if (tick.at - last < gap || tick.at > 1 - 1.3 * gap) return { ...tick, label: "" };
+const LINE_PIXELS = 14;
+const USUAL_HEIGHT = 120;
+const LINES_APART = 1.7;
+const MOST_TICKS = 6;
+
+/** Of those between the two ends, the ones whose labels stand clear of the labels below and above them. */
+function spacedTicks(scale: ColorScale, height: number): ColorTick[] {
+  const gap = LINE_PIXELS / height;
+  let last = 0;
+  return colorTicks(scale, clamp(Math.floor(height / (LINES_APART * LINE_PIXELS)), 1, MOST_TICKS)).filter((tick) => {
+    if (tick.label === "") return true;
+    if (tick.at - last < gap || tick.at > 1 - gap) return false;
     last = tick.at;
-    return tick;
+    return true;
   });
 }
 
@@ -58,7 +64,17 @@ interface Entry {
 
 function LegendScale({ coloring, layers, scale, range }: Entry & { scale: ColorScale; range: Range }): JSX.Element {
   const { actions, toasts } = useApp();
+  const along = useRef<HTMLDivElement>(null);
+  const [height, setHeight] = useState(USUAL_HEIGHT);
+  useEffect(() => {
+    const element = along.current;
+    if (element === null) return;
+    const observer = new ResizeObserver(() => setHeight(element.clientHeight));
+    observer.observe(element);
+    return () => observer.disconnect();
+  }, []);
   const span = scale.log ? undefined : range[1] - range[0];
+  const shown = (value: number): string => labelOn(scale, value);
   const setRange = (low: number, high: number): void => {
     const change = withRange(coloring, low, high);
     if (typeof change === "string") toasts.show(change, "error");
@@ -71,10 +87,11 @@ function LegendScale({ coloring, layers, scale, range }: Entry & { scale: ColorS
         label={`Highest value of the ${coloring.array} colours`}
         value={range[1]}
         span={span}
+        shown={shown}
         onChange={(high) => setRange(mirrored ? -high : range[0], high)}
       />
-      <div class="ticks" aria-hidden="true">
-        {spacedTicks(scale).map(({ value, at, label }) => (
+      <div class="ticks" ref={along} aria-hidden="true">
+        {spacedTicks(scale, height).map(({ value, at, label }) => (
           <span key={value} class={label === "" ? "mark" : ""} style={{ bottom: `${at * 100}%` }}>
             {label}
           </span>
@@ -84,6 +101,7 @@ function LegendScale({ coloring, layers, scale, range }: Entry & { scale: ColorS
         label={`Lowest value of the ${coloring.array} colours`}
         value={range[0]}
         span={span}
+        shown={shown}
         onChange={(low) => setRange(low, mirrored ? -low : range[1])}
       />
     </div>
@@ -138,12 +156,13 @@ function LegendEntry({ coloring, layers }: Entry): JSX.Element {
   const range = known === null ? null : rangeOf(coloring, known);
   const scale = scaleOf(coloring, known ?? [0, 1]);
   const constant = range !== null && !hasWidth(scale) && !coloring.range;
+  const power = range === null || constant ? "" : timesPowerOfTen(exponentOf(scale));
   return (
     <figure class="legend" aria-label={`Colours of ${coloring.array}`}>
       <figcaption>
         {head}
         {tail.map((part) => [":", <wbr key={part} />, part])}
-        {units !== "" && <small> {units}</small>}
+        {units + power !== "" && <small> {`${units}${power}`.trim()}</small>}
       </figcaption>
       <div class="legend-scale">
         <ColorBar scale={scale} />
@@ -188,7 +207,7 @@ export function Legends(): JSX.Element | null {
     return () => observer.disconnect();
   }, [size]);
   return (
-    <div class="legends" ref={root}>
+    <div class="legends" ref={root} style={{ zoom: scene?.annotations?.scale ?? 1 }}>
       {entries.map((entry) => (
         <LegendEntry key={`${entry.coloring.array} ${entry.coloring.map ?? ""} ${entry.layers.join(" ")}`} {...entry} />
       ))}

@@ -1,6 +1,6 @@
 // The mesh itself: the edges of its boundary, its vertices.
-import type { JSX } from "preact";
-import type { EdgesLayer, PointsLayer } from "../generated/protocol";
+import type { ComponentChildren, JSX } from "preact";
+import type { EdgesLayer, PointsLayer, Range } from "../generated/protocol";
 import { clamp, formatCount } from "../scene/numbers";
 import { layersOf } from "../scene/scalars";
 import { ColoringFields, OpacityField } from "./coloring";
@@ -10,97 +10,114 @@ import { ThresholdFields } from "./threshold_fields";
 
 const USUAL_ANGLE = 30;
 
-function Head({ id, name, visible }: { id: string; name: string; visible: boolean }): JSX.Element {
+interface CardProps {
+  id: string;
+  layer: EdgesLayer | PointsLayer;
+  /** Which of them, and how large they are drawn. */
+  children: ComponentChildren;
+}
+
+/** What lines and points have in common: all but their choice and size. */
+function Card({ id, layer, children }: CardProps): JSX.Element {
   const { actions } = useApp();
+  const visible = layer.visible !== false;
+  const title = layer.type === "edges" ? "Edges" : "Points";
   return (
-    <div class="card-head">
-      <IconButton
-        icon={visible ? "eye" : "hidden"}
-        label={visible ? `Hide these ${name}` : `Show these ${name}`}
-        pressed={visible}
-        onClick={() => actions.setLayer(id, { visible: !visible })}
-      />
-      <span class="card-title">{name === "edges" ? "Edges" : "Points"}</span>
-      <IconButton icon="close" label={`Remove these ${name}`} onClick={() => actions.removeLayer(id)} />
-    </div>
+    <article class={visible ? "card" : "card off"} aria-label={title}>
+      <div class="card-head">
+        <IconButton
+          icon={visible ? "eye" : "hidden"}
+          label={`${visible ? "Hide" : "Show"} these ${layer.type}`}
+          pressed={visible}
+          onClick={() => actions.setLayer(id, { visible: !visible })}
+        />
+        <span class="card-title">{title}</span>
+        <IconButton icon="close" label={`Remove these ${layer.type}`} onClick={() => actions.removeLayer(id)} />
+      </div>
+      <div class="fields">{children}</div>
+      <ColoringFields layers={[id]} coloring={layer.color ?? {}} />
+      <OpacityField layers={[id]} opacity={layer.opacity ?? 1} />
+      <ThresholdFields id={id} threshold={layer.threshold} color={layer.color?.array} />
+    </article>
+  );
+}
+
+interface SizeProps {
+  name: string;
+  label: string;
+  value: number;
+  step: number;
+  range: Range;
+  set: (value: number) => void;
+}
+
+function SizeField({ name, label, value, step, range, set }: SizeProps): JSX.Element {
+  return (
+    <label class="field">
+      <span>{name}</span>
+      <NumberField label={label} value={value} step={step} onChange={(typed) => set(clamp(typed, ...range))} />
+    </label>
   );
 }
 
 function EdgesCard({ id, layer }: { id: string; layer: EdgesLayer }): JSX.Element {
   const { actions } = useApp();
-  const visible = layer.visible !== false;
   return (
-    <article class={visible ? "card" : "card off"} aria-label="Edges">
-      <Head id={id} name="edges" visible={visible} />
-      <div class="fields">
-        <SelectField
-          label="Which"
-          value={layer.angle === undefined ? "all" : "features"}
-          options={[
-            { value: "all", text: "All of the boundary" },
-            { value: "features", text: "Where it bends" },
-          ]}
-          onChange={(which) => actions.setLayer(id, { angle: which === "all" ? null : USUAL_ANGLE })}
+    <Card id={id} layer={layer}>
+      <SelectField
+        label="Which"
+        value={layer.angle === undefined ? "all" : "features"}
+        options={[
+          { value: "all", text: "All of the boundary" },
+          { value: "features", text: "Where it bends" },
+        ]}
+        onChange={(which) => actions.setLayer(id, { angle: which === "all" ? null : USUAL_ANGLE })}
+      />
+      <SizeField
+        name="Width"
+        label="Width of the lines in pixels"
+        value={layer.width ?? 1.5}
+        step={0.5}
+        range={[0.1, 32]}
+        set={(width) => actions.setLayer(id, { width })}
+      />
+      {layer.angle !== undefined && (
+        <SizeField
+          name="More than °"
+          label="Angle in degrees"
+          value={layer.angle}
+          step={5}
+          range={[0, 180]}
+          set={(angle) => actions.setLayer(id, { angle })}
         />
-        <label class="field">
-          <span>Width</span>
-          <NumberField
-            label="Width of the lines in pixels"
-            value={layer.width ?? 1.5}
-            step={0.5}
-            onChange={(typed) => actions.setLayer(id, { width: clamp(typed, 0.1, 32) })}
-          />
-        </label>
-        {layer.angle !== undefined && (
-          <label class="field">
-            <span>More than °</span>
-            <NumberField
-              label="Angle in degrees"
-              value={layer.angle}
-              step={5}
-              onChange={(typed) => actions.setLayer(id, { angle: clamp(typed, 0, 180) })}
-            />
-          </label>
-        )}
-      </div>
-      <ColoringFields layers={[id]} coloring={layer.color ?? {}} />
-      <OpacityField layers={[id]} opacity={layer.opacity ?? 1} />
-      <ThresholdFields id={id} threshold={layer.threshold} color={layer.color?.array} />
-    </article>
+      )}
+    </Card>
   );
 }
 
 function PointsCard({ id, layer }: { id: string; layer: PointsLayer }): JSX.Element {
   const { actions } = useApp();
   const vertices = useAppState((state) => state.description?.mesh.vertices);
-  const visible = layer.visible !== false;
   return (
-    <article class={visible ? "card" : "card off"} aria-label="Points">
-      <Head id={id} name="points" visible={visible} />
-      <div class="fields">
-        <SelectField
-          label="Which"
-          value={layer.of ?? "boundary"}
-          options={[
-            { value: "boundary", text: "Of the boundary" },
-            { value: "all", text: vertices === undefined ? "All" : `All ${formatCount(vertices)}` },
-          ]}
-          onChange={(of) => actions.setLayer(id, { of, groups: null })}
-        />
-        <label class="field">
-          <span>Size</span>
-          <NumberField
-            label="Size of the points in pixels"
-            value={layer.size ?? 4}
-            step={1}
-            onChange={(typed) => actions.setLayer(id, { size: clamp(typed, 0.5, 64) })}
-          />
-        </label>
-      </div>
-      <ColoringFields layers={[id]} coloring={layer.color ?? {}} />
-      <OpacityField layers={[id]} opacity={layer.opacity ?? 1} />
-      <ThresholdFields id={id} threshold={layer.threshold} color={layer.color?.array} />
-    </article>
+    <Card id={id} layer={layer}>
+      <SelectField
+        label="Which"
+        value={layer.of ?? "boundary"}
+        options={[
+          { value: "boundary", text: "Of the boundary" },
+          { value: "all", text: vertices === undefined ? "All" : `All ${formatCount(vertices)}` },
+        ]}
+        onChange={(of) => actions.setLayer(id, { of, groups: null })}
+      />
+      <SizeField
+        name="Size"
+        label="Size of the points in pixels"
+        value={layer.size ?? 4}
+        step={1}
+        range={[0.5, 64]}
+        set={(size) => actions.setLayer(id, { size })}
+      />
+    </Card>
   );
 }
 

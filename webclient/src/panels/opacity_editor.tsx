@@ -1,16 +1,19 @@
 // The opacity curve of a volume over the histogram of its array. A click beside the points makes one; they are dragged,
 // moved by the arrow keys, and taken away by Delete or a double click.
 import type { JSX } from "preact";
-import { useEffect, useRef } from "preact/hooks";
 import type { Histogram } from "../app/state";
 import type { Range } from "../generated/protocol";
-import { barHeights, clamp, formatNumber, fractionOf } from "../scene/numbers";
+import { formatNumber, valueAt } from "../scene/numbers";
 import { MOST_POINTS, inserted, keyedPoint, moved, removed, type OpacityPoint } from "../scene/opacity";
+import { useHandleDrag } from "./handle_drag";
+import { histogramBars } from "./histogram_bars";
 
 interface Props {
   name: string;
   units: string;
+  /** Of the colours: positions are places between its ends. */
   range: Range;
+  logarithmic: boolean;
   histogram: Histogram | null;
   points: readonly OpacityPoint[];
   onChange: (points: OpacityPoint[], gesture: string) => void;
@@ -19,27 +22,11 @@ interface Props {
 
 const HEIGHT = 96;
 
-function bars({ histogram, range }: Props): string {
-  if (histogram === null) return "";
-  const heights = barHeights(histogram.counts, true);
-  const [low, high] = histogram.range;
-  const edge = (bin: number): number => 100 * fractionOf(low + ((high - low) * bin) / heights.length, range, false);
-  return heights
-    .map((height, i) => (height > 0 ? `M${edge(i)} ${HEIGHT}v${-height * (HEIGHT - 4)}H${edge(i + 1)}V${HEIGHT}z` : ""))
-    .join("");
-}
-
 function curve(points: readonly OpacityPoint[]): string {
   const at = ([position, opacity]: readonly number[]): string =>
     `${100 * (position ?? 0)} ${HEIGHT * (1 - (opacity ?? 0))}`;
   const ends = [[0, points[0]?.[1] ?? 0], ...points, [1, points.at(-1)?.[1] ?? 0]];
   return `M${ends.map(at).join("L")}`;
-}
-
-function pointUnder(track: Element | null, event: PointerEvent): OpacityPoint {
-  const box = track?.getBoundingClientRect();
-  if (box === undefined) return [0, 0];
-  return [clamp((event.clientX - box.left) / box.width, 0, 1), clamp(1 - (event.clientY - box.top) / box.height, 0, 1)];
 }
 
 interface HandleProps {
@@ -72,35 +59,17 @@ function Handle({ index, point: [position, opacity], value, onKeyDown, onRemove 
 }
 
 export function OpacityEditor(props: Props): JSX.Element {
-  const { name, units, range, points, newGesture, onChange } = props;
-  const track = useRef<HTMLDivElement>(null);
-  const drag = useRef<{ index: number; gesture: string } | null>(null);
-  const keyGesture = useRef("");
-  const latest = useRef(props);
-  useEffect(() => void (latest.current = props));
-
-  const focus = (index: number): void => track.current?.querySelector<HTMLElement>(`[data-index="${index}"]`)?.focus();
-  const onPointerDown = (event: PointerEvent): void => {
-    if (event.button !== 0) return;
-    const handle = (event.target as Element).closest("[data-index]");
-    const gesture = newGesture();
-    if (handle !== null) {
-      drag.current = { index: Number(handle.getAttribute("data-index")), gesture };
-    } else if (points.length < MOST_POINTS) {
-      const [more, index] = inserted(points, pointUnder(track.current, event));
-      drag.current = { index, gesture };
+  const { name, units, range, logarithmic, histogram, points, newGesture, onChange } = props;
+  const { track, pointer, keyGesture } = useHandleDrag({
+    newGesture,
+    pressed: ({ x, y }, gesture) => {
+      if (points.length >= MOST_POINTS) return null;
+      const [more, index] = inserted(points, [x, y]);
       onChange(more, gesture);
-    }
-    track.current?.setPointerCapture(event.pointerId);
-    event.preventDefault();
-    const held = drag.current;
-    if (held !== null) requestAnimationFrame(() => focus(held.index));
-  };
-  const onPointerMove = (event: PointerEvent): void => {
-    if (drag.current === null) return;
-    const { index, gesture } = drag.current;
-    latest.current.onChange(moved(latest.current.points, index, pointUnder(track.current, event)), gesture);
-  };
+      return index;
+    },
+    moved: (index, { x, y }, gesture) => onChange(moved(points, index, [x, y]), gesture),
+  });
   const onKeyDown = (event: KeyboardEvent, index: number): void => {
     const point = points[index];
     if (point === undefined) return;
@@ -109,11 +78,11 @@ export function OpacityEditor(props: Props): JSX.Element {
     if (to === null && !isRemoval) return;
     event.preventDefault();
     event.stopPropagation();
-    if (!event.repeat || keyGesture.current === "") keyGesture.current = newGesture();
-    onChange(to === null ? removed(points, index) : moved(points, index, to), keyGesture.current);
+    onChange(to === null ? removed(points, index) : moved(points, index, to), keyGesture(event));
   };
   const span = range[1] - range[0];
-  const valueOf = (position: number): string => `${formatNumber(range[0] + position * span, span)} ${units}`.trim();
+  const valueOf = (position: number): string =>
+    `${formatNumber(valueAt(position, range, logarithmic), logarithmic ? undefined : span)} ${units}`.trim();
   return (
     <div class="histogram">
       <div
@@ -121,13 +90,17 @@ export function OpacityEditor(props: Props): JSX.Element {
         ref={track}
         role="group"
         aria-label={`Opacity over ${name}`}
-        onPointerDown={onPointerDown}
-        onPointerMove={onPointerMove}
-        onPointerUp={() => (drag.current = null)}
-        onPointerCancel={() => (drag.current = null)}
+        {...pointer}
       >
         <svg viewBox={`0 0 100 ${HEIGHT}`} preserveAspectRatio="none" aria-hidden="true">
-          <path d={bars(props)} />
+          <path
+            d={histogramBars(histogram, {
+              range,
+              height: HEIGHT,
+              logarithmicCounts: true,
+              logarithmicAxis: logarithmic,
+            })}
+          />
           <path class="curve" d={curve(points)} />
         </svg>
         {points.map((point, index) => (

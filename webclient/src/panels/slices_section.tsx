@@ -1,16 +1,28 @@
-// Slices at right angles to the axes; each has a slider over the dataset's bounds.
+// Slices at right angles to the axes, each with a slider over the dataset's bounds, and free planes.
 import type { JSX } from "preact";
+import { boundsCentre } from "../camera/camera";
 import type { SliceLayer } from "../generated/protocol";
 import { formatNumber, niceStep } from "../scene/numbers";
-import { layersOf, scalarsOf } from "../scene/scalars";
+import { firstScalar, layersOf } from "../scene/scalars";
 import { ColoringFields, OpacityField } from "./coloring";
 import { ContourFields } from "./contour_fields";
 import { Check, IconButton, NumberField, Section, Slider } from "./controls";
 import { useApp, useAppState } from "./context";
 import { EdgesFields } from "./line_fields";
+import { PlaneFields } from "./plane_fields";
 
 const AXES = ["x", "y", "z"] as const;
 type Axis = (typeof AXES)[number];
+type Style = Pick<SliceLayer, "color" | "opacity" | "contours" | "edges">;
+
+/** Of a further slice: as the others are, for their controls are common. */
+function useStyle(): Style {
+  const description = useAppState((state) => state.description);
+  const first = useAppState((state) => layersOf(state.scene, "slice")[0]?.[1]);
+  const array = firstScalar(description);
+  const { color = array === undefined ? {} : { array }, opacity, contours, edges } = first ?? {};
+  return { color, ...(opacity !== undefined && { opacity }), ...(contours && { contours }), ...(edges && { edges }) };
+}
 
 function AxisRow({ axis, entry }: { axis: Axis; entry: [string, SliceLayer] | undefined }): JSX.Element {
   const { actions, editor } = useApp();
@@ -20,14 +32,10 @@ function AxisRow({ axis, entry }: { axis: Axis; entry: [string, SliceLayer] | un
   const high = description?.bounds[2 * at + 1] ?? 1;
   const shown = entry !== undefined && entry[1].visible !== false;
   const value = entry?.[1].value ?? (low + high) / 2;
-  const coloring = useAppState((state) => layersOf(state.scene, "slice")[0]?.[1].color);
+  const style = useStyle();
   const toggle = (on: boolean): void => {
     if (entry !== undefined) actions.setLayer(entry[0], { visible: on });
-    else {
-      const array = scalarsOf(description)[0]?.name;
-      const color = coloring ?? (array === undefined ? {} : { array });
-      actions.addLayer(`slice-${axis}`, { type: "slice", axis, value, color });
-    }
+    else actions.addLayer(`slice-${axis}`, { type: "slice", axis, value, ...style });
   };
   const set = (position: number, gesture?: string): void => {
     if (entry !== undefined) actions.setLayer(entry[0], { value: position }, gesture);
@@ -60,23 +68,31 @@ function AxisRow({ axis, entry }: { axis: Axis; entry: [string, SliceLayer] | un
   );
 }
 
-function PlaneRow({ id, layer }: { id: string; layer: SliceLayer }): JSX.Element {
+function PlaneCard({ id, layer }: { id: string; layer: SliceLayer }): JSX.Element {
   const { actions } = useApp();
-  const text = (vector: readonly number[] | undefined): string => (vector ?? []).map((v) => formatNumber(v)).join(", ");
+  const visible = layer.visible !== false;
+  const name = layer.axis === undefined ? "Free plane" : `Across ${layer.axis} at ${formatNumber(layer.value ?? 0)}`;
   return (
-    <div class="plane-row">
-      <Check
-        label={`Plane through ${text(layer.origin)}`}
-        detail={`normal ${text(layer.normal)}`}
-        checked={layer.visible !== false}
-        onChange={(visible) => actions.setLayer(id, { visible })}
-      />
-      <IconButton icon="close" label="Remove this plane" onClick={() => actions.removeLayer(id)} />
-    </div>
+    <article class={visible ? "card" : "card off"} aria-label={`Slice: ${name}`}>
+      <div class="card-head">
+        <IconButton
+          icon={visible ? "eye" : "hidden"}
+          label={visible ? "Hide this plane" : "Show this plane"}
+          pressed={visible}
+          onClick={() => actions.setLayer(id, { visible: !visible })}
+        />
+        <span class="card-title">{name}</span>
+        <IconButton icon="close" label="Remove this plane" onClick={() => actions.removeLayer(id)} />
+      </div>
+      {layer.origin && layer.normal && <PlaneFields id={id} origin={layer.origin} normal={layer.normal} />}
+    </article>
   );
 }
 
 export function SlicesSection(): JSX.Element {
+  const { actions } = useApp();
+  const description = useAppState((state) => state.description);
+  const style = useStyle();
   const scene = useAppState((state) => state.scene);
   const slices = layersOf(scene, "slice");
   const byAxis = (axis: Axis): [string, SliceLayer] | undefined => slices.find(([, layer]) => layer.axis === axis);
@@ -91,8 +107,21 @@ export function SlicesSection(): JSX.Element {
       {slices
         .filter(([id]) => !listed.has(id))
         .map(([id, layer]) => (
-          <PlaneRow key={id} id={id} layer={layer} />
+          <PlaneCard key={id} id={id} layer={layer} />
         ))}
+      <div class="add-row">
+        <IconButton
+          icon="plus"
+          label="Add a free slice plane"
+          text="Free plane"
+          disabled={description === null}
+          onClick={() => {
+            if (description === null) return;
+            const origin = boundsCentre(description.bounds);
+            actions.addLayer("slice", { type: "slice", origin, normal: [1, 1, 0], ...style });
+          }}
+        />
+      </div>
       {first !== undefined && (
         <>
           <ColoringFields layers={slices.map(([id]) => id)} coloring={first[1].color ?? {}} />

@@ -2,6 +2,7 @@
 import type { JSX } from "preact";
 import { useEffect, useRef } from "preact/hooks";
 import { listenToGestures } from "../camera/gestures";
+import { isBright } from "../display/background";
 import { AxesTriad } from "./axes_triad";
 import { BoxAxes } from "./box_axes";
 import { Captions } from "./captions";
@@ -17,6 +18,7 @@ export function Stage(): JSX.Element {
   const geometry = useRef<HTMLCanvasElement>(null);
   const live = useAppState((state) => state.connection.kind === "open");
   const nothing = useAppState((state) => state.fatal !== null);
+  const bright = useAppState((state) => isBright(state.scene?.background));
   useEffect(() => {
     const element = root.current;
     if (element === null || images.current === null || geometry.current === null) return;
@@ -36,7 +38,7 @@ export function Stage(): JSX.Element {
     return () => observer.disconnect();
   }, [app]);
   return (
-    <main class={live ? "stage" : "stage stale"}>
+    <main class={`stage ${bright ? "on-light" : "on-dark"} ${live ? "" : "stale"}`}>
       <div
         class="canvases"
         ref={root}

@@ -1,8 +1,9 @@
 // Which cells of the mesh a layer shows: those whose values lie in a range.
 import type { JSX } from "preact";
 import type { Range, Threshold } from "../generated/protocol";
-import { arrayOf, shownTime, thresholdScalarsOf } from "../scene/scalars";
-import { Check, NumberField, SelectField } from "./controls";
+import { formatNumber, fractionOf, valueAt } from "../scene/numbers";
+import { arrayOf, firstScalar, shownTime, thresholdScalarsOf } from "../scene/scalars";
+import { Check, NumberField, SelectField, Slider } from "./controls";
 import { useApp, useAppState } from "./context";
 
 interface ThresholdProps {
@@ -12,20 +13,58 @@ interface ThresholdProps {
   color: string | undefined;
 }
 
+interface EndProps {
+  end: 0 | 1;
+  range: Range;
+  /** Of the array, which the slider goes over. */
+  whole: Range;
+  set: (change: Partial<Threshold>, gesture?: string) => void;
+}
+
+/** One end pushes the other before it. */
+function ThresholdEnd({ end, range, whole, set }: EndProps): JSX.Element {
+  const { editor } = useApp();
+  const value = range[end];
+  const span = whole[1] - whole[0];
+  const move = (to: number, gesture?: string): void =>
+    set({ range: end === 0 ? [to, Math.max(to, range[1])] : [Math.min(to, range[0]), to] }, gesture);
+  return (
+    <div class="clip-row">
+      <Slider
+        label={end === 0 ? "Lower end of the threshold" : "Upper end of the threshold"}
+        min={0}
+        max={1}
+        step={0.001}
+        value={fractionOf(value, whole)}
+        text={formatNumber(value, span)}
+        newGesture={() => editor.newGesture()}
+        onChange={(fraction, gesture) => move(valueAt(fraction, whole), gesture)} // round values, and the very ends
+      />
+      <NumberField
+        label={end === 0 ? "Threshold from" : "Threshold to"}
+        value={value}
+        span={span}
+        onChange={(typed) => move(typed)}
+      />
+    </div>
+  );
+}
+
 export function ThresholdFields({ id, threshold, color }: ThresholdProps): JSX.Element | null {
   const { actions, histograms } = useApp();
   const description = useAppState((state) => state.description);
   const scene = useAppState((state) => state.scene);
   useAppState((state) => state.histogramsAt);
   const scalars = thresholdScalarsOf(description);
-  const first = color ?? scalars[0]?.name;
+  const first = color ?? firstScalar(description) ?? scalars[0]?.name;
   if (first === undefined || description === null) return null;
   const shown = threshold !== undefined && threshold.enabled !== false;
   const wholeOf = (array: string): Range => {
     const known = histograms.get(description.name, array, shownTime(description, scene));
     return known?.range ?? arrayOf(description, array)?.range ?? [0, 1];
   };
-  const set = (change: Partial<Threshold>): void => actions.setLayer(id, { threshold: change });
+  const set = (change: Partial<Threshold>, gesture?: string): void =>
+    actions.setLayer(id, { threshold: change }, gesture);
   // The upper half: everything would look as if nothing had happened.
   const begin = (array: string): void => {
     const [low, high] = wholeOf(array);
@@ -60,21 +99,9 @@ export function ThresholdFields({ id, threshold, color }: ThresholdProps): JSX.E
               />
             )}
           </div>
-          <div class="vector-row">
-            <span>Range</span>
-            {([0, 1] as const).map((end) => (
-              <NumberField
-                key={end}
-                label={end === 0 ? "Threshold from" : "Threshold to"}
-                value={threshold.range[end]}
-                span={whole[1] - whole[0]}
-                onChange={(typed) => {
-                  const other = threshold.range[1 - end] ?? typed;
-                  set({ range: end === 0 ? [typed, Math.max(typed, other)] : [Math.min(typed, other), typed] });
-                }}
-              />
-            ))}
-          </div>
+          {([0, 1] as const).map((end) => (
+            <ThresholdEnd key={end} end={end} range={threshold.range} whole={whole} set={set} />
+          ))}
         </>
       )}
     </>

@@ -59,7 +59,8 @@ export function ViewSection(): JSX.Element {
       <Check label="Parallel projection" checked={parallel} onChange={() => actions.toggleParallel()} />
       <AnnotationFields
         annotations={scene?.annotations ?? {}}
-        change={(annotations) => editor.change({ annotations })}
+        change={(annotations, gesture) => editor.change({ annotations }, gesture)}
+        newGesture={() => editor.newGesture()}
       />
     </Section>
   );

@@ -1,10 +1,10 @@
 // Volumes: the mesh as a coloured fog, by one array.
 import type { JSX } from "preact";
-import { DEFAULT_MAP, colorMapNames } from "../display/color_maps";
 import type { Range, VolumeLayer } from "../generated/protocol";
+import { rangeOf } from "../scene/color_range";
 import { DEFAULT_OPACITY, inserted, middleOfGap, type OpacityPoint } from "../scene/opacity";
-import { arrayOf, layersOf, scalarsOf, shownTime, unitsOf } from "../scene/scalars";
-import { OpacityField } from "./coloring";
+import { arrayOf, firstScalar, layersOf, scalarsOf, shownTime, unitsOf } from "../scene/scalars";
+import { ColoringFields, OpacityField } from "./coloring";
 import { Check, IconButton, NumberField, Section, SelectField } from "./controls";
 import { useApp, useAppState } from "./context";
 import { OpacityEditor } from "./opacity_editor";
@@ -21,17 +21,11 @@ const DIRECTIONS = [
 
 function VolumeFields({ id, layer }: { id: string; layer: VolumeLayer }): JSX.Element {
   const { actions } = useApp();
-  const maps = colorMapNames.map((name) => ({ value: name, text: name }));
+  const units = useAppState((state) => state.description?.length_units) ?? "";
   const setSlices = (typed: number): void =>
     actions.setLayer(id, { slices: Math.min(MOST_SLICES, Math.max(1, Math.round(typed))) });
   return (
     <div class="fields">
-      <SelectField
-        label="Map"
-        value={layer.color?.map ?? DEFAULT_MAP}
-        options={maps}
-        onChange={(map) => actions.setColoring([id], { map })}
-      />
       <SelectField
         label="Slices across"
         value={layer.direction ?? "auto"}
@@ -48,6 +42,15 @@ function VolumeFields({ id, layer }: { id: string; layer: VolumeLayer }): JSX.El
           onChange={setSlices}
         />
       </label>
+      <label class="field">
+        <span>Unit length</span>
+        <NumberField
+          label={`Length${units === "" ? "" : ` in ${units}`} after which the opacity of the curve is reached`}
+          value={layer.unit_length ?? null}
+          placeholder="auto"
+          onChange={(typed) => actions.setLayer(id, { unit_length: typed > 0 ? typed : null })}
+        />
+      </label>
       <Check label="Shaded" checked={layer.shaded !== false} onChange={(shaded) => actions.setLayer(id, { shaded })} />
     </div>
   );
@@ -61,7 +64,7 @@ function VolumeCard({ id, layer }: { id: string; layer: VolumeLayer }): JSX.Elem
   const visible = layer.visible !== false;
   const time = shownTime(description, scene);
   const histogram = description === null ? null : histograms.get(description.name, layer.array, time);
-  const range: Range = layer.color?.range ?? histogram?.range ?? arrayOf(description, layer.array)?.range ?? [0, 1];
+  const data: Range = histogram?.range ?? arrayOf(description, layer.array)?.range ?? [0, 1];
   const points: readonly OpacityPoint[] = layer.opacity_points ?? DEFAULT_OPACITY;
   const setPoints = (opacity_points: OpacityPoint[], gesture?: string): void =>
     actions.setLayer(id, { opacity_points }, gesture);
@@ -91,12 +94,14 @@ function VolumeCard({ id, layer }: { id: string; layer: VolumeLayer }): JSX.Elem
       <OpacityEditor
         name={layer.array}
         units={unitsOf(description, layer.array)}
-        range={range}
+        range={rangeOf(layer.color ?? {}, data)}
+        logarithmic={layer.color?.log === true}
         histogram={histogram}
         points={points}
         newGesture={() => editor.newGesture()}
         onChange={setPoints}
       />
+      <ColoringFields layers={[id]} coloring={{ ...layer.color, array: layer.array }} ofArray />
       <VolumeFields id={id} layer={layer} />
       <OpacityField layers={[id]} opacity={layer.opacity ?? 1} />
     </article>
@@ -106,10 +111,10 @@ function VolumeCard({ id, layer }: { id: string; layer: VolumeLayer }): JSX.Elem
 export function VolumeSection(): JSX.Element {
   const { actions } = useApp();
   const scene = useAppState((state) => state.scene);
-  const [first] = scalarsOf(useAppState((state) => state.description));
+  const first = firstScalar(useAppState((state) => state.description));
   const volumes = layersOf(scene, "volume");
   const add = (): void => {
-    if (first !== undefined) actions.addLayer("volume", { type: "volume", array: first.name });
+    if (first !== undefined) actions.addLayer("volume", { type: "volume", array: first });
   };
   return (
     <Section

@@ -2,7 +2,8 @@
 // draws them into pictures that are saved. Places are CSS pixels.
 import { corners, frame, project, type Bounds, type FullCamera, type Size } from "../camera/camera";
 import { add, scale, subtract, type Vec3 } from "../camera/vector";
-import { clamp, formatNumber, ticks } from "./numbers";
+import { clamp } from "./numbers";
+import { niceScale, type Scale } from "./ticks";
 
 interface Place {
   x: number;
@@ -18,14 +19,25 @@ export interface BoxAxis {
   /** Away from the box, across the edge; of length one. */
   outward: Place;
   ticks: AxisTick[];
+  /** The power of ten that is taken out of the numbers. */
+  exponent: number;
+  /** How far the numbers reach away from the edge, ticks and the gap behind them included. */
+  depth: number;
 }
 
 type Axis = 0 | 1 | 2;
 const NAMES = ["x", "y", "z"] as const;
-const SHORTEST = 40;
-/** Of ticks, along lines of text and across them. */
-const SPACING: Place = { x: 44, y: 30 };
+// In ems, as in server/render/axes_layout.
+const SHORTEST = 3;
+export const TICK = 0.5;
+const GAP = 0.35;
+const APART = 0.5;
+/** Of ticks at least, along and across the lines of text. */
+const SPACING: Place = { x: 3.6, y: 2.4 };
+const FEWEST_TICKS = 3;
 const MOST_TICKS = 10;
+/** Of a digit, wide and high: numbers have no other wide signs. */
+const DIGIT: Place = { x: 0.62, y: 0.75 };
 /** How finely an edge is searched for the part of it that is seen. */
 const SAMPLES = 64;
 
@@ -62,7 +74,40 @@ function partSeen(low: Vec3, high: Vec3, at: (point: Vec3) => Place | null, size
   return from === undefined || to === undefined || from === to ? null : [from, to];
 }
 
-function axisAlong(low: Vec3, high: Vec3, axis: Axis, at: (point: Vec3) => Place | null, middle: Place, size: Size) {
+/** Of a number whose nearest point is a tick's length and a gap away from the edge. */
+export function numberPlace(foot: Place, outward: Place, label: string, em: number): Place {
+  const half = { x: (label.length * DIGIT.x * em) / 2, y: (DIGIT.y * em) / 2 };
+  const away = (TICK + GAP) * em + Math.abs(outward.x) * half.x + Math.abs(outward.y) * half.y;
+  return { x: foot.x + away * outward.x, y: foot.y + away * outward.y };
+}
+
+/** Whether the numbers, which are as far apart as their ticks, keep clear of each other. */
+function areClear(ticks: readonly AxisTick[], em: number): boolean {
+  return ticks.every((tick, i) => {
+    const before = ticks[i - 1];
+    if (before === undefined) return true;
+    const width = ((tick.label.length + before.label.length) * DIGIT.x * em) / 2 + APART * em;
+    return Math.abs(tick.x - before.x) >= width || Math.abs(tick.y - before.y) >= (DIGIT.y + APART) * em;
+  });
+}
+
+/** As many marks as have room; at least one. */
+function marksAlong(place: (scale: Scale) => AxisTick[], ends: [number, number], most: number, em: number) {
+  for (let wanted = most; ; wanted -= 1) {
+    const scale = niceScale(ends[0], ends[1], wanted);
+    const ticks = place(scale);
+    if (wanted <= 1 || areClear(ticks, em)) return { ticks, exponent: scale.exponent };
+  }
+}
+
+interface View {
+  at: (point: Vec3) => Place | null;
+  middle: Place;
+  size: Size;
+  em: number;
+}
+
+function axisAlong(low: Vec3, high: Vec3, axis: Axis, { at, middle, size, em }: View) {
   const seen = partSeen(low, high, at, size);
   if (seen === null) return null;
   const point = (share: number): Vec3 => add(low, scale(subtract(high, low), share));
@@ -70,22 +115,26 @@ function axisAlong(low: Vec3, high: Vec3, axis: Axis, at: (point: Vec3) => Place
   const to = at(point(seen[1]));
   if (from === null || to === null) return null;
   const length = Math.hypot(to.x - from.x, to.y - from.y);
-  if (length < SHORTEST) return null;
+  if (length < SHORTEST * em) return null;
   const half = { x: (from.x + to.x) / 2, y: (from.y + to.y) / 2 };
   let outward = { x: -(to.y - from.y) / length, y: (to.x - from.x) / length };
   if (outward.x * (half.x - middle.x) + outward.y * (half.y - middle.y) < 0) outward = { x: -outward.x, y: -outward.y };
-  const spacing = SPACING.x * Math.abs(outward.y) + SPACING.y * Math.abs(outward.x);
-  const wanted = clamp(Math.floor(length / spacing), 2, MOST_TICKS);
-  const value = (share: number): number => point(share)[axis];
-  const marks = ticks([value(seen[0]), value(seen[1])], wanted).flatMap((tick): AxisTick[] => {
-    const place = at(point((tick - low[axis]) / (high[axis] - low[axis])));
-    return place === null ? [] : [{ ...place, label: formatNumber(tick, value(1) - value(0)) }];
-  });
-  return { axis: { name: NAMES[axis], from, to, outward, ticks: marks }, half };
+  const spacing = (SPACING.x * Math.abs(outward.y) + SPACING.y * Math.abs(outward.x)) * em;
+  const most = clamp(Math.floor(length / spacing), FEWEST_TICKS, MOST_TICKS);
+  const place = (scale: Scale): AxisTick[] =>
+    scale.ticks.flatMap(({ value, label }) => {
+      const foot = at(point((value - low[axis]) / (high[axis] - low[axis])));
+      return foot === null ? [] : [{ ...foot, label }];
+    });
+  const { ticks, exponent } = marksAlong(place, [point(seen[0])[axis], point(seen[1])[axis]], most, em);
+  const widest = Math.max(0, ...ticks.map(({ label }) => label.length)) * DIGIT.x * em;
+  const depth = (TICK + GAP) * em + Math.abs(outward.x) * widest + Math.abs(outward.y) * DIGIT.y * em;
+  return { axis: { name: NAMES[axis], from, to, outward, ticks, exponent, depth }, half };
 }
 
-/** Along each axis that is seen, the leftmost silhouette edge for the one that runs up, the lowest for the others. */
-export function boxAxes(camera: FullCamera, bounds: Bounds, size: Size): BoxAxis[] {
+/** Along each axis that is seen, the leftmost silhouette edge for the one that runs up, the lowest for the others. `em`
+ * is the size of the text. */
+export function boxAxes(camera: FullCamera, bounds: Bounds, size: Size, em = 12): BoxAxis[] {
   const at = (point: Vec3): Place | null => project(camera, point, size);
   const { up } = frame(camera);
   const upward = ([0, 1, 2] as const).reduce<Axis>((a, b) => (Math.abs(up[b]) > Math.abs(up[a]) ? b : a), 0);
@@ -93,7 +142,7 @@ export function boxAxes(camera: FullCamera, bounds: Bounds, size: Size): BoxAxis
   const middle = at(centre) ?? { x: size.width / 2, y: size.height / 2 };
   return ([0, 1, 2] as const).flatMap((axis): BoxAxis[] => {
     const found = edgesAlong(camera, bounds, axis).flatMap(([low, high]) => {
-      const one = axisAlong(low, high, axis, at, middle, size);
+      const one = axisAlong(low, high, axis, { at, middle, size, em });
       return one === null ? [] : [one];
     });
     const rank = ({ half }: { half: Place }): number => (axis === upward ? -half.x : half.y);

@@ -1,6 +1,7 @@
 // Where a legend has its marks and what stands beside them: the twin of server/render/color_ticks.cpp.
 import { hasWidth, placeOf, valueAtPlace, type ColorScale } from "../display/color_scale";
-import { clamp, formatNumber, ticks } from "./numbers";
+import { clamp } from "./numbers";
+import { commonExponent, niceScale, numberAlone, numberLabel } from "./ticks";
 
 export interface ColorTick {
   value: number;
@@ -14,18 +15,27 @@ export interface ColorTick {
 const MOST_LABELS = 10;
 const MOST_MARKED_DECADES = 8;
 
-function tick(scale: ColorScale, value: number, hasLabel: boolean, span?: number): ColorTick {
-  const label = hasLabel ? formatNumber(value, span) : "";
+/** The power of ten that is taken out of the numbers of a scale and stands in its title; 0 on a logarithmic one. */
+export const exponentOf = (scale: ColorScale): number => (scale.log ? 0 : commonExponent(...scale.range));
+
+/** A value as it stands beside the scale. */
+export const labelOn = (scale: ColorScale, value: number): string =>
+  scale.log ? numberAlone(value) : numberLabel(value, scale.range[1] - scale.range[0], exponentOf(scale));
+
+function tick(scale: ColorScale, value: number, label: string): ColorTick {
   return { value, at: clamp(placeOf(scale, value), 0, 1), label };
 }
 
 function stepTicks(scale: ColorScale): ColorTick[] {
   const stride = Math.ceil(scale.steps / MOST_LABELS);
-  const span = scale.log ? undefined : scale.range[1] - scale.range[0];
-  return Array.from({ length: scale.steps + 1 }, (_, k) =>
-    tick(scale, valueAtPlace(scale, k / scale.steps), k % stride === 0, span),
-  );
+  return Array.from({ length: scale.steps + 1 }, (_, k) => {
+    const value = valueAtPlace(scale, k / scale.steps);
+    return tick(scale, value, k % stride === 0 ? labelOn(scale, value) : "");
+  });
 }
+
+const roundTicks = (scale: ColorScale, most: number): ColorTick[] =>
+  niceScale(...scale.range, most).ticks.map(({ value, label }) => tick(scale, value, label));
 
 /** 1, 2 ... 9 times each power of ten; those `labelled` have labels, on every `stride`-th power. */
 function decadeTicks(scale: ColorScale, labelled: readonly number[], stride: number): ColorTick[] {
@@ -38,27 +48,27 @@ function decadeTicks(scale: ColorScale, labelled: readonly number[], stride: num
     for (let multiple = 1; multiple <= multiples; multiple += 1) {
       const value = Number(`${multiple}e${decade}`);
       if (value < low * (1 - 1e-6) || value > high * (1 + 1e-6)) continue;
-      found.push(tick(scale, value, labelled.includes(multiple) && decade % stride === 0));
+      const isLabelled = labelled.includes(multiple) && decade % stride === 0;
+      found.push(tick(scale, value, isLabelled ? labelOn(scale, value) : ""));
     }
   }
   return found;
 }
 
-function logTicks(scale: ColorScale, wanted: number): ColorTick[] {
+function logTicks(scale: ColorScale, most: number): ColorTick[] {
   const [low, high] = scale.range;
   const stride = Math.max(1, Math.ceil(Math.floor(Math.log10(high / low)) / MOST_LABELS));
   for (const labelled of [[1], [1, 2, 5]]) {
     const found = decadeTicks(scale, labelled, stride);
     if (found.filter(({ label }) => label !== "").length >= 3) return found;
   }
-  return ticks([low, high], wanted).map((value) => tick(scale, value, true, high - low));
+  return roundTicks(scale, most);
 }
 
 /** In ascending order, inside the range; one for a range without width. */
-export function colorTicks(scale: ColorScale, wanted = 5): ColorTick[] {
-  const [low, high] = scale.range;
-  if (!hasWidth(scale)) return [tick(scale, low, true)];
+export function colorTicks(scale: ColorScale, most = 6): ColorTick[] {
+  const [low] = scale.range;
+  if (!hasWidth(scale)) return [tick(scale, low, labelOn(scale, low))];
   if (scale.steps > 1) return stepTicks(scale);
-  if (scale.log) return logTicks(scale, wanted);
-  return ticks([low, high], wanted).map((value) => tick(scale, value, true, high - low));
+  return scale.log ? logTicks(scale, most) : roundTicks(scale, most);
 }

@@ -28,12 +28,13 @@ export function parseNumber(text: string): number | null {
 
 const SUPERSCRIPTS = "\u2070\u00b9\u00b2\u00b3\u2074\u2075\u2076\u2077\u2078\u2079";
 
+/** Of a whole number in digits. */
+export const superscript = (digits: string): string =>
+  digits.replace(/\d/g, (digit) => SUPERSCRIPTS.charAt(Number(digit))).replace("-", "\u207b");
+
 /** m^2/s^2 as people write it. */
 export const prettyUnits = (units: string): string =>
-  units.replace(/\^(-?)(\d+)/g, (_, sign: string, digits: string) => {
-    const raised = digits.replace(/\d/g, (digit) => SUPERSCRIPTS.charAt(Number(digit)));
-    return (sign === "" ? "" : "\u207b") + raised;
-  });
+  units.replace(/\^(-?\d+)/g, (_, digits: string) => superscript(digits));
 
 export const formatCount = (count: number): string => count.toLocaleString("en-US").replaceAll(",", "\u202f");
 
@@ -86,18 +87,4 @@ export function widestGap(values: readonly number[], [low, high]: Range): number
     if ((stops[i + 1] ?? 0) - (stops[i] ?? 0) > (stops[best + 1] ?? 0) - (stops[best] ?? 0)) best = i;
   }
   return valueAt(fractionOf(((stops[best] ?? low) + (stops[best + 1] ?? high)) / 2, [low, high]), [low, high]);
-}
-
-/** Round values inside the range for a colour bar, about `wanted` of them. */
-export function ticks([low, high]: Range, wanted = 5): number[] {
-  const span = high - low;
-  if (!(span > 0) || !Number.isFinite(span)) return [low];
-  const raw = span / Math.max(1, wanted - 1);
-  const power = 10 ** Math.floor(Math.log10(raw));
-  const step = ([1, 2, 2.5, 5, 10].find((factor) => factor * power >= raw * 0.99) ?? 10) * power;
-  const result: number[] = [];
-  for (let k = Math.ceil(low / step - 1e-9); k * step <= high + 1e-9 * span; k += 1) {
-    result.push(Number((k * step).toPrecision(12)));
-  }
-  return result;
 }

@@ -26,6 +26,13 @@ export function thresholdScalarsOf(description: DatasetDescription | null): Scal
   return [...scalarsOf(description), ...scalars];
 }
 
+/** What a further layer begins with: what the dataset is first shown by, which has more than one value. */
+export function firstScalar(description: DatasetDescription | null): string | undefined {
+  for (const layer of Object.values(description?.default_scene.layers ?? {}))
+    if (layer.type === "iso" || layer.type === "volume") return layer.array;
+  return scalarsOf(description)[0]?.name;
+}
+
 /** The array that the scalar is made from. */
 export const arrayOf = (description: DatasetDescription | null, scalar: string): ArrayInfo | undefined =>
   thresholdScalarsOf(description).find(({ name }) => name === scalar)?.array;
@@ -67,14 +74,14 @@ export function layersOf<T extends Layer["type"]>(scene: Scene | null, type: T):
   return ofType.sort(([a, x], [b, y]) => (x.order ?? 0) - (y.order ?? 0) || (a < b ? -1 : 1));
 }
 
-/** Whether there is a layer in the scene of which something should be seen; the outline is always. */
-export const wantsSurfaces = (scene: Scene | null): boolean =>
-  Object.values(scene?.layers ?? {}).some(
-    (layer) =>
-      layer.visible !== false &&
-      !["outline", "clip"].includes(layer.type) &&
-      (layer.type !== "iso" || layer.values.length > 0),
+/** Whether triangles should be seen of the scene: of volumes, which are always seen, there are none. */
+export function wantsSurfaces(scene: Scene | null): boolean {
+  const shown = Object.values(scene?.layers ?? {}).filter((layer) => layer.visible !== false);
+  if (shown.some(({ type }) => type === "volume")) return false;
+  return shown.some(
+    (layer) => !["outline", "clip"].includes(layer.type) && (layer.type !== "iso" || layer.values.length > 0),
   );
+}
 
 /** An id that no layer has: prefix, prefix2, prefix3 ... */
 export function freeId(scene: Scene, prefix: string): string {

@@ -1,0 +1,56 @@
+"""The gallery: its commands are those that made its pictures, and its scenes are drawn as they are shown."""
+
+import os
+import pathlib
+import re
+import shlex
+
+import numpy as np
+import pytest
+import vtk
+from vtk.util.numpy_support import vtk_to_numpy
+
+from program import ciel
+
+GALLERY = pathlib.Path(__file__).resolve().parents[2] / "protocol" / "gallery"
+NASA = pathlib.Path(os.environ.get("CIEL_DATA", "data")) / "nasa"
+COMMANDS = [shlex.split(line, comments=True) for line in re.findall(r"^build/ciel .*$", (GALLERY / "README.md").read_text(), re.MULTILINE)]
+RENDERS = {pathlib.Path(words[4]).stem: words for words in COMMANDS if words[1] == "render"}
+MAKES = {words[-1]: words for words in COMMANDS if words[1] != "render"}
+
+
+def pixels(path):
+    reader = vtk.vtkPNGReader()
+    reader.SetFileName(str(path))
+    reader.Update()
+    image = reader.GetOutput()
+    width, height, _ = image.GetDimensions()
+    return vtk_to_numpy(image.GetPointData().GetScalars()).reshape(height, width, -1)[:, :, :3].astype(float)
+
+
+def test_every_scene_has_a_picture_and_a_command():
+    scenes = {path.stem for path in GALLERY.glob("*.json")}
+    assert scenes == {path.stem for path in GALLERY.glob("*.png")} == set(RENDERS)
+    for name, words in RENDERS.items():
+        assert words[2] in MAKES, f"how {words[2]} is made is not said"
+        assert (GALLERY / f"{name}.png").stat().st_size < 200_000
+        width, height = map(int, words[words.index("--size") + 1].split("x"))
+        assert pixels(GALLERY / f"{name}.png").shape == (height, width, 3)
+
+
+@pytest.mark.parametrize("name", ["blunt_fin", "oxygen_post", "vortex_street"])
+def test_its_command_draws_the_picture(name, tmp_path):
+    render = RENDERS[name]
+    make = MAKES[render[2]]
+    if make[1] == "import" and not NASA.is_dir():
+        pytest.skip("CIEL_DATA does not name the folder with the real datasets")
+    inputs = [NASA / word if word.endswith(".bin") else word for word in make[1:]]
+    for words in (inputs, [GALLERY.parent / word if word.endswith(".json") else word for word in render[1:]]):
+        done = ciel(*words, cwd=tmp_path)
+        assert done.returncode == 0, done.stderr
+    kept, drawn = pixels(GALLERY / f"{name}.png"), pixels(tmp_path / render[-1])
+    # Means of 8 x 8 pixels: another driver's edges may differ, a colour or a camera may not.
+    height, width = kept.shape[0] // 8 * 8, kept.shape[1] // 8 * 8
+    blocks = [image[:height, :width].reshape(height // 8, 8, width // 8, 8, 3).mean((1, 3)) for image in (kept, drawn)]
+    differing = (np.abs(blocks[0] - blocks[1]).max(2) > 12).mean()
+    assert differing < 0.02, f"{100 * differing:.1f} % of the picture differ"

@@ -1,0 +1,86 @@
+// A free plane: how far along its normal, and its origin and normal in numbers.
+import type { JSX } from "preact";
+import { boundsCentre, corners, frame } from "../camera/camera";
+import { add, dot, normalize, scale, subtract } from "../camera/vector";
+import type { Vec3 } from "../generated/protocol";
+import { formatNumber, niceStep } from "../scene/numbers";
+import { IconButton, NumberField, Slider } from "./controls";
+import { useApp, useAppState } from "./context";
+
+const AXES = ["x", "y", "z"] as const;
+
+/** In the ranges that a dataset has, five digits of a coordinate are what a hand means. */
+const tidy = (vector: Vec3): Vec3 => vector.map((value) => Number(value.toPrecision(6))) as Vec3;
+
+interface VectorProps {
+  label: string;
+  value: Vec3;
+  /** Of what it is among: how many digits are worth showing. */
+  span: number;
+  set: (to: Vec3) => void;
+}
+
+function VectorRow({ label, value, span, set }: VectorProps): JSX.Element {
+  return (
+    <div class="vector-row">
+      <span>{label}</span>
+      {AXES.map((axis, at) => (
+        <NumberField
+          key={axis}
+          label={`${label} ${axis}`}
+          value={value[at] ?? 0}
+          span={span}
+          onChange={(typed) => set(value.map((old, i) => (i === at ? typed : old)) as Vec3)}
+        />
+      ))}
+    </div>
+  );
+}
+
+interface PlaneProps {
+  id: string;
+  origin: Vec3;
+  normal: Vec3;
+}
+
+export function PlaneFields({ id, origin, normal }: PlaneProps): JSX.Element {
+  const { actions, editor } = useApp();
+  const description = useAppState((state) => state.description);
+  const direction = normalize(normal);
+  const centre = description === null ? origin : boundsCentre(description.bounds);
+  const reach =
+    description === null
+      ? 1
+      : Math.max(...corners(description.bounds).map((at) => dot(subtract(at, centre), direction)));
+  const offset = dot(subtract(origin, centre), direction);
+  const moveTo = (to: number, gesture?: string): void =>
+    actions.setLayer(id, { origin: tidy(add(origin, scale(direction, to - offset))) }, gesture);
+  const face = (): void => {
+    const camera = actions.camera();
+    if (camera !== null) actions.setLayer(id, { origin: tidy(centre), normal: tidy(scale(frame(camera).forward, -1)) });
+  };
+  return (
+    <>
+      <Slider
+        label="Position along the normal"
+        min={-reach}
+        max={reach}
+        step={niceStep([-reach, reach])}
+        value={offset}
+        text={`${formatNumber(offset, reach)} ${description?.length_units ?? ""} from the middle`}
+        newGesture={() => editor.newGesture()}
+        onChange={moveTo}
+      />
+      <VectorRow label="Origin" value={origin} span={2 * reach} set={(to) => actions.setLayer(id, { origin: to })} />
+      <VectorRow
+        label="Normal"
+        value={normal}
+        span={10 * Math.hypot(...normal)}
+        set={(to) => {
+          if (to.some((part) => part !== 0)) actions.setLayer(id, { normal: to });
+        }}
+      />
+      <IconButton icon="eye" label="Turn the plane to face the view" text="Face the view" onClick={face} />
+    </>
+  );
+}

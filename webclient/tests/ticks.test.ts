@@ -1,0 +1,52 @@
+import { describe, expect, test } from "vitest";
+import cases from "../../tests/support/tick_cases.json";
+import { exponentOf, labelOn } from "../src/scene/color_ticks";
+import { scaleOf } from "../src/scene/color_range";
+import { niceScale, numberAlone, numberLabel, timesPowerOfTen } from "../src/scene/ticks";
+
+describe("marks of a linear scale, as the server has them", () => {
+  test.each(cases.scales as [number, number, number, string][])(
+    "%d to %d, at most %d: %s",
+    (low, high, most, labels) => {
+      const { ticks, exponent } = niceScale(low, high, most);
+      expect(ticks.map(({ label }) => label).join(" ") + timesPowerOfTen(exponent)).toBe(labels);
+    },
+  );
+
+  test("are even, inside, and say their value", () => {
+    for (let round = 0; round < 5000; round += 1) {
+      const low = (Math.random() * 20 - 10) * 10 ** Math.floor(Math.random() * 60 - 30);
+      const span = Math.max(Math.abs(low), 1e-30) * 10 ** (Math.random() * 7 - 6);
+      const most = 1 + (round % 10);
+      const { ticks, exponent } = niceScale(low, low + span, most);
+      expect(ticks.length).toBeLessThanOrEqual(most);
+      if (most >= 3) expect(ticks.length, `${low} ${span} ${most}`).toBeGreaterThanOrEqual(1);
+      for (const { value, label } of ticks) {
+        expect(value).toBeGreaterThanOrEqual(low - 1e-8 * span);
+        expect(value).toBeLessThanOrEqual(low + span * (1 + 1e-8));
+        const said = Number(label.replace("\u2212", "-")) * 10 ** exponent;
+        expect(Math.abs(said - value), label).toBeLessThanOrEqual(1e-3 * span);
+      }
+    }
+  });
+});
+
+describe("numbers, as the server writes them", () => {
+  test.each(cases.numbers as [number | null, number, number, string][])(
+    "%d over a span of %d, without 10^%d: %s",
+    (value, span, exponent, label) => expect(numberLabel(value ?? NaN, span, exponent)).toBe(label),
+  );
+  test.each(cases.alone as [number | null, string][])("%d alone: %s", (value, label) =>
+    expect(numberAlone(value ?? NaN)).toBe(label),
+  );
+  test("a scale takes a common power of ten out of them unless it is logarithmic", () => {
+    const scale = scaleOf({ range: [1.2e-5, 3.4e-5] }, [0, 1]);
+    expect([exponentOf(scale), labelOn(scale, 2.5e-5)]).toEqual([-5, "2.5"]);
+    const logarithmic = { ...scale, log: true };
+    expect([exponentOf(logarithmic), labelOn(logarithmic, 2.5e-5), labelOn(logarithmic, 1e-5)]).toEqual([
+      0,
+      "2.5 \u00d710\u207b\u2075",
+      "10\u207b\u2075",
+    ]);
+  });
+});
