@@ -114,6 +114,7 @@ void Painter::use(const Program& program, const Frame& frame) {
     gl_.UniformMatrix4fv(program.projection, 1, GL_FALSE, glm::value_ptr(projection));
     gl_.Uniform1f(program.scale, static_cast<float>(transform_.scale));
     gl_.Uniform1f(program.parallel, frame.camera.parallel ? 1.0F : 0.0F);
+    gl_.Uniform3f(program.lights, frame.lighting.ambient, frame.lighting.headlight, frame.lighting.key_light);
     // Those that are not there let everything through: llvmpipe may go on with a plane after it was disabled.
     std::array<std::array<float, 4>, most_clip_planes> planes{};
     planes.fill({0, 0, 0, 1});

@@ -25,6 +25,7 @@ struct Program {
     GLuint id = 0;
     GLint view = -1, projection = -1, scale = -1, parallel = -1, clip = -1; // triangles, lines and points
     GLint scale_colors = -1, scale_rules = -1;                              // likewise
+    GLint lights = -1;                                                      // triangles and points
     GLint point_size = -1;                                                  // points
     GLint viewport = -1, before_volume = -1, volume_limits = -1;            // lines and points
     GLint half_width = -1;                                                  // lines
