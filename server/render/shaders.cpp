@@ -1,6 +1,7 @@
 #include "render/shaders.hpp"
 
 #include "ciel/types.hpp"
+#include "render/ambient_occlusion_shaders.hpp"
 #include "render/color_glsl.hpp"
 #include "render/lighting.hpp"
 
@@ -59,6 +60,9 @@ out vec4 picture;
 #ifdef PEELED
 uniform sampler2D nearer;
 #endif
+#ifdef OCCLUDED
+uniform float occlusion_scale; // bounds' diagonal in units of the radius
+#endif
 
 vec3 facing_normal(vec3 viewer) {
     vec3 plane = cross(dFdx(surface.place), dFdy(surface.place));
@@ -74,10 +78,17 @@ void main() {
 #ifdef PEELED
     if (gl_FragCoord.z <= texelFetch(nearer, ivec2(gl_FragCoord.xy), 0).r) discard;
 #endif
+    vec3 viewer = mix(normalize(-surface.place), vec3(0.0, 0.0, 1.0), parallel);
+#ifdef NORMALS
+    picture = vec4(facing_normal(viewer), 1.0);
+    return;
+#endif
     vec3 base = base_color(surface.value, surface.color.rgb, surface.style.x);
     if (surface.style.y > 0.5) {
-        vec3 viewer = mix(normalize(-surface.place), vec3(0.0, 0.0, 1.0), parallel);
         base = lit_surface(base, facing_normal(viewer), viewer);
+#ifdef OCCLUDED
+        base *= light_from_everywhere(-surface.place.z * occlusion_scale);
+#endif
     }
     picture = vec4(base, surface.color.a);
 }
@@ -216,6 +227,10 @@ Program link(const Gl& gl, const std::vector<Stage>& stages) {
     program.before_volume = uniform("before_volume");
     program.volume_limits = uniform("volume_limits");
     program.nearer = uniform("nearer");
+    program.occlusion = uniform("occlusion");
+    program.occlusion_stride = uniform("occlusion_stride");
+    program.occlusion_strength = uniform("occlusion_strength");
+    program.occlusion_scale = uniform("occlusion_scale");
     program.bottom = uniform("bottom");
     program.height = uniform("height");
     return program;
@@ -263,6 +278,17 @@ Program make_point_program(const Gl& gl) {
 Program make_peeling_program(const Gl& gl) {
     return link(gl, {{GL_VERTEX_SHADER, surface_vertex},
                      {GL_FRAGMENT_SHADER, with_color_scale(triangle_fragment, "#define PEELED\n")}});
+}
+
+Program make_normals_program(const Gl& gl) {
+    return link(gl, {{GL_VERTEX_SHADER, surface_vertex},
+                     {GL_FRAGMENT_SHADER, with_color_scale(triangle_fragment, "#define NORMALS\n")}});
+}
+
+Program make_occluded_program(const Gl& gl) {
+    const std::string defines = std::string("#define OCCLUDED\n") + occluded_glsl;
+    return link(gl, {{GL_VERTEX_SHADER, surface_vertex},
+                     {GL_FRAGMENT_SHADER, with_color_scale(triangle_fragment, defines.c_str())}});
 }
 
 Program make_line_program(const Gl& gl) {

@@ -94,7 +94,7 @@ render::Frame frame_of(const Geometry& geometry, const scene::Scene& scene, int 
         mesh.lit = drawable.lit && scene.lighting.on;
         frame.meshes.push_back(std::move(mesh));
     }
-    for (const VolumeDrawable& drawable : geometry.volumes) 
+    for (const VolumeDrawable& drawable : geometry.volumes)
         frame.volumes.push_back(volume_of(drawable, frame.lighting));
     std::stable_partition(frame.meshes.begin(), frame.meshes.end(),
                           [](const render::Mesh& mesh) { return mesh.color[3] >= 1; });
