@@ -117,11 +117,12 @@ void main() {
     vec4 own = texelFetch(found, here, 0);
     float sum = 0.0;
     float weights = 0.0;
-    for (int y = -2; y < 2; ++y)
-        for (int x = -2; x < 2; ++x) {
+    for (int y = -2; y <= 2; ++y)
+        for (int x = -2; x <= 2; ++x) { // the mean of the four ways to lay 4 x 4 over this one
+            float ways = (abs(x) == 2 ? 0.5 : 1.0) * (abs(y) == 2 ? 0.5 : 1.0);
             vec4 other = texelFetch(found, clamp(here + ivec2(x, y), ivec2(0), last), 0);
             float off = abs(other.g - own.g - own.b * float(x) - own.a * float(y));
-            float weight = max(1.0 - off * 10.0, 0.0);
+            float weight = ways * max(1.0 - off * 10.0, 0.0);
             sum += weight * other.r;
             weights += weight;
         }

@@ -215,8 +215,10 @@ void Painter::draw_transparent(const Frame& frame) {
         if (!frame.volumes.empty()) draw_volumes(frame);
         return;
     }
-    transparent_.sort_and_upload();
-    if (frame.samples > 1 || !frame.volumes.empty()) return peel_transparent(frame);
+    const bool is_peeled = frame.samples > 1 || !frame.volumes.empty();
+    if (!is_peeled) transparent_.sort();
+    transparent_.upload();
+    if (is_peeled) return peel_transparent(frame);
     use(triangles_, frame);
     gl_.DepthMask(GL_FALSE);
     gl_.Enable(GL_POLYGON_OFFSET_FILL); // behind the lines on them, which have left their depth
