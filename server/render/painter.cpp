@@ -235,7 +235,9 @@ void Painter::peel_transparent(const Frame& frame) {
         use(peeling_.program(), frame);
         gl_.Uniform1i(peeling_.program().nearer, DepthPeeling::nearer_unit);
         enable_clip_planes(true);
-        gl_.Enable(GL_POLYGON_OFFSET_FILL); // behind the lines on them, which have left their depth
+        // Behind the lines on them, which have left their depth; a slope is one over a layer's pixels.
+        gl_.PolygonOffset(reach_of_overlays(frame) * static_cast<float>(peeling_.layer_pixels()), 1);
+        gl_.Enable(GL_POLYGON_OFFSET_FILL);
         transparent_.draw();
         gl_.Disable(GL_POLYGON_OFFSET_FILL);
         enable_clip_planes(false);
