@@ -152,7 +152,7 @@ void Painter::draw_meshes(const Frame& frame, const Program& program, bool befor
         if (&own != &program || is_transparent(mesh) || mesh.indices.empty()) continue;
         MeshBuffers& slot = buffers(i);
         // From llvmpipe buffers that are uploaded anew draw faster than kept ones.
-        slot.load(mesh, scale_rows_[i], !is_software_);
+        slot.load(mesh, scale_rows_[i], !is_software_ || (surfaces && opaque_is_loaded_));
         if (mesh.lines) gl_.Uniform1f(program.half_width, mesh.line_width / 2);
         if (mesh.points) gl_.Uniform1f(program.point_size, mesh.point_size);
         slot.draw();
@@ -163,7 +163,8 @@ void Painter::draw_meshes(const Frame& frame, const Program& program, bool befor
 void Painter::draw_opaque(const Frame& frame) {
     const bool any = std::ranges::any_of(frame.meshes, is_opaque);
     const bool is_occluded = any && frame.occlusion.radius > 0;
-    if (is_occluded || (any && !frame.volumes.empty())) draw_opaque_depth(frame, is_occluded);
+    opaque_is_loaded_ = is_occluded || (any && !frame.volumes.empty());
+    if (opaque_is_loaded_) draw_opaque_depth(frame, is_occluded);
     volumes_.end_on(any ? opaque_depth_.texture() : 0);
     if (is_occluded) occlusion_.find(frame, transform_, opaque_depth_);
     target_.bind_again();

@@ -54,6 +54,7 @@ private:
     OpaqueDepth opaque_depth_;
     AmbientOcclusion occlusion_;
     std::list<MeshBuffers> buffers_; // one per mesh of the largest frame so far
+    bool opaque_is_loaded_ = false;  // into them, of this frame
     TransparentTriangles transparent_;
     DepthPeeling peeling_;
     VolumePainter volumes_;

@@ -79,7 +79,7 @@ private:
     std::map<SlabProgramKind, ShaderProgram> slice_programs_, edge_programs_;
     Sheet parts_[most_ray_parts], kept_, limits_, picture_, together_;
     GLuint query_ = 0, no_array_ = 0;
-    GLuint surfaces_ = 0;
+    GLuint surfaces_ = 0;              // depth of what is opaque, or 0
     std::list<VolumeBuffers> buffers_; // one per volume of the largest frame so far
     std::vector<Table> tables_;        // likewise
 

@@ -334,7 +334,7 @@ def test_lights_by_options_and_by_the_scene(box, tmp_path):
         "lighting": {"ambient_occlusion": {"on": True, "radius": 0.2, "strength": 2}},
         "layers": {
             "outline": {"type": "outline", "color": {"solid": "#808890"}},
-            "iso1": {"type": "iso", "array": "r", "values": [0.5, 0.75]},
+            "iso1": {"type": "iso", "array": "r", "values": [0.5, 0.75], "color": {"array": "r"}},
             "clip1": {"type": "clip", "axis": "x", "value": 0},
         },
     }
