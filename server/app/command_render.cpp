@@ -2,6 +2,7 @@
 #include "app/color_options.hpp"
 #include "app/commands.hpp"
 #include "app/layer_options.hpp"
+#include "app/lighting_options.hpp"
 #include "app/scene_options.hpp"
 #include "session/default_scene.hpp"
 #include "session/errors.hpp"
@@ -33,6 +34,7 @@ struct RenderCommand {
     std::vector<std::string> annotations;
     std::optional<double> text_scale;
     ColorOptions colors;
+    LightingOptions lighting;
 };
 
 session::ViewSize parse_size(const std::string& text) {
@@ -151,6 +153,8 @@ int run_command(const RenderCommand& render) {
     const auto loaded = load_dataset(render.scene.dataset);
     nlohmann::json document = document_of(render, *loaded);
     annotate(render, document);
+    if (const auto patch = render.lighting.patch(); !patch.empty() && document.is_object())
+        document = scene::merge_patch(std::move(document), patch);
     const scene::Scene scene = parse_scene(document);
     const auto geometry = make_geometry(scene, loaded, render.scene.extraction.chosen());
     for (const std::string& remark : geometry->remarks) std::cerr << "ciel: " << remark << '\n';
@@ -182,6 +186,7 @@ void add_render(CLI::App& app, Run& run) {
                      "A scene document; without it and without layers, the default view.")
         ->type_name("FILE.json");
     render->colors.add_to(*command);
+    render->lighting.add_to(*command);
     command->add_option("--background", render->background, "dark, light or #rrggbb.")
         ->type_name("COLOR")
         ->default_str("dark");

@@ -30,6 +30,8 @@ public:
     // The program that draws the surfaces: the caller sets its uniforms.
     static constexpr int nearer_unit = 2; // behind those of the colour scales
     [[nodiscard]] const Program& program() const { return surfaces_; }
+    // Pixels of a layer to one of the picture along a side, while draw_surfaces is called.
+    [[nodiscard]] int layer_pixels() const { return factor_; }
     // Onto the target, over what is opaque there. Leaves depth test and blending on.
     void draw(const Scene& scene, Target& target);
 

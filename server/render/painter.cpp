@@ -22,7 +22,7 @@ float reach_of_overlays(const Frame& frame) {
     return std::min(reach, 6.0F);
 }
 
-constexpr int limits_unit = 2; // behind those of the colour scales
+constexpr int limits_unit = 2, occlusion_unit = 2; // behind those of the colour scales
 
 bool is_transparent(const Mesh& mesh) { return !mesh.lines && !mesh.points && mesh.color[3] < 1; }
 
@@ -36,9 +36,10 @@ Painter::Painter(const Gl& gl)
     : gl_(gl), renderer_name_(text_of(gl_, GL_RENDERER)), version_(text_of(gl_, GL_VERSION)),
       is_software_(renderer_name_.find("llvmpipe") != std::string::npos ||
                    renderer_name_.find("softpipe") != std::string::npos),
-      background_(make_background_program(gl_)), triangles_(make_triangle_program(gl_)), lines_(make_line_program(gl_)),
-      points_(make_point_program(gl_)), scales_(gl_), target_(gl_), transparent_(gl_), peeling_(gl_), volumes_(gl_),
-      overlay_(gl_) {
+      background_(make_background_program(gl_)), triangles_(make_triangle_program(gl_)),
+      normals_(make_normals_program(gl_)), occluded_(make_occluded_program(gl_)), lines_(make_line_program(gl_)),
+      points_(make_point_program(gl_)), scales_(gl_), target_(gl_), opaque_depth_(gl_), occlusion_(gl_),
+      transparent_(gl_), peeling_(gl_), volumes_(gl_), overlay_(gl_) {
     gl_.GenVertexArrays(1, &no_array_);
     gl_.DepthFunc(GL_LEQUAL);
     gl_.Enable(GL_PROGRAM_POINT_SIZE);
@@ -56,8 +57,7 @@ void Painter::draw(const Frame& frame, Image& image) {
     target_.begin(frame.width, frame.height, frame.samples);
     draw_background(frame);
     enable_clip_planes(true);
-    draw_meshes(frame, triangles_);
-    if (!frame.volumes.empty()) keep_opaque_depth(frame);
+    draw_opaque(frame);
     gl_.Enable(GL_BLEND);
     draw_meshes(frame, lines_);
     draw_meshes(frame, points_);
@@ -114,6 +114,7 @@ void Painter::use(const Program& program, const Frame& frame) {
     gl_.UniformMatrix4fv(program.projection, 1, GL_FALSE, glm::value_ptr(projection));
     gl_.Uniform1f(program.scale, static_cast<float>(transform_.scale));
     gl_.Uniform1f(program.parallel, frame.camera.parallel ? 1.0F : 0.0F);
+    gl_.Uniform3f(program.lights, frame.lighting.ambient, frame.lighting.headlight, frame.lighting.key_light);
     // Those that are not there let everything through: llvmpipe may go on with a plane after it was disabled.
     std::array<std::array<float, 4>, most_clip_planes> planes{};
     planes.fill({0, 0, 0, 1});
@@ -132,11 +133,13 @@ MeshBuffers& Painter::buffers(std::size_t slot) {
 
 void Painter::draw_meshes(const Frame& frame, const Program& program, bool before_volume) {
     use(program, frame);
-    if (&program == &triangles_) { // surfaces a little back, so that lines on them are not half buried
+    const bool surfaces = &program == &triangles_ || &program == &occluded_;
+    if (&program == &occluded_) use_occlusion(frame);
+    if (surfaces) { // a little back, so that lines on them are not half buried
         gl_.Enable(GL_POLYGON_OFFSET_FILL);
         gl_.PolygonOffset(reach_of_overlays(frame), 1);
     }
-    if (&program != &triangles_) {
+    if (!surfaces) {
         gl_.ActiveTexture(GL_TEXTURE0 + limits_unit);
         gl_.BindTexture(GL_TEXTURE_2D, volumes_.limits());
         gl_.ActiveTexture(GL_TEXTURE0);
@@ -145,11 +148,11 @@ void Painter::draw_meshes(const Frame& frame, const Program& program, bool befor
     }
     for (std::size_t i = 0; i < frame.meshes.size(); ++i) {
         const Mesh& mesh = frame.meshes[i];
-        const Program& own = mesh.points ? points_ : mesh.lines ? lines_ : triangles_;
+        const Program& own = mesh.points ? points_ : mesh.lines ? lines_ : surfaces ? program : triangles_;
         if (&own != &program || is_transparent(mesh) || mesh.indices.empty()) continue;
         MeshBuffers& slot = buffers(i);
         // From llvmpipe buffers that are uploaded anew draw faster than kept ones.
-        slot.load(mesh, scale_rows_[i], !is_software_);
+        slot.load(mesh, scale_rows_[i], !is_software_ || (surfaces && opaque_is_loaded_));
         if (mesh.lines) gl_.Uniform1f(program.half_width, mesh.line_width / 2);
         if (mesh.points) gl_.Uniform1f(program.point_size, mesh.point_size);
         slot.draw();
@@ -157,17 +160,35 @@ void Painter::draw_meshes(const Frame& frame, const Program& program, bool befor
     gl_.Disable(GL_POLYGON_OFFSET_FILL);
 }
 
-// Drawn again rather than copied: in the picture surfaces lie a little back, for the lines on them.
-void Painter::keep_opaque_depth(const Frame& frame) {
-    if (!std::ranges::any_of(frame.meshes, is_opaque)) return;
-    volumes_.begin_depth(frame.width, frame.height);
-    use(triangles_, frame);
+void Painter::draw_opaque(const Frame& frame) {
+    const bool any = std::ranges::any_of(frame.meshes, is_opaque);
+    const bool is_occluded = any && frame.occlusion.radius > 0;
+    opaque_is_loaded_ = is_occluded || (any && !frame.volumes.empty());
+    if (opaque_is_loaded_) draw_opaque_depth(frame, is_occluded);
+    volumes_.end_on(any ? opaque_depth_.texture() : 0);
+    if (is_occluded) occlusion_.find(frame, transform_, opaque_depth_);
+    target_.bind_again();
+    draw_meshes(frame, is_occluded ? occluded_ : triangles_);
+}
+
+void Painter::draw_opaque_depth(const Frame& frame, bool with_normals) {
+    opaque_depth_.begin(frame.width, frame.height, with_normals);
+    use(with_normals ? normals_ : triangles_, frame);
     for (std::size_t i = 0; i < frame.meshes.size(); ++i) {
         if (!is_opaque(frame.meshes[i])) continue;
-        buffers(i).load(frame.meshes[i], scale_rows_[i], true);
+        buffers(i).load(frame.meshes[i], scale_rows_[i], !is_software_);
         buffers(i).draw();
     }
-    target_.bind_again();
+}
+
+void Painter::use_occlusion(const Frame& frame) {
+    gl_.ActiveTexture(GL_TEXTURE0 + occlusion_unit);
+    gl_.BindTexture(GL_TEXTURE_2D, occlusion_.light());
+    gl_.ActiveTexture(GL_TEXTURE0);
+    gl_.Uniform1i(occluded_.occlusion, occlusion_unit);
+    gl_.Uniform1f(occluded_.occlusion_stride, static_cast<float>(occlusion_.stride()));
+    gl_.Uniform1f(occluded_.occlusion_strength, frame.occlusion.strength);
+    gl_.Uniform1f(occluded_.occlusion_scale, static_cast<float>(1 / (transform_.scale * frame.occlusion.radius)));
 }
 
 void Painter::draw_volumes(const Frame& frame) {
@@ -195,8 +216,10 @@ void Painter::draw_transparent(const Frame& frame) {
         if (!frame.volumes.empty()) draw_volumes(frame);
         return;
     }
-    transparent_.sort_and_upload();
-    if (frame.samples > 1 || !frame.volumes.empty()) return peel_transparent(frame);
+    const bool is_peeled = frame.samples > 1 || !frame.volumes.empty();
+    if (!is_peeled) transparent_.sort();
+    transparent_.upload();
+    if (is_peeled) return peel_transparent(frame);
     use(triangles_, frame);
     gl_.DepthMask(GL_FALSE);
     gl_.Enable(GL_POLYGON_OFFSET_FILL); // behind the lines on them, which have left their depth
@@ -213,7 +236,9 @@ void Painter::peel_transparent(const Frame& frame) {
         use(peeling_.program(), frame);
         gl_.Uniform1i(peeling_.program().nearer, DepthPeeling::nearer_unit);
         enable_clip_planes(true);
-        gl_.Enable(GL_POLYGON_OFFSET_FILL); // behind the lines on them, which have left their depth
+        // Behind the lines on them, which have left their depth; a slope is one over a layer's pixels.
+        gl_.PolygonOffset(reach_of_overlays(frame) * static_cast<float>(peeling_.layer_pixels()), 1);
+        gl_.Enable(GL_POLYGON_OFFSET_FILL);
         transparent_.draw();
         gl_.Disable(GL_POLYGON_OFFSET_FILL);
         enable_clip_planes(false);

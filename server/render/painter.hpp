@@ -1,10 +1,12 @@
 // Draws frames with the GL objects of one context, which all live and die with it.
 #pragma once
 
+#include "render/ambient_occlusion.hpp"
 #include "render/camera.hpp"
 #include "render/color_scales.hpp"
 #include "render/depth_peeling.hpp"
 #include "render/mesh_buffers.hpp"
+#include "render/opaque_depth.hpp"
 #include "render/overlay_painter.hpp"
 #include "render/shaders.hpp"
 #include "render/target.hpp"
@@ -31,7 +33,9 @@ private:
     void load_scales(const Frame& frame);
     void draw_background(const Frame& frame);
     void draw_meshes(const Frame& frame, const Program& program, bool before_volume = false);
-    void keep_opaque_depth(const Frame& frame);
+    void draw_opaque(const Frame& frame);
+    void draw_opaque_depth(const Frame& frame, bool with_normals);
+    void use_occlusion(const Frame& frame);
     void draw_volumes(const Frame& frame);
     void draw_before_volumes(const Frame& frame);
     void draw_transparent(const Frame& frame);
@@ -42,12 +46,15 @@ private:
     Gl gl_;
     std::string renderer_name_, version_;
     bool is_software_ = false;
-    Program background_, triangles_, lines_, points_;
+    Program background_, triangles_, normals_, occluded_, lines_, points_;
     GLuint no_array_ = 0;
     ColorScales scales_;
     std::vector<float> scale_rows_; // of the frame's meshes
     Target target_;
+    OpaqueDepth opaque_depth_;
+    AmbientOcclusion occlusion_;
     std::list<MeshBuffers> buffers_; // one per mesh of the largest frame so far
+    bool opaque_is_loaded_ = false;  // into them, of this frame
     TransparentTriangles transparent_;
     DepthPeeling peeling_;
     VolumePainter volumes_;

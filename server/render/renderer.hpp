@@ -4,6 +4,7 @@
 #include "ciel/types.hpp"
 #include "render/annotations.hpp"
 #include "render/color_scale.hpp"
+#include "render/lighting.hpp"
 #include "render/volume.hpp"
 
 #include <cstdint>
@@ -53,6 +54,8 @@ struct Frame {
     int samples = 1; // 4: multisampled, for stills
     // At most 6: only what has dot(xyz, position) + w >= 0 is drawn, and of meshes found by pick.
     std::vector<std::array<float, 4>> clip;
+    Lighting lighting;       // of what is lit
+    Occlusion occlusion;     // likewise, of opaque triangles
     Annotations annotations; // over all of it
 };
 

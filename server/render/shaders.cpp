@@ -1,7 +1,9 @@
 #include "render/shaders.hpp"
 
 #include "ciel/types.hpp"
+#include "render/ambient_occlusion_shaders.hpp"
 #include "render/color_glsl.hpp"
+#include "render/lighting.hpp"
 
 namespace ciel::render {
 namespace {
@@ -14,7 +16,17 @@ out vec4 picture;
 void main() { picture = vec4(mix(bottom, top, gl_FragCoord.y / height), 1.0); }
 )";
 
-constexpr const char* surface_vertex = R"(#version 330 core
+// What the vertices tell lines, triangles and points.
+const std::string surface_block = R"( Surface {
+    vec3 place; // in the eye's axes, in units of the bounds' diagonal: derivatives of small scenes must not underflow
+    vec3 normal;
+    float value;
+    flat vec4 color;
+    flat vec2 style;
+    vec3 position; // for the lines' clip distances
+} surface)";
+
+const std::string surface_vertex = R"(#version 330 core
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
 layout(location = 2) in float scalar;
@@ -26,14 +38,7 @@ uniform float scale;
 uniform float point_size;
 uniform vec4 clip[6]; // counts only where the painter has enabled it
 out float gl_ClipDistance[6];
-out Surface {
-    vec3 place; // in the eye's axes, in units of the bounds' diagonal: derivatives of small scenes must not underflow
-    vec3 normal;
-    float value;
-    flat vec4 color;
-    flat vec2 style;
-    vec3 position; // for the lines' clip distances
-} surface;
+out)" + surface_block + R"(;
 void main() {
     vec4 place = view * vec4(position, 1.0);
     gl_Position = projection * place;
@@ -48,19 +53,15 @@ void main() {
 }
 )";
 
-constexpr const char* triangle_fragment = R"(
+const std::string triangle_fragment = R"(
 uniform float parallel;
-in Surface {
-    vec3 place;
-    vec3 normal;
-    float value;
-    flat vec4 color;
-    flat vec2 style;
-    vec3 position;
-} surface;
+in)" + surface_block + R"(;
 out vec4 picture;
 #ifdef PEELED
 uniform sampler2D nearer;
+#endif
+#ifdef OCCLUDED
+uniform float occlusion_scale; // bounds' diagonal in units of the radius
 #endif
 
 vec3 facing_normal(vec3 viewer) {
@@ -77,36 +78,31 @@ void main() {
 #ifdef PEELED
     if (gl_FragCoord.z <= texelFetch(nearer, ivec2(gl_FragCoord.xy), 0).r) discard;
 #endif
+    vec3 viewer = mix(normalize(-surface.place), vec3(0.0, 0.0, 1.0), parallel);
+#ifdef NORMALS
+    picture = vec4(facing_normal(viewer), 1.0);
+    return;
+#endif
     vec3 base = base_color(surface.value, surface.color.rgb, surface.style.x);
     if (surface.style.y > 0.5) {
-        vec3 viewer = mix(normalize(-surface.place), vec3(0.0, 0.0, 1.0), parallel);
-        vec3 n = facing_normal(viewer);
-        vec3 key = normalize(vec3(-0.45, 0.65, 0.6)); // over the viewer's left shoulder
-        float head = dot(n, viewer);
-        float wrapped = 0.5 + 0.5 * dot(n, key);
-        float shine = pow(max(dot(n, normalize(key + viewer)), 0.0), 40.0);
-        base = base * (0.30 + 0.38 * head + 0.40 * wrapped * wrapped) + vec3(0.10 * shine);
+        base = lit_surface(base, facing_normal(viewer), viewer);
+#ifdef OCCLUDED
+        base *= light_from_everywhere(-surface.place.z * occlusion_scale);
+#endif
     }
     picture = vec4(base, surface.color.a);
 }
 )";
 
 // A line becomes a rectangle of the asked width in pixels with soft edges: core profiles may refuse wide lines.
-constexpr const char* line_geometry = R"(#version 330 core
+const std::string line_geometry = R"(#version 330 core
 layout(lines) in;
 layout(triangle_strip, max_vertices = 4) out;
 uniform vec4 clip[6];
 out float gl_ClipDistance[6];
 uniform vec2 viewport;
 uniform float half_width;
-in Surface {
-    vec3 place;
-    vec3 normal;
-    float value;
-    flat vec4 color;
-    flat vec2 style;
-    vec3 position;
-} surface[];
+in)" + surface_block + R"([];
 out Line {
     float value;
     noperspective float across;
@@ -178,19 +174,12 @@ void main() {
 )";
 
 // A point is a disc with soft edges, shaded as the ball that it stands for.
-constexpr const char* point_fragment = R"(
+const std::string point_fragment = R"(
 uniform float point_size;
 uniform vec2 viewport;
 uniform float before_volume; // 1: only what is in front of the volume
 uniform sampler2D volume_limits;
-in Surface {
-    vec3 place;
-    vec3 normal;
-    float value;
-    flat vec4 color;
-    flat vec2 style;
-    vec3 position;
-} surface;
+in)" + surface_block + R"(;
 out vec4 picture;
 void main() {
     if (before_volume > 0.5 && gl_FragCoord.z > texture(volume_limits, gl_FragCoord.xy / viewport).a) discard;
@@ -199,8 +188,7 @@ void main() {
     float cover = clamp(point_size * 0.5 + 0.5 - radius, 0.0, 1.0);
     if (cover < 0.02) discard;
     vec3 base = base_color(surface.value, surface.color.rgb, surface.style.x);
-    vec2 side = from_center / (point_size * 0.5 + 0.5);
-    base *= 0.55 + 0.45 * sqrt(max(1.0 - dot(side, side), 0.0));
+    if (surface.style.y > 0.5) base = lit_ball(base, from_center / (point_size * 0.5 + 0.5));
     picture = vec4(base, surface.color.a * cover);
 }
 )";
@@ -230,6 +218,7 @@ Program link(const Gl& gl, const std::vector<Stage>& stages) {
     program.parallel = uniform("parallel");
     program.scale_colors = uniform("scale_colors");
     program.scale_rules = uniform("scale_rules");
+    program.lights = uniform("lights");
     program.clip = uniform("clip");
     program.point_size = uniform("point_size");
     program.viewport = uniform("viewport");
@@ -238,13 +227,17 @@ Program link(const Gl& gl, const std::vector<Stage>& stages) {
     program.before_volume = uniform("before_volume");
     program.volume_limits = uniform("volume_limits");
     program.nearer = uniform("nearer");
+    program.occlusion = uniform("occlusion");
+    program.occlusion_stride = uniform("occlusion_stride");
+    program.occlusion_strength = uniform("occlusion_strength");
+    program.occlusion_scale = uniform("occlusion_scale");
     program.bottom = uniform("bottom");
     program.height = uniform("height");
     return program;
 }
 
-std::string with_color_scale(const char* body, const char* defines = "") {
-    return std::string("#version 330 core\n") + defines + color_scale_glsl + body;
+std::string with_color_scale(const std::string& body, const char* defines = "") {
+    return std::string("#version 330 core\n") + defines + color_scale_glsl + lighting_glsl + body;
 }
 
 } // namespace
@@ -285,6 +278,17 @@ Program make_point_program(const Gl& gl) {
 Program make_peeling_program(const Gl& gl) {
     return link(gl, {{GL_VERTEX_SHADER, surface_vertex},
                      {GL_FRAGMENT_SHADER, with_color_scale(triangle_fragment, "#define PEELED\n")}});
+}
+
+Program make_normals_program(const Gl& gl) {
+    return link(gl, {{GL_VERTEX_SHADER, surface_vertex},
+                     {GL_FRAGMENT_SHADER, with_color_scale(triangle_fragment, "#define NORMALS\n")}});
+}
+
+Program make_occluded_program(const Gl& gl) {
+    const std::string defines = std::string("#define OCCLUDED\n") + occluded_glsl;
+    return link(gl, {{GL_VERTEX_SHADER, surface_vertex},
+                     {GL_FRAGMENT_SHADER, with_color_scale(triangle_fragment, defines.c_str())}});
 }
 
 Program make_line_program(const Gl& gl) {

@@ -25,10 +25,13 @@ struct Program {
     GLuint id = 0;
     GLint view = -1, projection = -1, scale = -1, parallel = -1, clip = -1; // triangles, lines and points
     GLint scale_colors = -1, scale_rules = -1;                              // likewise
+    GLint lights = -1;                                                      // triangles and points
     GLint point_size = -1;                                                  // points
     GLint viewport = -1, before_volume = -1, volume_limits = -1;            // lines and points
     GLint half_width = -1;                                                  // lines
     GLint nearer = -1;                                                      // triangles that are peeled
+    GLint occlusion = -1, occlusion_stride = -1;                            // triangles with ambient occlusion
+    GLint occlusion_strength = -1, occlusion_scale = -1;                    // likewise
     GLint top = -1, bottom = -1, height = -1;                               // background
 };
 
@@ -44,6 +47,10 @@ using Stage = std::pair<GLenum, std::string>; // kind and source of a shader
 [[nodiscard]] Program make_triangle_program(const Gl& gl);
 // Triangles again, but only what lies behind a depth (depth_peeling.hpp).
 [[nodiscard]] Program make_peeling_program(const Gl& gl);
+// Triangles again, only their normals, towards the viewer and along the eye's axes.
+[[nodiscard]] Program make_normals_program(const Gl& gl);
+// Triangles again, darker by what AmbientOcclusion found.
+[[nodiscard]] Program make_occluded_program(const Gl& gl);
 [[nodiscard]] Program make_line_program(const Gl& gl);
 [[nodiscard]] Program make_point_program(const Gl& gl);
 

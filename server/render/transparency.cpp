@@ -40,7 +40,7 @@ TransparentTriangles::TransparentTriangles(const Gl& gl) : gl_(gl) {
 void TransparentTriangles::begin(const glm::vec4& depth_row) {
     depth_row_ = depth_row;
     vertices_.clear();
-    sorted_.clear();
+    triangles_.clear();
 }
 
 void TransparentTriangles::add(const Mesh& mesh, float scale_row) {
@@ -54,7 +54,7 @@ void TransparentTriangles::add(const Mesh& mesh, float scale_row) {
         if (!mesh.scalars.empty()) vertex.scalar = mesh.scalars[i];
         vertices_.push_back(vertex);
     }
-    sorted_.reserve(sorted_.size() + mesh.indices.size() / 3);
+    triangles_.reserve(triangles_.size() + mesh.indices.size() / 3);
     const auto nearness = [&](Index corner) {
         const Vec3f& p = mesh.positions[corner];
         return depth_row_.x * p[0] + depth_row_.y * p[1] + depth_row_.z * p[2];
@@ -63,29 +63,28 @@ void TransparentTriangles::add(const Mesh& mesh, float scale_row) {
         const Index a = mesh.indices[i];
         const Index b = mesh.indices[i + 1];
         const Index c = mesh.indices[i + 2];
-        sorted_.push_back({sortable(nearness(a) + nearness(b) + nearness(c)), {first + a, first + b, first + c}});
+        triangles_.push_back({sortable(nearness(a) + nearness(b) + nearness(c)), {first + a, first + b, first + c}});
     }
 }
 
-void TransparentTriangles::radix_sort() {
+// By radix.
+void TransparentTriangles::sort() {
     constexpr unsigned bits = 11;
     constexpr std::uint32_t mask = (1U << bits) - 1;
-    other_.resize(sorted_.size());
+    other_.resize(triangles_.size());
     for (unsigned shift = 0; shift < 32; shift += bits) {
         std::array<std::size_t, mask + 2> begin{};
-        for (const Triangle& triangle : sorted_) ++begin[((triangle.key >> shift) & mask) + 1];
+        for (const Triangle& triangle : triangles_) ++begin[((triangle.key >> shift) & mask) + 1];
         for (std::size_t i = 1; i < begin.size(); ++i) begin[i] += begin[i - 1];
-        for (const Triangle& triangle : sorted_) other_[begin[(triangle.key >> shift) & mask]++] = triangle;
-        sorted_.swap(other_);
+        for (const Triangle& triangle : triangles_) other_[begin[(triangle.key >> shift) & mask]++] = triangle;
+        triangles_.swap(other_);
     }
 }
 
-void TransparentTriangles::sort_and_upload() {
-    if (sorted_.empty()) return;
-    radix_sort();
+void TransparentTriangles::upload() {
     indices_.clear();
-    indices_.reserve(3 * sorted_.size());
-    for (const Triangle& triangle : sorted_)
+    indices_.reserve(3 * triangles_.size());
+    for (const Triangle& triangle : triangles_)
         indices_.insert(indices_.end(), triangle.corners.begin(), triangle.corners.end());
     gl_.BindVertexArray(array_);
     gl_.BindBuffer(GL_ARRAY_BUFFER, vertex_buffer_);

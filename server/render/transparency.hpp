@@ -1,5 +1,6 @@
-// Transparent triangles of all layers in one buffer, sorted from the back to the front by their centres' depth: the
-// plain method. Right wherever triangles do not cross or enclose each other; the layers may cross as they like.
+// Transparent triangles of all layers in one buffer; in any order for depth_peeling.hpp, or sorted from the back to the
+// front by their centres' depth: the plain method. Right wherever triangles do not cross or enclose each other; the
+// layers may cross as they like.
 #pragma once
 
 #include "render/gl.hpp"
@@ -17,8 +18,9 @@ public:
     // depth_row: the row of the view matrix that gives -depth, so that more is nearer.
     void begin(const glm::vec4& depth_row);
     void add(const Mesh& mesh, float scale_row);
-    void sort_and_upload();
-    [[nodiscard]] bool is_empty() const { return sorted_.empty(); }
+    void sort();
+    void upload();
+    [[nodiscard]] bool is_empty() const { return triangles_.empty(); }
     void draw() const;
 
 private:
@@ -32,13 +34,12 @@ private:
         std::uint32_t key; // grows with nearness
         std::array<Index, 3> corners;
     };
-    void radix_sort();
 
     const Gl& gl_;
     GLuint array_ = 0, vertex_buffer_ = 0, index_buffer_ = 0;
     glm::vec4 depth_row_{};
     std::vector<Vertex> vertices_;
-    std::vector<Triangle> sorted_, other_;
+    std::vector<Triangle> triangles_, other_;
     std::vector<Index> indices_;
 };
 

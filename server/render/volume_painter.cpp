@@ -43,7 +43,7 @@ VolumePainter::VolumePainter(const Gl& gl)
     : gl_(gl), first_part_(make_part_program(gl, true)), next_part_(make_part_program(gl, false)),
       kept_program_(make_kept_program(gl)), limits_program_(make_limits_program(gl)),
       picture_program_(make_volume_picture_program(gl)), kept_(make_sheet()), limits_(make_sheet()),
-      picture_(make_sheet()), depth_(make_sheet()), together_(make_sheet()) {
+      picture_(make_sheet()), together_(make_sheet()) {
     for (Sheet& part : parts_) part = make_sheet();
     gl_.GenQueries(1, &query_);
     gl_.GenVertexArrays(1, &no_array_);
@@ -58,16 +58,12 @@ VolumePainter::Sheet VolumePainter::make_sheet() const {
 
 void VolumePainter::size(Sheet& sheet, GLint format, int width, int height) const {
     if (sheet.width == width && sheet.height == height) return;
-    const bool is_depth = format == GL_DEPTH_COMPONENT24;
     gl_.BindTexture(GL_TEXTURE_2D, sheet.texture);
-    gl_.TexImage2D(GL_TEXTURE_2D, 0, format, width, height, 0, is_depth ? GL_DEPTH_COMPONENT : GL_RGBA,
-                   is_depth ? GL_UNSIGNED_INT : GL_FLOAT, nullptr);
+    gl_.TexImage2D(GL_TEXTURE_2D, 0, format, width, height, 0, GL_RGBA, GL_FLOAT, nullptr);
     filter(gl_, GL_NEAREST);
     gl_.BindFramebuffer(GL_FRAMEBUFFER, sheet.framebuffer);
-    gl_.FramebufferTexture2D(GL_FRAMEBUFFER, is_depth ? GL_DEPTH_ATTACHMENT : GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D,
-                             sheet.texture, 0);
+    gl_.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, sheet.texture, 0);
     sheet.width = 0; // not usable until it is known to be complete
-    if (is_depth) gl_.DrawBuffer(GL_NONE);
     if (gl_.CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
         throw Error("the GL driver cannot draw a volume to " + std::to_string(width) + " x " + std::to_string(height) +
                     " pixels of floats; ask for a smaller picture");
@@ -80,16 +76,8 @@ void VolumePainter::begin(const Sheet& sheet) const {
     gl_.Viewport(0, 0, sheet.width, sheet.height);
 }
 
-void VolumePainter::begin_depth(int width, int height) {
-    size(depth_, GL_DEPTH_COMPONENT24, width, height);
-    begin(depth_);
-    gl_.Clear(GL_DEPTH_BUFFER_BIT);
-    has_depth_ = true;
-}
-
 void VolumePainter::draw(const Frame& frame, const ViewTransform& transform, Target& target) {
-    draw_each(frame, transform, has_depth_ ? depth_.texture : 0, [&target] { target.bind_again(); });
-    has_depth_ = false;
+    draw_each(frame, transform, surfaces_, [&target] { target.bind_again(); });
 }
 
 GLuint VolumePainter::picture_until(const Frame& frame, const ViewTransform& transform, GLuint depth) {
@@ -97,9 +85,7 @@ GLuint VolumePainter::picture_until(const Frame& frame, const ViewTransform& tra
     begin(together_);
     gl_.ClearColor(0, 0, 0, 0);
     gl_.Clear(GL_COLOR_BUFFER_BIT);
-    const bool all = depth == 0;
-    draw_each(frame, transform, all && has_depth_ ? depth_.texture : depth, [this] { begin(together_); });
-    if (all) has_depth_ = false;
+    draw_each(frame, transform, depth == 0 ? surfaces_ : depth, [this] { begin(together_); });
     return together_.texture;
 }
 

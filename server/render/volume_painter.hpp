@@ -20,9 +20,8 @@ public:
     VolumePainter(const VolumePainter&) = delete;
     VolumePainter& operator=(const VolumePainter&) = delete;
 
-    // What is drawn until the target is bound again ends the rays of the next volumes; without it they are in front of
-    // everything.
-    void begin_depth(int width, int height);
+    // The texture of window depths on which rays end from now on; 0: volumes are in front of everything.
+    void end_on(GLuint depth) { surfaces_ = depth; }
     // Leaves the target bound, depth test and blending as they were: on.
     void draw(const Frame& frame, const ViewTransform& transform, Target& target);
     // All volumes in front of a depth texture, or for 0 as far as draw() shows them, premultiplied, on nothing; good
@@ -78,9 +77,9 @@ private:
     const Gl& gl_;
     ShaderProgram first_part_, next_part_, kept_program_, limits_program_, picture_program_;
     std::map<SlabProgramKind, ShaderProgram> slice_programs_, edge_programs_;
-    Sheet parts_[most_ray_parts], kept_, limits_, picture_, depth_, together_;
+    Sheet parts_[most_ray_parts], kept_, limits_, picture_, together_;
     GLuint query_ = 0, no_array_ = 0;
-    bool has_depth_ = false;
+    GLuint surfaces_ = 0;              // depth of what is opaque, or 0
     std::list<VolumeBuffers> buffers_; // one per volume of the largest frame so far
     std::vector<Table> tables_;        // likewise
 

@@ -256,6 +256,29 @@ Annotations annotations_of(const json& object) {
     return annotations;
 }
 
+Light light_of(const json& lighting, const char* name) {
+    Light light;
+    if (const auto object = lighting.find(name); object != lighting.end()) {
+        read(*object, "on", light.on);
+        read(*object, "strength", light.strength);
+    }
+    return light;
+}
+
+Lighting lighting_of(const json& object) {
+    Lighting lighting;
+    read(object, "on", lighting.on);
+    read(object, "ambient", lighting.ambient);
+    lighting.headlight = light_of(object, "headlight");
+    lighting.key_light = light_of(object, "key_light");
+    if (const auto occlusion = object.find("ambient_occlusion"); occlusion != object.end()) {
+        read(*occlusion, "on", lighting.ambient_occlusion.on);
+        read(*occlusion, "radius", lighting.ambient_occlusion.radius);
+        read(*occlusion, "strength", lighting.ambient_occlusion.strength);
+    }
+    return lighting;
+}
+
 void check_opacity_points(const VolumeLayer& volume, const std::string& path) {
     for (std::size_t i = 0; i < volume.opacity_points.size(); ++i) {
         const auto& [place, opacity] = volume.opacity_points[i];
@@ -341,6 +364,8 @@ Scene parse(const json& document) {
     read(document, "background", scene.background);
     if (const auto annotations = document.find("annotations"); annotations != document.end())
         scene.annotations = annotations_of(*annotations);
+    if (const auto lighting = document.find("lighting"); lighting != document.end())
+        scene.lighting = lighting_of(*lighting);
     if (const auto camera = document.find("camera"); camera != document.end() && !camera->is_null())
         scene.camera = camera_of(*camera);
     if (const auto layers = document.find("layers"); layers != document.end())

@@ -132,12 +132,29 @@ struct Annotations { // over the picture
     double scale = 1; // of text and lines
 };
 
+struct Light {
+    bool on = true;
+    float strength = 1;
+};
+struct AmbientOcclusion {
+    bool on = false;
+    double radius = 0.1; // of the bounds' diagonal
+    float strength = 1;
+};
+struct Lighting { // of surfaces
+    bool on = true;
+    float ambient = 1; // strength of the light from everywhere
+    Light headlight, key_light;
+    AmbientOcclusion ambient_occlusion;
+};
+
 struct Scene {
     std::string dataset;
     double time = 0;                 // the nearest step is shown
     std::optional<Camera> camera;    // none: the default view of the dataset's bounds
     std::string background = "dark"; // "dark", "light" or "#rrggbb"
     Annotations annotations;
+    Lighting lighting;
     std::vector<Layer> layers; // sorted by (order, id)
 };
 

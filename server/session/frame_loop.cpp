@@ -24,12 +24,14 @@ wire::FrameHeader header_of(const View& view, const FrameRequest& request, const
     return header;
 }
 
-std::vector<std::string> lacking_in(const Geometry& geometry, Stream stream) {
+std::vector<std::string> lacking_in(const Geometry& geometry, const scene::Lighting& lighting, Stream stream) {
     std::vector<std::string> lacking = geometry.lacking;
     lacking.insert(lacking.end(), geometry.remarks.begin(), geometry.remarks.end());
-    if (stream == Stream::geometry)
-        for (const VolumeDrawable& volume : geometry.volumes)
-            lacking.push_back("layer " + volume.layer + " is a volume, which has no polygons; it is shown in pictures");
+    if (stream != Stream::geometry) return lacking;
+    for (const VolumeDrawable& volume : geometry.volumes)
+        lacking.push_back("layer " + volume.layer + " is a volume, which has no polygons; it is shown in pictures");
+    if (lighting.on && lighting.ambient_occlusion.on)
+        lacking.emplace_back("ambient occlusion is no part of polygons; it is shown in pictures");
     return lacking;
 }
 
@@ -53,7 +55,7 @@ void show_frame(View& view, Worker& worker, bool still) {
         } else if (view.is_new_content(content_of(*geometry))) {
             messages = geometry_messages(header, *geometry);
         }
-        view.tell_lacking(*request, lacking_in(*geometry, request->stream));
+        view.tell_lacking(*request, lacking_in(*geometry, request->version->scene.lighting, request->stream));
         view.deliver(*request, std::move(messages),
                      {header.wait_ms, header.extract_ms, header.draw_ms, header.encode_ms});
     } catch (const std::exception& error) {

@@ -6,6 +6,7 @@
 #include "session/volume_cut.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace ciel::session {
 namespace {
@@ -23,7 +24,21 @@ Background background_of(const std::string& name) {
     return {color, color};
 }
 
-render::Volume volume_of(const VolumeDrawable& drawable) {
+render::Lighting lighting_of(const scene::Lighting& lighting) {
+    const auto strength = [](const scene::Light& light) { return light.on ? light.strength : 0; };
+    return {lighting.ambient, strength(lighting.headlight), strength(lighting.key_light)};
+}
+
+render::Occlusion occlusion_of(const scene::Lighting& lighting, const Geometry& geometry) {
+    const scene::AmbientOcclusion& occlusion = lighting.ambient_occlusion;
+    if (!lighting.on || !occlusion.on) return {};
+    double square = 0;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        square += std::pow(geometry.bounds_max[axis] - geometry.bounds_min[axis], 2);
+    return {occlusion.radius * std::sqrt(square), occlusion.strength};
+}
+
+render::Volume volume_of(const VolumeDrawable& drawable, const render::Lighting& lighting) {
     render::Volume volume;
     volume.slices = drawable.slabs->slices;
     volume.boundary = drawable.slabs->boundary.get();
@@ -34,7 +49,7 @@ render::Volume volume_of(const VolumeDrawable& drawable) {
     volume.scale = drawable.scale;
     volume.opacity_points = drawable.opacity_points;
     volume.unit_length = drawable.unit_length;
-    volume.shaded = drawable.shaded;
+    volume.shaded = drawable.shaded && lighting.headlight > 0;
     volume.opacity = drawable.opacity;
     volume.coarseness = drawable.stride > 1 ? 2 : 1;
     volume.identity = drawable.identity;
@@ -71,6 +86,8 @@ render::Frame frame_of(const Geometry& geometry, const scene::Scene& scene, int 
     const Background background = background_of(scene.background);
     frame.background_top = background.top;
     frame.background_bottom = background.bottom;
+    frame.lighting = scene.lighting.on ? lighting_of(scene.lighting) : render::Lighting{0, 0, 0};
+    frame.occlusion = occlusion_of(scene.lighting, geometry);
     for (const Drawable& drawable : geometry.drawables) {
         render::Mesh mesh;
         mesh.positions = drawable.shape->surface.positions;
@@ -84,10 +101,11 @@ render::Frame frame_of(const Geometry& geometry, const scene::Scene& scene, int 
         mesh.color = drawable.color;
         mesh.revision = drawable.revision;
         mesh.identity = drawable.identity;
-        mesh.lit = drawable.lit;
+        mesh.lit = drawable.lit && scene.lighting.on;
         frame.meshes.push_back(std::move(mesh));
     }
-    for (const VolumeDrawable& drawable : geometry.volumes) frame.volumes.push_back(volume_of(drawable));
+    for (const VolumeDrawable& drawable : geometry.volumes)
+        frame.volumes.push_back(volume_of(drawable, frame.lighting));
     std::stable_partition(frame.meshes.begin(), frame.meshes.end(),
                           [](const render::Mesh& mesh) { return mesh.color[3] >= 1; });
     return frame;

@@ -93,6 +93,38 @@ describe("layers", { skip }, () => {
     await client.settled();
   });
 
+  test("lights, which both streams show alike, and ambient occlusion", async () => {
+    await check("Boundary", "Whole boundary").check();
+    await client.page.getByRole("button", { name: "Lighting" }).click();
+    await client.settled();
+    const lit = await client.picture();
+    await check("Lighting", "Key light").uncheck();
+    await client.settled();
+    assert.ok(difference(lit, await client.picture()) > 0.02, "the key light is off");
+    await alike("headlight");
+    await check("Lighting", "Lights").uncheck();
+    await client.settled();
+    assert.ok(difference(lit, await client.picture()) > 0.02, "no light at all");
+    await alike("unlit");
+    await check("Lighting", "Lights").check();
+    await check("Lighting", "Key light").check();
+    await client.settled();
+    assert.ok(difference(lit, await client.picture()) < 0.001);
+    await client.button("Add a clip across x").click();
+    await check("Clip", "Caps").uncheck();
+    await client.settled();
+    const open = await client.picture();
+    await check("Lighting", "Ambient occlusion").check();
+    await client.settled();
+    assert.ok(difference(open, await client.picture()) > 0.01, "the corners inside are darker");
+    await client.keep("occlusion");
+    await check("Lighting", "Ambient occlusion").uncheck();
+    await client.button("Remove this clip").click();
+    await check("Boundary", "Whole boundary").uncheck();
+    await client.page.getByRole("button", { name: "Lighting" }).click();
+    await client.settled();
+  });
+
   test("edges and points of the mesh", async () => {
     const before = await client.picture();
     await client.button("Add edges of the mesh").click();

@@ -248,6 +248,8 @@ REFUSED = [
     ("bad range", ["render", "--iso", "r=0.5", "--range", "1", "-o", "p.png"], "range", 2),
     ("unknown annotation", ["render", "--annotations", "legends", "-o", "p.png"], "legends", 2),
     ("all and one", ["render", "--annotations", "all,time", "-o", "p.png"], "stands alone", 2),
+    ("occlusion of none", ["render", "--occlusion-radius", "0.2", "-o", "p.png"], "--ambient-occlusion", 2),
+    ("light too strong", ["render", "--key-light", "9", "-o", "p.png"], "/lighting/key_light/strength", 1),
     ("text too small", ["render", "--text-scale", "0.01", "-o", "p.png"], "/annotations/scale", 1),
 ]
 
@@ -302,6 +304,43 @@ def test_annotations_are_switched_one_by_one(box, tmp_path):
         assert written[names][place].sum() == written[names].sum(), f"{names} is written elsewhere too"
     assert written["axes"].sum() > 300
     assert written["all"].sum() > written["axes"].sum() + written["legend"].sum()
+
+
+def test_lights_by_options_and_by_the_scene(box, tmp_path):
+    """Two spheres, one in the other, cut open: the space between them is where occlusion darkens."""
+    shown = {}
+    options = {
+        "default": [],
+        "all at one": ["--headlight", "1", "--key-light", "1", "--ambient", "1"],
+        "no headlight": ["--headlight", "0"],
+        "no key light": ["--key-light", "0"],
+        "dim": ["--ambient", "0"],
+        "unlit": ["--unlit"],
+        "occlusion": ["--ambient-occlusion", "--occlusion-radius", "0.2", "--occlusion-strength", "2"],
+        "occlusion unlit": ["--unlit", "--ambient-occlusion"],
+    }
+    for name, arguments in options.items():
+        works("render", box, "--iso", "r=0.5,0.75", "--clip", "x=0", "--annotations", "none", *arguments, "--size", "320x200", "-o", tmp_path / "p.png")
+        shown[name] = pixels(tmp_path / "p.png")
+    assert (shown["default"] == shown["all at one"]).all()
+    assert (shown["unlit"] == shown["occlusion unlit"]).all()
+    for name in ("no headlight", "no key light", "dim", "occlusion"):
+        assert (shown[name] <= shown["default"] + 1).all() and (shown["default"] - shown[name]).max() > 25, name
+    assert (shown["unlit"] - shown["default"]).max() > 25
+    scene = {
+        "dataset": "box",
+        "time": 0,
+        "annotations": {"legend": False, "triad": False},
+        "lighting": {"ambient_occlusion": {"on": True, "radius": 0.2, "strength": 2}},
+        "layers": {
+            "outline": {"type": "outline", "color": {"solid": "#808890"}},
+            "iso1": {"type": "iso", "array": "r", "values": [0.5, 0.75], "color": {"array": "r"}},
+            "clip1": {"type": "clip", "axis": "x", "value": 0},
+        },
+    }
+    (tmp_path / "scene.json").write_text(json.dumps(scene))
+    works("render", box, "--scene", tmp_path / "scene.json", "--size", "320x200", "-o", tmp_path / "p.png")
+    assert np.abs(pixels(tmp_path / "p.png") - shown["occlusion"]).mean() < 0.01
 
 
 def test_text_grows_with_its_scale(box, tmp_path):

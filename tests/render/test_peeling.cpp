@@ -107,6 +107,68 @@ TEST_P(PeelingTest, EdgesAreSmooth) {
     EXPECT_GT(between, 200U) << "pixels along the outline that are partly covered";
 }
 
+// As many as depth_peeling.cpp says, from the nearest on; what is behind the last shows as if there were no more.
+TEST_P(PeelingTest, ThirtyTwoLayersAreSeen) {
+    std::vector<std::pair<Color, double>> expected;
+    for (int i = 39; i >= 0; --i) {
+        const Color color = i == 31 ? Color{1, 0, 0} : i == 32 ? Color{0, 1, 0} : Color{0, 0, 1};
+        add(square(-0.9 + 0.045 * i), color, i == 31 || i == 32 ? 0.9 : 0.02);
+        if (i < 32) expected.insert(expected.begin(), {color, i == 31 ? 0.9 : 0.02});
+    }
+    renderer.draw(frame, image);
+    expect(160, 120, over(expected, {}));
+}
+
+TEST_P(PeelingTest, EightLayersAreSeenInAVolume) {
+    VolumeScene air(test::hexahedra({{4, 4, 4}}), [](const Vec3d&) { return 1.0; });
+    Volume volume = air.volume({0, 1, 0}, 20);
+    volume.scale.range = {0, 1};
+    volume.opacity_points = {{0, 0}, {1, 0}};
+    frame.volumes = {volume};
+    frame.bounds_min = {-1, -1, -1};
+    frame.bounds_max = {4, 4, 4};
+    std::vector<std::pair<Color, double>> expected;
+    for (int i = 11; i >= 0; --i) {
+        const Color color = i == 7 ? Color{1, 0, 0} : i == 8 ? Color{0, 1, 0} : Color{0, 0, 1};
+        const double opacity = i == 7 || i == 8 ? 0.8 : 0.1;
+        add(square(-0.9 + 0.1 * i), color, opacity);
+        if (i < 8) expected.insert(expected.begin(), {color, opacity});
+    }
+    for (const int samples : {1, 4}) {
+        frame.samples = samples;
+        renderer.draw(frame, image);
+        expect(160, 120, over(expected, {}));
+    }
+}
+
+TEST_P(PeelingTest, AClipPlaneCutsLayers) {
+    const Color red{1, 0, 0}, blue{0, 0, 1};
+    add(square(-0.5), red, 0.5);
+    add(square(0.5), blue, 0.5);
+    frame.clip = {{1, 0, 0, 0}};
+    renderer.draw(frame, image);
+    expect(220, 120, over({{red, 0.5}, {blue, 0.5}}, {}));
+    expect(100, 120, {});
+}
+
+// The sheet rises towards the viewer within the width of the line: half of the line would be under it.
+TEST_P(PeelingTest, LinesOnASheetAreNotBuried) {
+    add(grid(1, 1,
+             [](double u, double v) {
+                 return Vec3f{static_cast<float>(2 * u - 1), static_cast<float>(1.8 * u - 0.9),
+                              static_cast<float>(2 * v - 1)};
+             }),
+        {1, 0, 0}, 0.5);
+    Shape line;
+    line.positions = {{0, 0, -1}, {0, 0, 1}};
+    line.indices = {0, 1};
+    add(line, {0, 1, 0}, 1);
+    frame.meshes.back().lines = true;
+    frame.meshes.back().line_width = 8;
+    renderer.draw(frame, image);
+    for (int x = 157; x < 163; ++x) expect(x, 120, {0, 1, 0});
+}
+
 // A cube of even fog with a sheet in its middle: half of the fog is before the sheet, half behind it.
 TEST_P(PeelingTest, ASheetInAVolume) {
     VolumeScene fog(test::hexahedra({{4, 4, 4}}), [](const Vec3d&) { return 1.0; });

@@ -26,6 +26,15 @@ TEST(scene, defaults_are_those_of_the_contract) {
     EXPECT_EQ(scene.annotations.dataset, fallback("Annotations", "dataset"));
     EXPECT_EQ(scene.annotations.title, fallback("Annotations", "title"));
     EXPECT_EQ(scene.annotations.scale, fallback("Annotations", "scale"));
+    EXPECT_EQ(scene.lighting.on, fallback("Lighting", "on"));
+    EXPECT_EQ(scene.lighting.ambient, fallback("Lighting", "ambient"));
+    for (const Light& light : {scene.lighting.headlight, scene.lighting.key_light}) {
+        EXPECT_EQ(light.on, fallback("Light", "on"));
+        EXPECT_EQ(light.strength, fallback("Light", "strength"));
+    }
+    EXPECT_EQ(scene.lighting.ambient_occlusion.on, fallback("AmbientOcclusion", "on"));
+    EXPECT_EQ(scene.lighting.ambient_occlusion.radius, fallback("AmbientOcclusion", "radius"));
+    EXPECT_EQ(scene.lighting.ambient_occlusion.strength, fallback("AmbientOcclusion", "strength"));
     EXPECT_EQ(scene.camera->fov, fallback("Camera", "fov"));
     EXPECT_EQ(scene.camera->parallel, fallback("Camera", "parallel"));
     const Layer& layer = scene.layers.at(0);
@@ -85,6 +94,8 @@ TEST(scene, every_member_is_read) {
     const Scene scene = parse(json::parse(R"({
         "dataset": "d", "time": 2.5, "background": "#102030",
         "annotations": {"legend": false, "triad": false, "axes": true, "time": true, "dataset": true, "title": "µ", "scale": 2},
+        "lighting": {"on": false, "ambient": 0.5, "headlight": {"on": false, "strength": 2}, "key_light": {"strength": 3},
+                     "ambient_occlusion": {"on": true, "radius": 0.25, "strength": 1.5}},
         "camera": {"position": [1, 2, 3], "target": [4, 5, 6], "up": [0, 1, 0], "fov": 45, "parallel": true, "parallel_height": 7},
         "layers": {
             "i": {"type": "iso", "order": 4, "visible": false, "opacity": 0.5, "array": "U:x", "values": [1, 2], "smooth": false,
@@ -102,6 +113,15 @@ TEST(scene, every_member_is_read) {
     EXPECT_TRUE(scene.annotations.dataset);
     EXPECT_EQ(scene.annotations.title, "µ");
     EXPECT_EQ(scene.annotations.scale, 2);
+    EXPECT_FALSE(scene.lighting.on);
+    EXPECT_EQ(scene.lighting.ambient, 0.5F);
+    EXPECT_FALSE(scene.lighting.headlight.on);
+    EXPECT_EQ(scene.lighting.headlight.strength, 2);
+    EXPECT_TRUE(scene.lighting.key_light.on);
+    EXPECT_EQ(scene.lighting.key_light.strength, 3);
+    EXPECT_TRUE(scene.lighting.ambient_occlusion.on);
+    EXPECT_EQ(scene.lighting.ambient_occlusion.radius, 0.25);
+    EXPECT_EQ(scene.lighting.ambient_occlusion.strength, 1.5F);
     EXPECT_EQ(scene.camera->target, (std::array<double, 3>{4, 5, 6}));
     EXPECT_EQ(scene.camera->up, (std::array<double, 3>{0, 1, 0}));
     EXPECT_EQ(scene.camera->parallel_height, 7);
@@ -302,6 +322,16 @@ constexpr Malformed table[] = {
     {"volume_of_two_arrays",
      R"({"dataset": "d", "layers": {"a": {"type": "volume", "array": "p", "color": {"array": "q"}}}})",
      "/layers/a/color/array", "a volume has the colours of its own array, p"},
+    {"lighting_too_strong", R"({"dataset": "d", "lighting": {"headlight": {"strength": 5}}})",
+     "/lighting/headlight/strength", "/lighting/headlight/strength must be at most 4"},
+    {"lighting_below_zero", R"({"dataset": "d", "lighting": {"ambient": -1}})", "/lighting/ambient",
+     "/lighting/ambient must be at least 0"},
+    {"lighting_unknown_light", R"({"dataset": "d", "lighting": {"fill_light": {}}})", "/lighting/fill_light",
+     "/lighting/fill_light is not known here"},
+    {"occlusion_without_radius", R"({"dataset": "d", "lighting": {"ambient_occlusion": {"radius": 0}}})",
+     "/lighting/ambient_occlusion/radius", "/lighting/ambient_occlusion/radius must be more than 0"},
+    {"occlusion_wider_than_all", R"({"dataset": "d", "lighting": {"ambient_occlusion": {"radius": 1.5}}})",
+     "/lighting/ambient_occlusion/radius", "/lighting/ambient_occlusion/radius must be at most 1"},
     {"color_range", R"({"dataset": "d", "layers": {"a": {"type": "outline", "color": {"range": [2, 1]}}}})",
      "/layers/a/color/range", "a range is [minimum, maximum]"},
     {"color_range_of_text", R"({"dataset": "d", "layers": {"a": {"type": "outline", "color": {"range": "all"}}}})",

@@ -190,6 +190,29 @@ class Annotations(TypedDict):
     scale: NotRequired[float]  # of text and lines, on top of the picture's height: 13 pixels of text at 720 rows
 
 
+class Light(TypedDict):
+    on: NotRequired[bool]
+    strength: NotRequired[float]
+
+
+class AmbientOcclusion(TypedDict):
+    """Opaque lit surfaces are darker where others near them keep out light from everywhere. Slices keep the colours of their values, but shade what is around them; lines, points, transparent surfaces and volumes neither shade nor are shaded. Pictures show it, the polygons of the geometry stream do not."""
+
+    on: NotRequired[bool]
+    radius: NotRequired[float]  # within which surfaces shade each other, of the diagonal of the bounds
+    strength: NotRequired[float]  # the share of the sky that a place sees is raised to this power: 1 is what light from everywhere would do, 2 is darker
+
+
+class Lighting(TypedDict):
+    """What lights surfaces: the headlight stands at the eye, the key light over the viewer's left shoulder, both move with the camera. A shaded volume has a light at the eye, which the headlight's switch turns off."""
+
+    on: NotRequired[bool]  # false: all in its own colours, without light and shade
+    ambient: NotRequired[float]  # strength of the light from everywhere
+    headlight: NotRequired[Light]
+    key_light: NotRequired[Light]
+    ambient_occlusion: NotRequired[AmbientOcclusion]
+
+
 class Scene(TypedDict):
     """What a viewer wants to see. Undo, links, replay and scripts all use this document."""
 
@@ -198,6 +221,7 @@ class Scene(TypedDict):
     camera: NotRequired[Camera | None]
     background: NotRequired[Literal["dark", "light"] | str]
     annotations: NotRequired[Annotations]
+    lighting: NotRequired[Lighting]
     layers: NotRequired[dict[str, Layer]]  # by id; drawn by (order, id)
 
 

@@ -1,6 +1,7 @@
 // The page's parts, wired: what the server says goes into the store, what the hand does goes to the editor.
 import { decodeGeometry } from "../decoders/geometry";
 import { decodeImage } from "../decoders/image";
+import { lightsOf } from "../display/lights";
 import { backgroundColors } from "../display/background";
 import type { Look } from "../display/geometry_canvas";
 import { Presenter } from "../display/presenter";
@@ -128,7 +129,8 @@ export class App {
     const camera = this.actions.camera();
     if (description === null || camera === null) return null;
     const { top, bottom } = backgroundColors(scene?.background);
-    return { camera, bounds: description.bounds, backgroundTop: top, backgroundBottom: bottom };
+    const lights = lightsOf(scene?.lighting);
+    return { camera, bounds: description.bounds, backgroundTop: top, backgroundBottom: bottom, lights };
   }
 
   private presented(header: FrameHeader, bytes: number): void {

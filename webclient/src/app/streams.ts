@@ -34,6 +34,7 @@ export class Streams {
     const { streamChoice, readout, scene } = this.app.store.get();
     if (streamChoice !== "auto") return streamChoice;
     if (layersOf(scene, "volume").some(([, layer]) => layer.visible !== false)) return "image"; // no polygons to send
+    if (scene?.lighting?.on !== false && scene?.lighting?.ambient_occlusion?.on === true) return "image"; // is not drawn here
     this.hardware ??= hasHardwareWebGL();
     const { triangles, roundTripMs } = readout;
     const current = readout.stream === "geometry" ? "geometry" : "image";

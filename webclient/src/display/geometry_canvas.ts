@@ -5,6 +5,7 @@ import type { GeometryBatch } from "../decoders/geometry";
 import { clamp } from "../scene/numbers";
 import type { Rgb } from "./background";
 import type { ColorScale } from "./color_scale";
+import type { Lights } from "./lights";
 import { ScaleTextures, scaleUniforms } from "./scale_textures";
 import { buildProgram, type Program } from "./gl_program";
 import { uploadLines } from "./lines";
@@ -23,6 +24,7 @@ export interface Look {
   bounds: Bounds;
   backgroundTop: Rgb;
   backgroundBottom: Rgb;
+  lights: Lights;
 }
 
 interface Uploaded {
@@ -85,12 +87,12 @@ export class GeometryCanvas {
     for (const program of [this.surface, this.lines, this.points]) this.prepareProgram(program, look, width, height);
     gl.polygonOffset(this.reachOfOverlays(), 1); // surfaces a little back, so that lines on them are not half buried
     gl.enable(gl.POLYGON_OFFSET_FILL);
-    this.drawParts(({ batch }) => isSurface(batch) && batch.color[3] >= 1, look.camera);
+    this.drawParts(({ batch }) => isSurface(batch) && batch.color[3] >= 1, look);
     gl.enable(gl.BLEND);
     gl.blendFunc(gl.SRC_ALPHA, gl.ONE_MINUS_SRC_ALPHA);
-    this.drawParts(({ batch }) => batch.lines, look.camera);
-    this.drawParts(({ batch }) => batch.points, look.camera);
-    this.drawTransparent(look.camera);
+    this.drawParts(({ batch }) => batch.lines, look);
+    this.drawParts(({ batch }) => batch.points, look);
+    this.drawTransparent(look);
     gl.disable(gl.BLEND);
     gl.disable(gl.POLYGON_OFFSET_FILL);
   }
@@ -109,23 +111,24 @@ export class GeometryCanvas {
     gl.uniform1i(program.at("parallel"), look.camera.parallel ? 1 : 0);
     gl.uniform1f(program.at("scale"), 1 / (boundsRadius(look.bounds) || 1));
     gl.uniform2f(program.at("viewport"), width, height);
+    gl.uniform3fv(program.at("lights"), look.lights.strengths);
   }
 
-  private drawParts(wanted: (part: Uploaded) => boolean, camera: FullCamera): void {
-    for (const part of this.uploaded) if (wanted(part)) this.drawPart(part, camera);
+  private drawParts(wanted: (part: Uploaded) => boolean, look: Look): void {
+    for (const part of this.uploaded) if (wanted(part)) this.drawPart(part, look);
   }
 
   // Each layer's nearest surface only: what lies behind it in the same layer would be mixed in no right order.
-  private drawTransparent(camera: FullCamera): void {
+  private drawTransparent(look: Look): void {
     const { gl } = this;
     const isTransparent = ({ batch }: Uploaded): boolean => isSurface(batch) && batch.color[3] < 1;
     const layers = new Set(this.uploaded.filter(isTransparent).map(({ batch }) => batch.layer));
     for (const layer of layers) {
       const ofLayer = (part: Uploaded): boolean => isTransparent(part) && part.batch.layer === layer;
       gl.colorMask(false, false, false, false);
-      this.drawParts(ofLayer, camera);
+      this.drawParts(ofLayer, look);
       gl.colorMask(true, true, true, true);
-      this.drawParts(ofLayer, camera);
+      this.drawParts(ofLayer, look);
     }
   }
 
@@ -139,16 +142,17 @@ export class GeometryCanvas {
     gl.drawArrays(gl.TRIANGLES, 0, 3);
   }
 
-  private drawPart({ batch, vertexArray }: Uploaded, camera: FullCamera): void {
+  private drawPart({ batch, vertexArray }: Uploaded, look: Look): void {
     const { gl } = this;
     const program = batch.lines ? this.lines : batch.points ? this.points : this.surface;
     gl.useProgram(program.program);
-    gl.uniformMatrix4fv(program.at("view"), false, viewMatrix(camera, batch.origin));
+    gl.uniformMatrix4fv(program.at("view"), false, viewMatrix(look.camera, batch.origin));
     gl.uniform4fv(program.at("color"), batch.color);
     gl.uniform1i(program.at("mapped"), batch.scalars === null ? 0 : 1);
     gl.uniform1i(program.at("clip_planes"), batch.clip.length);
     if (batch.clip.length > 0) gl.uniform4fv(program.at("clip"), batch.clip.flat());
     if (batch.scalars !== null) this.useScale(program, batch.scale);
+    gl.uniform1i(program.at("lit"), batch.lit && look.lights.on ? 1 : 0);
     gl.bindVertexArray(vertexArray);
     if (batch.lines) {
       gl.uniform1f(program.at("half_width"), batch.width / 2);
@@ -160,7 +164,6 @@ export class GeometryCanvas {
       gl.drawElements(gl.POINTS, batch.indices.length, gl.UNSIGNED_INT, 0);
       return;
     }
-    gl.uniform1i(program.at("lit"), batch.lit ? 1 : 0);
     gl.uniform1i(program.at("has_normals"), batch.normals === null ? 0 : 1);
     gl.drawElements(gl.TRIANGLES, batch.indices.length, gl.UNSIGNED_INT, 0);
   }

@@ -56,10 +56,28 @@ vec3 base_color() {
 }
 `;
 
-export const SURFACE_FRAGMENT = `${COLORED}
+// The server's too (server/render/lighting.cpp).
+const LIT = `
+uniform bool lit;
+uniform vec3 lights; // strengths of the ambient light, the headlight and the key light
+
+vec3 lit_surface(vec3 base, vec3 n, vec3 viewer) {
+  vec3 key = normalize(vec3(-0.45, 0.65, 0.6)); // over the viewer's left shoulder
+  float head = dot(n, viewer);
+  float wrapped = 0.5 + 0.5 * dot(n, key);
+  float shine = pow(max(dot(n, normalize(key + viewer)), 0.0), 40.0);
+  return base * (0.30 * lights.x + 0.38 * lights.y * head + 0.40 * lights.z * wrapped * wrapped) +
+    vec3(0.10 * lights.z * shine);
+}
+
+vec3 lit_ball(vec3 base, vec2 side) {
+  return base * (0.55 * lights.x + 0.45 * lights.y * sqrt(max(1.0 - dot(side, side), 0.0)));
+}
+`;
+
+export const SURFACE_FRAGMENT = `${COLORED}${LIT}
 in vec3 place;
 in vec3 eye_normal;
-uniform bool lit;
 uniform bool has_normals;
 uniform bool parallel;
 
@@ -77,26 +95,21 @@ void main() {
   vec3 base = base_color();
   if (lit) {
     vec3 viewer = parallel ? vec3(0.0, 0.0, 1.0) : normalize(-place);
-    vec3 n = facing_normal(viewer);
-    vec3 key = normalize(vec3(-0.45, 0.65, 0.6));
-    float head = dot(n, viewer);
-    float wrapped = 0.5 + 0.5 * dot(n, key);
-    float shine = pow(max(dot(n, normalize(key + viewer)), 0.0), 40.0);
-    base = base * (0.30 + 0.38 * head + 0.40 * wrapped * wrapped) + vec3(0.10 * shine);
+    base = lit_surface(base, facing_normal(viewer), viewer);
   }
   result = vec4(base, color.a);
 }`;
 
 // A disc with soft edges, shaded as the ball that it stands for.
-export const POINT_FRAGMENT = `${COLORED}
+export const POINT_FRAGMENT = `${COLORED}${LIT}
 uniform float point_size;
 void main() {
   leave_out_what_is_clipped();
   vec2 from_center = (gl_PointCoord - 0.5) * (point_size + 1.0);
   float cover = clamp(point_size * 0.5 + 0.5 - length(from_center), 0.0, 1.0);
   if (cover < 0.02) discard;
-  vec2 side = from_center / (point_size * 0.5 + 0.5);
-  vec3 base = base_color() * (0.55 + 0.45 * sqrt(max(1.0 - dot(side, side), 0.0)));
+  vec3 base = base_color();
+  if (lit) base = lit_ball(base, from_center / (point_size * 0.5 + 0.5));
   result = vec4(base, color.a * cover);
 }`;
 

@@ -8,6 +8,7 @@ import { useApp, useAppState } from "./context";
 import { Help } from "./help";
 import { InfoSection } from "./info_section";
 import { IsoSection } from "./iso_section";
+import { LightingSection } from "./lighting_section";
 import { LinesAndPointsSection } from "./lines_and_points_section";
 import { SlicesSection } from "./slices_section";
 import { Stage } from "./stage";
@@ -60,6 +61,7 @@ export function Shell(): JSX.Element {
               <BoundarySection />
               <LinesAndPointsSection />
               <ClipSection />
+              <LightingSection />
               <ViewSection />
               <InfoSection />
             </>

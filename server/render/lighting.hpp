@@ -1,0 +1,23 @@
+// The lights of a frame, and the one place that says how they light a surface.
+#pragma once
+
+namespace ciel::render {
+
+// Strengths; 0 is off.
+struct Lighting {
+    float ambient = 1;   // from everywhere
+    float headlight = 1; // at the eye
+    float key_light = 1; // over the viewer's left shoulder
+};
+
+// Opaque lit surfaces are darker where others keep out light from everywhere (ambient_occlusion.hpp).
+struct Occlusion {
+    double radius = 0; // length within which surfaces shade each other; 0: none
+    float strength = 1;
+};
+
+// GLSL, for a fragment shader: `lights` to be set to the three strengths, and lit_surface() and lit_ball(), which
+// brighten a colour. The page draws with the same (webclient/src/display/shaders.ts).
+extern const char* const lighting_glsl;
+
+} // namespace ciel::render

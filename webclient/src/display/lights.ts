@@ -1,0 +1,15 @@
+// How a scene's lighting is drawn: the strengths that the shaders know.
+import type { Light, Lighting } from "../generated/protocol";
+
+export interface Lights {
+  on: boolean;
+  /** Of the ambient light, the headlight and the key light; 0 is off. */
+  strengths: [number, number, number];
+}
+
+const strengthOf = (light: Light | undefined): number => (light?.on === false ? 0 : (light?.strength ?? 1));
+
+export function lightsOf(lighting: Lighting | undefined): Lights {
+  const { on = true, ambient = 1, headlight, key_light } = lighting ?? {};
+  return { on, strengths: [ambient, strengthOf(headlight), strengthOf(key_light)] };
+}
