@@ -34,8 +34,6 @@ bool is_opaque(const Mesh& mesh) {
 
 Painter::Painter(const Gl& gl)
     : gl_(gl), renderer_name_(text_of(gl_, GL_RENDERER)), version_(text_of(gl_, GL_VERSION)),
-      is_software_(renderer_name_.find("llvmpipe") != std::string::npos ||
-                   renderer_name_.find("softpipe") != std::string::npos),
       background_(make_background_program(gl_)), triangles_(make_triangle_program(gl_)), lines_(make_line_program(gl_)),
       points_(make_point_program(gl_)), scales_(gl_), target_(gl_), transparent_(gl_), peeling_(gl_), volumes_(gl_),
       overlay_(gl_) {
@@ -45,7 +43,12 @@ Painter::Painter(const Gl& gl)
     gl_.BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
 }
 
-void Painter::draw(const Frame& frame, Image& image) {
+void Painter::draw(const Frame& frame, Image& image, const AfterStage& after) {
+    const auto finished = [&](DrawStage stage) {
+        if (!after) return;
+        gl_.Finish();
+        after(stage);
+    };
     transform_ = view_transform(frame);
     clip_planes_ = frame.clip.size();
     if (clip_planes_ > most_clip_planes)
@@ -53,6 +56,8 @@ void Painter::draw(const Frame& frame, Image& image) {
     origin_ = frame.origin;
     width_ = height_ = 0; // nothing to pick from if this throws
     load_scales(frame);
+    upload(frame);
+    finished(DrawStage::upload);
     target_.begin(frame.width, frame.height, frame.samples);
     draw_background(frame);
     enable_clip_planes(true);
@@ -65,7 +70,9 @@ void Painter::draw(const Frame& frame, Image& image) {
     gl_.Disable(GL_BLEND);
     enable_clip_planes(false);
     overlay_.draw(frame);
+    finished(DrawStage::draw);
     target_.read_color(image);
+    finished(DrawStage::read);
     width_ = frame.width;
     height_ = frame.height;
 }
@@ -86,6 +93,20 @@ void Painter::load_scales(const Frame& frame) {
     scale_rows_.clear();
     for (const Mesh& mesh : frame.meshes) scale_rows_.push_back(mesh.scalars.empty() ? -1 : scales_.row_of(mesh.scale));
     scales_.upload();
+}
+
+void Painter::upload(const Frame& frame) {
+    const glm::mat4 view(transform_.view);
+    transparent_.begin(glm::vec4(view[0].z, view[1].z, view[2].z, view[3].z));
+    for (std::size_t i = 0; i < frame.meshes.size(); ++i) {
+        const Mesh& mesh = frame.meshes[i];
+        if (mesh.indices.empty()) continue;
+        if (!is_transparent(mesh))
+            buffers(i).load(mesh);
+        else if (mesh.color[3] > 0)
+            transparent_.add(mesh, scale_rows_[i]);
+    }
+    transparent_.sort_and_upload();
 }
 
 void Painter::draw_background(const Frame& frame) {
@@ -147,12 +168,9 @@ void Painter::draw_meshes(const Frame& frame, const Program& program, bool befor
         const Mesh& mesh = frame.meshes[i];
         const Program& own = mesh.points ? points_ : mesh.lines ? lines_ : triangles_;
         if (&own != &program || is_transparent(mesh) || mesh.indices.empty()) continue;
-        MeshBuffers& slot = buffers(i);
-        // From llvmpipe buffers that are uploaded anew draw faster than kept ones.
-        slot.load(mesh, scale_rows_[i], !is_software_);
         if (mesh.lines) gl_.Uniform1f(program.half_width, mesh.line_width / 2);
         if (mesh.points) gl_.Uniform1f(program.point_size, mesh.point_size);
-        slot.draw();
+        buffers(i).draw(mesh, scale_rows_[i]);
     }
     gl_.Disable(GL_POLYGON_OFFSET_FILL);
 }
@@ -164,8 +182,7 @@ void Painter::keep_opaque_depth(const Frame& frame) {
     use(triangles_, frame);
     for (std::size_t i = 0; i < frame.meshes.size(); ++i) {
         if (!is_opaque(frame.meshes[i])) continue;
-        buffers(i).load(frame.meshes[i], scale_rows_[i], true);
-        buffers(i).draw();
+        buffers(i).draw(frame.meshes[i], scale_rows_[i]);
     }
     target_.bind_again();
 }
@@ -185,17 +202,11 @@ void Painter::draw_before_volumes(const Frame& frame) {
 }
 
 void Painter::draw_transparent(const Frame& frame) {
-    const glm::mat4 view(transform_.view);
-    transparent_.begin(glm::vec4(view[0].z, view[1].z, view[2].z, view[3].z));
-    for (std::size_t i = 0; i < frame.meshes.size(); ++i)
-        if (is_transparent(frame.meshes[i]) && frame.meshes[i].color[3] > 0)
-            transparent_.add(frame.meshes[i], scale_rows_[i]);
     transparent_depth_drawn_ = transparent_.is_empty();
     if (transparent_.is_empty()) {
         if (!frame.volumes.empty()) draw_volumes(frame);
         return;
     }
-    transparent_.sort_and_upload();
     if (frame.samples > 1 || !frame.volumes.empty()) return peel_transparent(frame);
     use(triangles_, frame);
     gl_.DepthMask(GL_FALSE);

@@ -21,7 +21,7 @@ public:
     Painter(const Painter&) = delete;
     Painter& operator=(const Painter&) = delete;
 
-    void draw(const Frame& frame, Image& image);
+    void draw(const Frame& frame, Image& image, const AfterStage& after);
     bool pick(int x, int y, Vec3d& position);
     [[nodiscard]] const std::string& renderer_name() const { return renderer_name_; }
     [[nodiscard]] const std::string& version() const { return version_; }
@@ -29,6 +29,7 @@ public:
 private:
     void enable_clip_planes(bool on);
     void load_scales(const Frame& frame);
+    void upload(const Frame& frame);
     void draw_background(const Frame& frame);
     void draw_meshes(const Frame& frame, const Program& program, bool before_volume = false);
     void keep_opaque_depth(const Frame& frame);
@@ -41,7 +42,6 @@ private:
 
     Gl gl_;
     std::string renderer_name_, version_;
-    bool is_software_ = false;
     Program background_, triangles_, lines_, points_;
     GLuint no_array_ = 0;
     ColorScales scales_;

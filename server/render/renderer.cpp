@@ -49,12 +49,12 @@ Renderer::Renderer(Backend backend) : state_(std::make_unique<State>(backend)) {
 Renderer::~Renderer() = default;
 Renderer::Renderer(Renderer&&) noexcept = default;
 
-void Renderer::draw(const Frame& frame, Image& image) {
+void Renderer::draw(const Frame& frame, Image& image, const AfterStage& after) {
     if (state_->is_lost()) state_->rebuild();
-    state_->painter->draw(frame, image);
+    state_->painter->draw(frame, image, after);
     if (state_->is_lost()) { // while drawing: what was read is no picture
         state_->rebuild();
-        state_->painter->draw(frame, image);
+        state_->painter->draw(frame, image, after);
     }
 }
 
