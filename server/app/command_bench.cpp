@@ -17,12 +17,9 @@ namespace {
 using nlohmann::json;
 
 const std::vector<std::pair<std::string, bench::Table (*)(const bench::Case&)>> all_tables{
-    {"memory", bench::memory_table},
-    {"preprocessing", bench::preprocessing_table},
-    {"slices", bench::slices_table},
-    {"surfaces", bench::surfaces_table},
-    {"frames", bench::frames_table},
-    {"volume", bench::volume_table}};
+    {"memory", bench::memory_table}, {"preprocessing", bench::preprocessing_table},
+    {"slices", bench::slices_table}, {"surfaces", bench::surfaces_table},
+    {"frames", bench::frames_table}, {"volume", bench::volume_table}};
 const std::vector<std::string> picture_tables{"frames", "volume"};
 
 struct BenchCommand {

@@ -12,7 +12,7 @@ namespace ciel::bench {
 struct Case {
     std::shared_ptr<store::Dataset> dataset;
     std::shared_ptr<store::LoadedDataset> loaded; // the same, as the server holds it
-    std::string path; // to open it again
+    std::string path;                             // to open it again
     std::string array;
     double time = 0;
     FaceMeshView mesh;

@@ -97,8 +97,7 @@ public:
             high[k] = mesh.bounds[2 * k + 1];
         }
         const render::Camera from = render::default_camera(low, high, double{width} / height);
-        const double angle = share * pi, dx = from.position[0] - from.target[0],
-                     dy = from.position[1] - from.target[1];
+        const double angle = share * pi, dx = from.position[0] - from.target[0], dy = from.position[1] - from.target[1];
         scene.camera = scene::Camera{};
         scene.camera->position = {from.target[0] + dx * std::cos(angle) - dy * std::sin(angle),
                                   from.target[1] + dx * std::sin(angle) + dy * std::cos(angle), from.position[2]};

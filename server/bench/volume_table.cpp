@@ -20,8 +20,8 @@ void add_figures(Table& table, const VolumePictures& pictures, const std::string
     table.figures.push_back({of + ": picture covered", 100 * share, "%"});
     table.figures.push_back({of + ": samples", samples, ""});
     const double resolution = pictures.volume().coarseness;
-    table.figures.push_back({of + ": samples a covered pixel",
-                             samples * resolution * resolution / std::max(1.0, share * pixels), ""});
+    table.figures.push_back(
+        {of + ": samples a covered pixel", samples * resolution * resolution / std::max(1.0, share * pixels), ""});
 }
 
 } // namespace

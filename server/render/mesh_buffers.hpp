@@ -21,6 +21,9 @@ public:
     // `mesh` is what was loaded, perhaps in other colours. `scale_row`: of these in the frame's ColorScales, -1 for a
     // solid mesh.
     void draw(const Mesh& mesh, float scale_row) const;
+    [[nodiscard]] std::uint64_t identity() const {
+        return identity_;
+    } // of the mesh that was loaded; 0 before the first
 
 private:
     void upload(GLuint buffer, GLenum target, std::size_t bytes, const void* data);

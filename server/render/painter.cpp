@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <glm/gtc/type_ptr.hpp>
 #include <glm/matrix.hpp>
+#include <unordered_map>
 
 namespace ciel::render {
 namespace {
@@ -30,13 +31,18 @@ bool is_opaque(const Mesh& mesh) {
     return !mesh.lines && !mesh.points && !is_transparent(mesh) && !mesh.indices.empty();
 }
 
+// A software rasteriser pays for what its programs could do, not for what they do.
+bool is_plain(const Mesh& mesh, const Frame& frame) {
+    return !mesh.lines && !mesh.points && mesh.scalars.empty() && !mesh.normals.empty() && frame.clip.empty();
+}
+
 } // namespace
 
 Painter::Painter(const Gl& gl)
     : gl_(gl), renderer_name_(text_of(gl_, GL_RENDERER)), version_(text_of(gl_, GL_VERSION)),
-      background_(make_background_program(gl_)), triangles_(make_triangle_program(gl_)), lines_(make_line_program(gl_)),
-      points_(make_point_program(gl_)), scales_(gl_), target_(gl_), transparent_(gl_), peeling_(gl_), volumes_(gl_),
-      overlay_(gl_) {
+      background_(make_background_program(gl_)), triangles_(make_triangle_program(gl_)),
+      plain_(make_plain_program(gl_)), lines_(make_line_program(gl_)), points_(make_point_program(gl_)), scales_(gl_),
+      target_(gl_), transparent_(gl_), peeling_(gl_), volumes_(gl_), overlay_(gl_) {
     gl_.GenVertexArrays(1, &no_array_);
     gl_.DepthFunc(GL_LEQUAL);
     gl_.Enable(GL_PROGRAM_POINT_SIZE);
@@ -96,17 +102,42 @@ void Painter::load_scales(const Frame& frame) {
 }
 
 void Painter::upload(const Frame& frame) {
-    const glm::mat4 view(transform_.view);
-    transparent_.begin(glm::vec4(view[0].z, view[1].z, view[2].z, view[3].z));
+    assign_buffers(frame);
+    std::vector<TransparentTriangles::Part> transparent;
     for (std::size_t i = 0; i < frame.meshes.size(); ++i) {
         const Mesh& mesh = frame.meshes[i];
         if (mesh.indices.empty()) continue;
-        if (!is_transparent(mesh))
+        if (!is_transparent(mesh)) {
             buffers(i).load(mesh);
-        else if (mesh.color[3] > 0)
-            transparent_.add(mesh, scale_rows_[i]);
+        } else if (mesh.color[3] > 0) {
+            check_mesh(mesh);
+            transparent.push_back({&mesh, scale_rows_[i]});
+        }
     }
-    transparent_.sort_and_upload();
+    const glm::mat4 view(transform_.view);
+    transparent_.load(transparent, glm::vec4(view[0].z, view[1].z, view[2].z, view[3].z));
+}
+
+// Those that hold a mesh have it again, wherever it stands in this frame.
+void Painter::assign_buffers(const Frame& frame) {
+    std::unordered_map<std::uint64_t, MeshBuffers*> holding;
+    std::vector<MeshBuffers*> rest;
+    for (MeshBuffers& buffers : buffers_)
+        if (buffers.identity() == 0 || !holding.emplace(buffers.identity(), &buffers).second) rest.push_back(&buffers);
+    slots_.assign(frame.meshes.size(), nullptr);
+    for (std::size_t i = 0; i < frame.meshes.size(); ++i) {
+        const auto found = holding.find(frame.meshes[i].identity);
+        if (is_transparent(frame.meshes[i]) || found == holding.end()) continue;
+        slots_[i] = found->second;
+        holding.erase(found);
+    }
+    for (const auto& [identity, buffers] : holding) rest.push_back(buffers);
+    for (std::size_t i = 0; i < frame.meshes.size(); ++i) {
+        if (slots_[i] != nullptr || is_transparent(frame.meshes[i])) continue;
+        if (rest.empty()) rest.push_back(&buffers_.emplace_back(gl_));
+        slots_[i] = rest.back();
+        rest.pop_back();
+    }
 }
 
 void Painter::draw_background(const Frame& frame) {
@@ -146,13 +177,9 @@ void Painter::use(const Program& program, const Frame& frame) {
     scales_.bind();
 }
 
-MeshBuffers& Painter::buffers(std::size_t slot) {
-    while (buffers_.size() <= slot) buffers_.emplace_back(gl_);
-    return *std::next(buffers_.begin(), static_cast<std::ptrdiff_t>(slot));
-}
-
 void Painter::draw_meshes(const Frame& frame, const Program& program, bool before_volume) {
     use(program, frame);
+    const Program* in_use = &program;
     if (&program == &triangles_) { // surfaces a little back, so that lines on them are not half buried
         gl_.Enable(GL_POLYGON_OFFSET_FILL);
         gl_.PolygonOffset(reach_of_overlays(frame), 1);
@@ -170,6 +197,10 @@ void Painter::draw_meshes(const Frame& frame, const Program& program, bool befor
         if (&own != &program || is_transparent(mesh) || mesh.indices.empty()) continue;
         if (mesh.lines) gl_.Uniform1f(program.half_width, mesh.line_width / 2);
         if (mesh.points) gl_.Uniform1f(program.point_size, mesh.point_size);
+        if (const Program& fitting = is_plain(mesh, frame) ? plain_ : own; &fitting != in_use) {
+            use(fitting, frame);
+            in_use = &fitting;
+        }
         buffers(i).draw(mesh, scale_rows_[i]);
     }
     gl_.Disable(GL_POLYGON_OFFSET_FILL);

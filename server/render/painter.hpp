@@ -38,16 +38,18 @@ private:
     void draw_transparent(const Frame& frame);
     void peel_transparent(const Frame& frame);
     void use(const Program& program, const Frame& frame);
-    [[nodiscard]] MeshBuffers& buffers(std::size_t slot);
+    void assign_buffers(const Frame& frame);
+    [[nodiscard]] MeshBuffers& buffers(std::size_t mesh) { return *slots_[mesh]; }
 
     Gl gl_;
     std::string renderer_name_, version_;
-    Program background_, triangles_, lines_, points_;
+    Program background_, triangles_, plain_, lines_, points_;
     GLuint no_array_ = 0;
     ColorScales scales_;
     std::vector<float> scale_rows_; // of the frame's meshes
     Target target_;
-    std::list<MeshBuffers> buffers_; // one per mesh of the largest frame so far
+    std::list<MeshBuffers> buffers_;  // one per mesh of the largest frame so far
+    std::vector<MeshBuffers*> slots_; // of the frame's meshes; null where they are transparent
     TransparentTriangles transparent_;
     DepthPeeling peeling_;
     VolumePainter volumes_;

@@ -37,16 +37,36 @@ TransparentTriangles::TransparentTriangles(const Gl& gl) : gl_(gl) {
     attribute(attribute_style, 2, offsetof(Vertex, style));
 }
 
-void TransparentTriangles::begin(const glm::vec4& depth_row) {
+void TransparentTriangles::load(const std::vector<Part>& parts, const glm::vec4& depth_row) {
+    const bool same = holds(parts);
+    if (same && depth_row == depth_row_) return;
     depth_row_ = depth_row;
-    vertices_.clear();
-    sorted_.clear();
+    if (!same) {
+        vertices_.clear();
+        triangles_.clear();
+        for (const Part& part : parts) add(part);
+        upload_vertices();
+    }
+    sort_and_upload();
 }
 
-void TransparentTriangles::add(const Mesh& mesh, float scale_row) {
-    check_mesh(mesh);
+// And will be asked about these the next time.
+bool TransparentTriangles::holds(const std::vector<Part>& parts) {
+    std::vector<Held> wanted;
+    bool known = true;
+    for (const auto& [mesh, scale_row] : parts) {
+        known = known && mesh->revision != 0;
+        wanted.push_back({mesh->identity, mesh->revision, mesh->color, scale_row, mesh->lit});
+    }
+    const bool same = known && wanted == held_;
+    held_ = std::move(wanted);
+    return same;
+}
+
+void TransparentTriangles::add(const Part& part) {
+    const Mesh& mesh = *part.mesh;
     const auto first = static_cast<Index>(vertices_.size());
-    Vertex vertex{{}, {}, 0, mesh.color, {scale_row, mesh.lit ? 1.0F : 0.0F}};
+    Vertex vertex{{}, {}, 0, mesh.color, {part.scale_row, mesh.lit ? 1.0F : 0.0F}};
     vertices_.reserve(vertices_.size() + mesh.positions.size());
     for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
         vertex.position = mesh.positions[i];
@@ -54,17 +74,16 @@ void TransparentTriangles::add(const Mesh& mesh, float scale_row) {
         if (!mesh.scalars.empty()) vertex.scalar = mesh.scalars[i];
         vertices_.push_back(vertex);
     }
-    sorted_.reserve(sorted_.size() + mesh.indices.size() / 3);
-    const auto nearness = [&](Index corner) {
-        const Vec3f& p = mesh.positions[corner];
-        return depth_row_.x * p[0] + depth_row_.y * p[1] + depth_row_.z * p[2];
-    };
-    for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
-        const Index a = mesh.indices[i];
-        const Index b = mesh.indices[i + 1];
-        const Index c = mesh.indices[i + 2];
-        sorted_.push_back({sortable(nearness(a) + nearness(b) + nearness(c)), {first + a, first + b, first + c}});
-    }
+    triangles_.reserve(triangles_.size() + mesh.indices.size() / 3);
+    for (std::size_t i = 0; i < mesh.indices.size(); i += 3)
+        triangles_.push_back({0, {first + mesh.indices[i], first + mesh.indices[i + 1], first + mesh.indices[i + 2]}});
+}
+
+void TransparentTriangles::upload_vertices() {
+    if (vertices_.empty()) return;
+    gl_.BindBuffer(GL_ARRAY_BUFFER, vertex_buffer_);
+    gl_.BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(vertices_.size() * sizeof(Vertex)), vertices_.data(),
+                   GL_STREAM_DRAW);
 }
 
 void TransparentTriangles::radix_sort() {
@@ -81,16 +100,22 @@ void TransparentTriangles::radix_sort() {
 }
 
 void TransparentTriangles::sort_and_upload() {
-    if (sorted_.empty()) return;
+    if (triangles_.empty()) return;
+    const auto nearness = [&](Index corner) {
+        const Vec3f& p = vertices_[corner].position;
+        return depth_row_.x * p[0] + depth_row_.y * p[1] + depth_row_.z * p[2];
+    };
+    for (Triangle& triangle : triangles_) {
+        const auto [a, b, c] = triangle.corners;
+        triangle.key = sortable(nearness(a) + nearness(b) + nearness(c));
+    }
+    sorted_ = triangles_;
     radix_sort();
     indices_.clear();
     indices_.reserve(3 * sorted_.size());
     for (const Triangle& triangle : sorted_)
         indices_.insert(indices_.end(), triangle.corners.begin(), triangle.corners.end());
     gl_.BindVertexArray(array_);
-    gl_.BindBuffer(GL_ARRAY_BUFFER, vertex_buffer_);
-    gl_.BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(vertices_.size() * sizeof(Vertex)), vertices_.data(),
-                   GL_STREAM_DRAW);
     gl_.BufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(indices_.size() * sizeof(Index)), indices_.data(),
                    GL_STREAM_DRAW);
 }

@@ -14,11 +14,14 @@ class TransparentTriangles {
 public:
     explicit TransparentTriangles(const Gl& gl);
 
-    // depth_row: the row of the view matrix that gives -depth, so that more is nearer.
-    void begin(const glm::vec4& depth_row);
-    void add(const Mesh& mesh, float scale_row);
-    void sort_and_upload();
-    [[nodiscard]] bool is_empty() const { return sorted_.empty(); }
+    struct Part {
+        const Mesh* mesh;
+        float scale_row; // of its colours in the frame's ColorScales, -1 for a solid mesh
+    };
+    // depth_row: the row of the view matrix that gives -depth, so that more is nearer. Vertices are uploaded where a
+    // part has changed, and their order where that or the view has.
+    void load(const std::vector<Part>& parts, const glm::vec4& depth_row);
+    [[nodiscard]] bool is_empty() const { return triangles_.empty(); }
     void draw() const;
 
 private:
@@ -32,12 +35,25 @@ private:
         std::uint32_t key; // grows with nearness
         std::array<Index, 3> corners;
     };
+    struct Held { // of a part: what its vertices depend on
+        std::uint64_t identity, revision;
+        std::array<float, 4> color;
+        float scale_row;
+        bool lit;
+        bool operator==(const Held&) const = default;
+    };
+    [[nodiscard]] bool holds(const std::vector<Part>& parts);
+    void add(const Part& part);
+    void upload_vertices();
+    void sort_and_upload();
     void radix_sort();
 
     const Gl& gl_;
     GLuint array_ = 0, vertex_buffer_ = 0, index_buffer_ = 0;
     glm::vec4 depth_row_{};
+    std::vector<Held> held_;
     std::vector<Vertex> vertices_;
+    std::vector<Triangle> triangles_; // in the order of the parts: ties are drawn in it, whatever was drawn before
     std::vector<Triangle> sorted_, other_;
     std::vector<Index> indices_;
 };

@@ -39,8 +39,7 @@ public:
 
     std::uint64_t draw(double value, render::Renderer& renderer) {
         std::get<scene::IsoLayer>(scene_.layers.front().kind).values = {value};
-        const auto geometry =
-            geometry_.update(scene_, data_.loaded, {}, std::numeric_limits<std::size_t>::max(), true);
+        const auto geometry = geometry_.update(scene_, data_.loaded, {}, std::numeric_limits<std::size_t>::max(), true);
         const render::Frame frame = session::frame_of(*geometry, scene_, width, height, 1);
         camera_ = frame.camera;
         origin_ = frame.origin;
@@ -150,7 +149,8 @@ void frames(const bench::Case& data, vtkUnstructuredGrid* grid, session::FrameWo
     };
     std::vector<Contender> vtk;
     for (Named& named : theirs)
-        vtk.push_back({named.name, [&all, &named] { return all([&](double value) { return named.theirs->draw(value); }); }});
+        vtk.push_back(
+            {named.name, [&all, &named] { return all([&](double value) { return named.theirs->draw(value); }); }});
     const Asked asked = is_linear(data) ? Asked{0.6, 0.35} : Asked{1.0 / 15, 1.0 / 40};
     compare(duel(std::to_string(values.size()) + " values, each to a JPEG frame of 1280x720",
                  {"CIEL", [&] { return all(draw); }}, vtk),

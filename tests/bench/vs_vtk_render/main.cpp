@@ -14,8 +14,9 @@
 namespace ciel::vs_vtk {
 
 void compare(const Outcome& outcome, const Asked& asked) {
-    std::printf("    CIEL needs %.2f of VTK's best time, %.2f of its CPU time; asked for: %.3g at most, %.3g hoped for\n",
-                outcome.wall, outcome.cpu, asked.must, asked.hoped);
+    std::printf(
+        "    CIEL needs %.2f of VTK's best time, %.2f of its CPU time; asked for: %.3g at most, %.3g hoped for\n",
+        outcome.wall, outcome.cpu, asked.must, asked.hoped);
 }
 
 void compare_covered(double ciel, double vtk) {

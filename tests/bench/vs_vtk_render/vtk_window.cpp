@@ -19,9 +19,7 @@ VtkWindow::~VtkWindow() = default;
 
 void VtkWindow::set_camera(const render::Camera& camera, const Vec3d& origin) {
     vtkCamera* to = renderer_->GetActiveCamera();
-    const auto offset = [&](const Vec3d& at) {
-        return Vec3d{at[0] - origin[0], at[1] - origin[1], at[2] - origin[2]};
-    };
+    const auto offset = [&](const Vec3d& at) { return Vec3d{at[0] - origin[0], at[1] - origin[1], at[2] - origin[2]}; };
     to->SetPosition(offset(camera.position).data());
     to->SetFocalPoint(offset(camera.target).data());
     to->SetViewUp(camera.up.data());

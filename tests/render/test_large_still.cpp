@@ -1,0 +1,71 @@
+// A still of 4096 x 4096 of everything at once is the small one with more pixels.
+#include "scenes.hpp"
+#include "support/meshes.hpp"
+#include "volume_scene.hpp"
+
+#include <cstdlib>
+#include <gtest/gtest.h>
+
+namespace ciel::render {
+namespace {
+
+constexpr int small = 512, factor = 8;
+
+Image drawn(Renderer& renderer, Frame& frame, int side) {
+    frame.width = frame.height = side;
+    Image image;
+    renderer.draw(frame, image);
+    return image;
+}
+
+// Mean of a block of the large picture against the small one's pixel, over all channels.
+struct Difference {
+    double mean = 0;
+    int far_off = 0; // channels that differ by more than an edge that lies a little elsewhere in its pixel
+};
+
+Difference compare(const Image& large, const Image& little) {
+    Difference difference;
+    for (int y = 0; y < small; ++y)
+        for (int x = 0; x < 3 * small; ++x) {
+            int sum = 0;
+            for (int dy = 0; dy < factor; ++dy)
+                for (int dx = 0; dx < factor; ++dx) {
+                    const int column = x / 3 * factor + dx;
+                    sum +=
+                        large.rgb[static_cast<std::size_t>(3 * (y * factor + dy) * large.width + 3 * column + x % 3)];
+                }
+            const double off = std::abs(static_cast<double>(sum) / (factor * factor) -
+                                        little.rgb[static_cast<std::size_t>(3 * y * small + x)]);
+            difference.mean += off / (3.0 * small * small);
+            if (off > 40) ++difference.far_off;
+        }
+    return difference;
+}
+
+TEST(LargeStillTest, OfAVolumeTransparentSurfacesAndWriting) {
+    Renderer renderer(Backend::automatic);
+    VolumeScene scene(test::hexahedra({{3, 3, 3}, 0, 1, 1.0 / 3}), [](const Vec3d& p) { return p[0]; });
+    const Shape plane = square(0.5), ball = sphere(0.7), inner = sphere(0.4, {0.3, 0, 0.2});
+    Frame frame = front_view();
+    frame.camera.position = {1.5, -5, 1};
+    frame.samples = 4;
+    frame.meshes = {plane.mesh(), ball.mesh(), inner.mesh()};
+    frame.meshes[1].color = {0.9F, 0.4F, 0.2F, 0.4F};
+    frame.meshes[2].color = {0.2F, 0.5F, 0.9F, 0.6F};
+    frame.volumes = {scene.volume({0, 1, 0}, 31)};
+    frame.annotations.title = "A large still";
+    frame.annotations.legends.push_back({"x", "m", {}});
+    frame.annotations.triad = true;
+    const Image little = drawn(renderer, frame, small);
+    const Image large = drawn(renderer, frame, small * factor);
+    ASSERT_EQ(large.rgb.size(), std::size_t{3} * small * small * factor * factor);
+    const Difference same = compare(large, little);
+    EXPECT_LT(same.mean, 1.5);
+    EXPECT_LT(same.far_off, small * small / 100) << "letters are hinted to whole pixels; all else is where it was";
+    frame.meshes[1].color[3] = 0.7F;
+    EXPECT_GT(compare(large, drawn(renderer, frame, small)).mean, same.mean + 1) << "a test that sees nothing";
+}
+
+} // namespace
+} // namespace ciel::render
