@@ -1,10 +1,11 @@
-// vs_vtk_render NAME.ciel [--array A] [--what volume|surfaces]: pictures by CIEL and by VTK's best configurations,
+// vs_vtk_render NAME.ciel [--array A] [--table volume|frames]: pictures by CIEL and by VTK's best configurations,
 // alternating within one run. Run it under xvfb-run where there is no display.
 #include "vs_vtk_render/pictures.hpp"
 
 #include "ciel/parallel.hpp"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -30,10 +31,11 @@ void compare_covered(double ciel, double vtk) {
 
 int main(int argc, char** argv) { // NOLINT(bugprone-exception-escape): a bench ends loudly
     CLI::App app{"CIEL's pictures against VTK's of one dataset.", "vs_vtk_render"};
-    std::string dataset, array, what;
+    std::string dataset, array;
+    std::vector<std::string> tables{"volume", "frames"};
     app.add_option("dataset", dataset, "NAME.ciel")->required();
     app.add_option("--array", array, "A scalar on the points");
-    app.add_option("--what", what, "volume or surfaces; both without it")->check(CLI::IsMember({"volume", "surfaces"}));
+    app.add_option("--table", tables, "Only these")->check(CLI::IsMember(tables))->take_all();
     CLI11_PARSE(app, argc, argv);
     if (std::getenv("DISPLAY") == nullptr) {
         std::fprintf(stderr, "VTK draws through an X server only; run this as xvfb-run -a vs_vtk_render ...\n");
@@ -46,7 +48,8 @@ int main(int argc, char** argv) { // NOLINT(bugprone-exception-escape): a bench 
                 data.mesh.cell_count(), ciel::thread_count(), vtkVersion::GetVTKVersion(), gl.c_str());
     vtkObject::GlobalWarningDisplayOff();
     const auto grid = ciel::vs_vtk::as_grid(data);
-    if (what != "surfaces") ciel::vs_vtk::volumes(data, grid, drawing);
-    if (what != "volume") ciel::vs_vtk::frames(data, grid, drawing);
+    const auto wanted = [&](const char* table) { return std::ranges::find(tables, table) != tables.end(); };
+    if (wanted("volume")) ciel::vs_vtk::volumes(data, grid, drawing);
+    if (wanted("frames")) ciel::vs_vtk::frames(data, grid, drawing);
     return 0;
 }
