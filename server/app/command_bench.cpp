@@ -1,4 +1,4 @@
-// ciel bench: the paper's four tables, and pictures of a volume, for any dataset, on this machine.
+// ciel bench: the paper's four tables, and what pictures cost, for any dataset, on this machine.
 #include "app/commands.hpp"
 #include "bench/case.hpp"
 #include "ciel/parallel.hpp"
@@ -17,16 +17,16 @@ namespace {
 using nlohmann::json;
 
 const std::vector<std::pair<std::string, bench::Table (*)(const bench::Case&)>> all_tables{
-    {"memory", bench::memory_table},
-    {"preprocessing", bench::preprocessing_table},
-    {"slices", bench::slices_table},
-    {"surfaces", bench::surfaces_table},
-    {"volume", bench::volume_table}};
+    {"memory", bench::memory_table}, {"preprocessing", bench::preprocessing_table},
+    {"slices", bench::slices_table}, {"surfaces", bench::surfaces_table},
+    {"frames", bench::frames_table}, {"volume", bench::volume_table}};
+const std::vector<std::string> picture_tables{"frames", "volume"};
 
 struct BenchCommand {
     std::string dataset, array, output;
     std::vector<std::string> tables;
     unsigned threads = 0;
+    bool render = false;
 };
 
 json spread_json(const bench::Spread& spread) {
@@ -75,6 +75,14 @@ void print(const bench::Table& table, double cells) {
     std::fflush(stdout);
 }
 
+bool is_wanted(const BenchCommand& command, const std::string& table) {
+    const auto is_among = [&](const std::vector<std::string>& tables) {
+        return std::ranges::find(tables, table) != tables.end();
+    };
+    if (command.render && is_among(picture_tables)) return true;
+    return command.tables.empty() ? !command.render : is_among(command.tables);
+}
+
 int run_command(const BenchCommand& command) {
     if (command.threads > 0) set_thread_count(command.threads);
     const bench::Case data = bench::open_case(command.dataset, command.array);
@@ -89,7 +97,7 @@ int run_command(const BenchCommand& command) {
                 {"cells", data.mesh.cell_count()},
                 {"tables", json::array()}};
     for (const auto& [name, make] : all_tables) {
-        if (!command.tables.empty() && std::ranges::find(command.tables, name) == command.tables.end()) continue;
+        if (!is_wanted(command, name)) continue;
         const bench::Table table = make(data);
         print(table, cells);
         report["tables"].push_back(table_json(table, cells));
@@ -105,7 +113,7 @@ int run_command(const BenchCommand& command) {
 
 void add_bench(CLI::App& app, Run& run) {
     CLI::App* command =
-        app.add_subcommand("bench", "Measure memory, preprocessing, slices, surfaces and volumes of a dataset");
+        app.add_subcommand("bench", "Measure memory, preprocessing, slices, surfaces, frames and volumes of a dataset");
     command->footer(
         "Medians with quartiles; CPU time counts all threads. Compare figures of one run, on a machine that "
         "does nothing else.");
@@ -116,9 +124,13 @@ void add_bench(CLI::App& app, Run& run) {
     command
         ->add_option(
             "--table", bench->tables,
-            "memory, preprocessing, slices, surfaces or volume; may be given more than once. All of them without it.")
-        ->check(CLI::IsMember({"memory", "preprocessing", "slices", "surfaces", "volume"}))
+            "memory, preprocessing, slices, surfaces, frames or volume; may be given more than once. All of them "
+            "without it.")
+        ->check(CLI::IsMember({"memory", "preprocessing", "slices", "surfaces", "frames", "volume"}))
         ->type_name("TABLE");
+    command->add_flag("--render", bench->render,
+                      "The tables of pictures: frames (from a change of the scene to an encoded frame of 1280x720, by "
+                      "stages) and volume (100 slices at 1024x1024).");
     command->add_option("--threads", bench->threads, "How many threads; all of the machine's without it.")
         ->check(CLI::Range(1, 1024))
         ->type_name("N");

@@ -42,7 +42,8 @@ Case open_case(const std::string& path, const std::string& array) {
     data.path = path;
     data.dataset = store::Dataset::open(path);
     data.array = array.empty() ? first_that_varies(*data.dataset) : array;
-    store::LoadedDataset loaded(data.dataset, no_budget);
+    data.loaded = std::make_shared<store::LoadedDataset>(data.dataset, no_budget);
+    store::LoadedDataset& loaded = *data.loaded;
     const std::vector<std::size_t> steps =
         steps_with(*data.dataset, store::parse_scalar(*data.dataset, data.array).array);
     const store::Step& step = data.dataset->steps()[steps[0]];
@@ -51,7 +52,7 @@ Case open_case(const std::string& path, const std::string& array) {
     data.values = loaded.scalar_values(data.array, steps[0]);
     const bool same_mesh = steps.size() > 1 && data.dataset->steps()[steps[1]].mesh == step.mesh;
     data.changed = same_mesh ? loaded.scalar_values(data.array, steps[1]) : grown(*data.values);
-    data.topology = std::make_shared<Topology>(data.mesh);
+    data.topology = loaded.topology(step.mesh);
     return data;
 }
 

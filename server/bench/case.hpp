@@ -1,4 +1,4 @@
-// The paper's four tables and the pictures of a volume, each for one dataset and one scalar on its points.
+// The paper's four tables, frames and the pictures of a volume, each for one dataset and one scalar on its points.
 #pragma once
 
 #include "bench/table.hpp"
@@ -11,7 +11,8 @@ namespace ciel::bench {
 // the changed field.
 struct Case {
     std::shared_ptr<store::Dataset> dataset;
-    std::string path; // to open it again
+    std::shared_ptr<store::LoadedDataset> loaded; // the same, as the server holds it
+    std::string path;                             // to open it again
     std::string array;
     double time = 0;
     FaceMeshView mesh;
@@ -27,7 +28,9 @@ struct Case {
 [[nodiscard]] Table preprocessing_table(const Case& data); // 3: loading, construction, gradients, minima
 [[nodiscard]] Table slices_table(const Case& data);        // 4: what volume rendering draws
 [[nodiscard]] Table surfaces_table(const Case& data);      // 5
-[[nodiscard]] Table volume_table(const Case& data);        // pictures of a volume, by the GL that is there
+// With the GL that is there:
+[[nodiscard]] Table frames_table(const Case& data); // from a change of the scene to an encoded picture
+[[nodiscard]] Table volume_table(const Case& data); // pictures of a volume
 
 [[nodiscard]] std::uint64_t triangles_of(const Surface& surface);
 // Equally spaced inside the range, without its ends.

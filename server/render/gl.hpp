@@ -42,6 +42,7 @@ namespace ciel::render {
     X(Enable, PFNGLENABLEPROC)                                                                                         \
     X(EnableVertexAttribArray, PFNGLENABLEVERTEXATTRIBARRAYPROC)                                                       \
     X(EndQuery, PFNGLENDQUERYPROC)                                                                                     \
+    X(Finish, PFNGLFINISHPROC)                                                                                         \
     X(FramebufferRenderbuffer, PFNGLFRAMEBUFFERRENDERBUFFERPROC)                                                       \
     X(FramebufferTexture2D, PFNGLFRAMEBUFFERTEXTURE2DPROC)                                                             \
     X(GenBuffers, PFNGLGENBUFFERSPROC)                                                                                 \

@@ -39,25 +39,27 @@ void MeshBuffers::attribute(GLuint index, GLuint buffer, int components, std::si
     gl_.VertexAttribPointer(index, components, GL_FLOAT, GL_FALSE, 0, nullptr);
 }
 
-void MeshBuffers::load(const Mesh& mesh, float scale_row, bool may_keep) {
+void MeshBuffers::load(const Mesh& mesh) {
+    if (mesh.revision != 0 && mesh.identity == identity_ && mesh.revision == revision_) return;
+    check_mesh(mesh);
     gl_.BindVertexArray(array_);
-    if (!may_keep || mesh.revision == 0 || mesh.identity != identity_ || mesh.revision != revision_) {
-        check_mesh(mesh);
-        attribute(attribute_position, positions_, 3, mesh.positions.size_bytes(), mesh.positions.data());
-        attribute(attribute_normal, normals_, 3, mesh.normals.size_bytes(), mesh.normals.data());
-        attribute(attribute_scalar, scalars_, 1, mesh.scalars.size_bytes(), mesh.scalars.data());
-        upload(indices_, GL_ELEMENT_ARRAY_BUFFER, mesh.indices.size_bytes(), mesh.indices.data());
-        identity_ = mesh.identity;
-        revision_ = mesh.revision;
-        primitive_ = mesh.points ? GL_POINTS : mesh.lines ? GL_LINES : GL_TRIANGLES;
-        count_ = static_cast<GLsizei>(mesh.indices.size());
-    }
+    attribute(attribute_position, positions_, 3, mesh.positions.size_bytes(), mesh.positions.data());
+    attribute(attribute_normal, normals_, 3, mesh.normals.size_bytes(), mesh.normals.data());
+    attribute(attribute_scalar, scalars_, 1, mesh.scalars.size_bytes(), mesh.scalars.data());
+    upload(indices_, GL_ELEMENT_ARRAY_BUFFER, mesh.indices.size_bytes(), mesh.indices.data());
+    identity_ = mesh.identity;
+    revision_ = mesh.revision;
+    primitive_ = mesh.points ? GL_POINTS : mesh.lines ? GL_LINES : GL_TRIANGLES;
+    count_ = static_cast<GLsizei>(mesh.indices.size());
+}
+
+void MeshBuffers::draw(const Mesh& mesh, float scale_row) const {
+    gl_.BindVertexArray(array_);
     gl_.VertexAttrib3f(attribute_normal, 0, 0, 0);
     gl_.VertexAttrib1f(attribute_scalar, 0);
     gl_.VertexAttrib4f(attribute_color, mesh.color[0], mesh.color[1], mesh.color[2], mesh.color[3]);
     gl_.VertexAttrib2f(attribute_style, scale_row, mesh.lit ? 1.0F : 0.0F);
+    gl_.DrawElements(primitive_, count_, GL_UNSIGNED_INT, nullptr);
 }
-
-void MeshBuffers::draw() const { gl_.DrawElements(primitive_, count_, GL_UNSIGNED_INT, nullptr); }
 
 } // namespace ciel::render

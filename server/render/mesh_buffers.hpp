@@ -16,10 +16,14 @@ void check_mesh(const Mesh& mesh);
 class MeshBuffers {
 public:
     explicit MeshBuffers(const Gl& gl);
-    // Uploads the mesh unless `may_keep` and the buffers hold this identity and revision already. `scale_row`: of its
-    // colours in the frame's ColorScales, -1 for a solid mesh.
-    void load(const Mesh& mesh, float scale_row, bool may_keep);
-    void draw() const;
+    // Uploads the mesh unless the buffers hold this identity and revision already.
+    void load(const Mesh& mesh);
+    // `mesh` is what was loaded, perhaps in other colours. `scale_row`: of these in the frame's ColorScales, -1 for a
+    // solid mesh.
+    void draw(const Mesh& mesh, float scale_row) const;
+    [[nodiscard]] std::uint64_t identity() const {
+        return identity_;
+    } // of the mesh that was loaded; 0 before the first
 
 private:
     void upload(GLuint buffer, GLenum target, std::size_t bytes, const void* data);

@@ -156,8 +156,11 @@ void OverlayPainter::draw(const Frame& frame) {
     build(lay_out(frame, font_));
     gl_.BindVertexArray(array_);
     gl_.BindBuffer(GL_ARRAY_BUFFER, buffer_);
-    gl_.BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(vertices_.size() * sizeof(Vertex)), vertices_.data(),
-                   GL_STREAM_DRAW);
+    if (vertices_ != uploaded_) {
+        gl_.BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(vertices_.size() * sizeof(Vertex)), vertices_.data(),
+                       GL_STREAM_DRAW);
+        uploaded_ = vertices_;
+    }
     gl_.UseProgram(program_);
     gl_.Uniform2f(viewport_, static_cast<float>(frame.width), static_cast<float>(frame.height));
     gl_.Uniform1i(glyphs_, 0);

@@ -22,6 +22,7 @@ private:
         float x, y, u, v; // pixels; texels of a glyph, or pixels across a stroke
         Ink ink;
         float kind, half_width;
+        bool operator==(const Vertex&) const = default;
     };
     void add_quad(const Vertex& vertex, const Box& box, const Box& texels);
     void add(const Fill& fill);
@@ -36,7 +37,7 @@ private:
     GlyphAtlas atlas_;
     GLuint program_ = 0, array_ = 0, buffer_ = 0;
     GLint viewport_ = -1, glyphs_ = -1;
-    std::vector<Vertex> vertices_;
+    std::vector<Vertex> vertices_, uploaded_;
 };
 
 } // namespace ciel::render

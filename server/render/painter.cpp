@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <glm/gtc/type_ptr.hpp>
 #include <glm/matrix.hpp>
+#include <unordered_map>
 
 namespace ciel::render {
 namespace {
@@ -30,23 +31,35 @@ bool is_opaque(const Mesh& mesh) {
     return !mesh.lines && !mesh.points && !is_transparent(mesh) && !mesh.indices.empty();
 }
 
+// Stills, because triangles that are sorted by their centres show where they cross or enclose each other; and where
+// surfaces are inside volumes.
+bool is_peeled(const Frame& frame) { return frame.samples > 1 || !frame.volumes.empty(); }
+
+// A software rasteriser pays for what its programs could do, not for what they do.
+bool is_plain(const Mesh& mesh, const Frame& frame) {
+    return !mesh.lines && !mesh.points && mesh.scalars.empty() && !mesh.normals.empty() && frame.clip.empty();
+}
+
 } // namespace
 
 Painter::Painter(const Gl& gl)
     : gl_(gl), renderer_name_(text_of(gl_, GL_RENDERER)), version_(text_of(gl_, GL_VERSION)),
-      is_software_(renderer_name_.find("llvmpipe") != std::string::npos ||
-                   renderer_name_.find("softpipe") != std::string::npos),
       background_(make_background_program(gl_)), triangles_(make_triangle_program(gl_)),
-      normals_(make_normals_program(gl_)), occluded_(make_occluded_program(gl_)), lines_(make_line_program(gl_)),
-      points_(make_point_program(gl_)), scales_(gl_), target_(gl_), opaque_depth_(gl_), occlusion_(gl_),
-      transparent_(gl_), peeling_(gl_), volumes_(gl_), overlay_(gl_) {
+      plain_(make_plain_program(gl_)), normals_(make_normals_program(gl_)), occluded_(make_occluded_program(gl_)),
+      lines_(make_line_program(gl_)), points_(make_point_program(gl_)), scales_(gl_), target_(gl_), opaque_depth_(gl_),
+      occlusion_(gl_), transparent_(gl_), peeling_(gl_), volumes_(gl_), overlay_(gl_) {
     gl_.GenVertexArrays(1, &no_array_);
     gl_.DepthFunc(GL_LEQUAL);
     gl_.Enable(GL_PROGRAM_POINT_SIZE);
     gl_.BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
 }
 
-void Painter::draw(const Frame& frame, Image& image) {
+void Painter::draw(const Frame& frame, Image& image, const AfterStage& after) {
+    const auto finished = [&](DrawStage stage) {
+        if (!after) return;
+        gl_.Finish();
+        after(stage);
+    };
     transform_ = view_transform(frame);
     clip_planes_ = frame.clip.size();
     if (clip_planes_ > most_clip_planes)
@@ -54,6 +67,8 @@ void Painter::draw(const Frame& frame, Image& image) {
     origin_ = frame.origin;
     width_ = height_ = 0; // nothing to pick from if this throws
     load_scales(frame);
+    upload(frame);
+    finished(DrawStage::upload);
     target_.begin(frame.width, frame.height, frame.samples);
     draw_background(frame);
     enable_clip_planes(true);
@@ -65,7 +80,9 @@ void Painter::draw(const Frame& frame, Image& image) {
     gl_.Disable(GL_BLEND);
     enable_clip_planes(false);
     overlay_.draw(frame);
+    finished(DrawStage::draw);
     target_.read_color(image);
+    finished(DrawStage::read);
     width_ = frame.width;
     height_ = frame.height;
 }
@@ -86,6 +103,45 @@ void Painter::load_scales(const Frame& frame) {
     scale_rows_.clear();
     for (const Mesh& mesh : frame.meshes) scale_rows_.push_back(mesh.scalars.empty() ? -1 : scales_.row_of(mesh.scale));
     scales_.upload();
+}
+
+void Painter::upload(const Frame& frame) {
+    assign_buffers(frame);
+    std::vector<TransparentTriangles::Part> transparent;
+    for (std::size_t i = 0; i < frame.meshes.size(); ++i) {
+        const Mesh& mesh = frame.meshes[i];
+        if (mesh.indices.empty()) continue;
+        if (!is_transparent(mesh)) {
+            buffers(i).load(mesh);
+        } else if (mesh.color[3] > 0) {
+            check_mesh(mesh);
+            transparent.push_back({&mesh, scale_rows_[i]});
+        }
+    }
+    const glm::mat4 view(transform_.view);
+    transparent_.load(transparent, glm::vec4(view[0].z, view[1].z, view[2].z, view[3].z), !is_peeled(frame));
+}
+
+// Those that hold a mesh have it again, wherever it stands in this frame.
+void Painter::assign_buffers(const Frame& frame) {
+    std::unordered_map<std::uint64_t, MeshBuffers*> holding;
+    std::vector<MeshBuffers*> rest;
+    for (MeshBuffers& buffers : buffers_)
+        if (buffers.identity() == 0 || !holding.emplace(buffers.identity(), &buffers).second) rest.push_back(&buffers);
+    slots_.assign(frame.meshes.size(), nullptr);
+    for (std::size_t i = 0; i < frame.meshes.size(); ++i) {
+        const auto found = holding.find(frame.meshes[i].identity);
+        if (is_transparent(frame.meshes[i]) || found == holding.end()) continue;
+        slots_[i] = found->second;
+        holding.erase(found);
+    }
+    for (const auto& [identity, buffers] : holding) rest.push_back(buffers);
+    for (std::size_t i = 0; i < frame.meshes.size(); ++i) {
+        if (slots_[i] != nullptr || is_transparent(frame.meshes[i])) continue;
+        if (rest.empty()) rest.push_back(&buffers_.emplace_back(gl_));
+        slots_[i] = rest.back();
+        rest.pop_back();
+    }
 }
 
 void Painter::draw_background(const Frame& frame) {
@@ -126,14 +182,10 @@ void Painter::use(const Program& program, const Frame& frame) {
     scales_.bind();
 }
 
-MeshBuffers& Painter::buffers(std::size_t slot) {
-    while (buffers_.size() <= slot) buffers_.emplace_back(gl_);
-    return *std::next(buffers_.begin(), static_cast<std::ptrdiff_t>(slot));
-}
-
 void Painter::draw_meshes(const Frame& frame, const Program& program, bool before_volume) {
     use(program, frame);
     const bool surfaces = &program == &triangles_ || &program == &occluded_;
+    const Program* in_use = &program;
     if (&program == &occluded_) use_occlusion(frame);
     if (surfaces) { // a little back, so that lines on them are not half buried
         gl_.Enable(GL_POLYGON_OFFSET_FILL);
@@ -150,12 +202,13 @@ void Painter::draw_meshes(const Frame& frame, const Program& program, bool befor
         const Mesh& mesh = frame.meshes[i];
         const Program& own = mesh.points ? points_ : mesh.lines ? lines_ : surfaces ? program : triangles_;
         if (&own != &program || is_transparent(mesh) || mesh.indices.empty()) continue;
-        MeshBuffers& slot = buffers(i);
-        // From llvmpipe buffers that are uploaded anew draw faster than kept ones.
-        slot.load(mesh, scale_rows_[i], !is_software_ || (surfaces && opaque_is_loaded_));
         if (mesh.lines) gl_.Uniform1f(program.half_width, mesh.line_width / 2);
         if (mesh.points) gl_.Uniform1f(program.point_size, mesh.point_size);
-        slot.draw();
+        if (const Program& fitting = &own == &triangles_ && is_plain(mesh, frame) ? plain_ : own; &fitting != in_use) {
+            use(fitting, frame);
+            in_use = &fitting;
+        }
+        buffers(i).draw(mesh, scale_rows_[i]);
     }
     gl_.Disable(GL_POLYGON_OFFSET_FILL);
 }
@@ -163,8 +216,7 @@ void Painter::draw_meshes(const Frame& frame, const Program& program, bool befor
 void Painter::draw_opaque(const Frame& frame) {
     const bool any = std::ranges::any_of(frame.meshes, is_opaque);
     const bool is_occluded = any && frame.occlusion.radius > 0;
-    opaque_is_loaded_ = is_occluded || (any && !frame.volumes.empty());
-    if (opaque_is_loaded_) draw_opaque_depth(frame, is_occluded);
+    if (is_occluded || (any && !frame.volumes.empty())) draw_opaque_depth(frame, is_occluded);
     volumes_.end_on(any ? opaque_depth_.texture() : 0);
     if (is_occluded) occlusion_.find(frame, transform_, opaque_depth_);
     target_.bind_again();
@@ -176,8 +228,7 @@ void Painter::draw_opaque_depth(const Frame& frame, bool with_normals) {
     use(with_normals ? normals_ : triangles_, frame);
     for (std::size_t i = 0; i < frame.meshes.size(); ++i) {
         if (!is_opaque(frame.meshes[i])) continue;
-        buffers(i).load(frame.meshes[i], scale_rows_[i], !is_software_);
-        buffers(i).draw();
+        buffers(i).draw(frame.meshes[i], scale_rows_[i]);
     }
 }
 
@@ -206,20 +257,12 @@ void Painter::draw_before_volumes(const Frame& frame) {
 }
 
 void Painter::draw_transparent(const Frame& frame) {
-    const glm::mat4 view(transform_.view);
-    transparent_.begin(glm::vec4(view[0].z, view[1].z, view[2].z, view[3].z));
-    for (std::size_t i = 0; i < frame.meshes.size(); ++i)
-        if (is_transparent(frame.meshes[i]) && frame.meshes[i].color[3] > 0)
-            transparent_.add(frame.meshes[i], scale_rows_[i]);
     transparent_depth_drawn_ = transparent_.is_empty();
     if (transparent_.is_empty()) {
         if (!frame.volumes.empty()) draw_volumes(frame);
         return;
     }
-    const bool is_peeled = frame.samples > 1 || !frame.volumes.empty();
-    if (!is_peeled) transparent_.sort();
-    transparent_.upload();
-    if (is_peeled) return peel_transparent(frame);
+    if (is_peeled(frame)) return peel_transparent(frame);
     use(triangles_, frame);
     gl_.DepthMask(GL_FALSE);
     gl_.Enable(GL_POLYGON_OFFSET_FILL); // behind the lines on them, which have left their depth
@@ -228,8 +271,6 @@ void Painter::draw_transparent(const Frame& frame) {
     gl_.DepthMask(GL_TRUE);
 }
 
-// For stills, because triangles that are sorted by their centres show where they cross or enclose each other; and where
-// surfaces are inside volumes.
 void Painter::peel_transparent(const Frame& frame) {
     DepthPeeling::Scene layers{frame.width, frame.height, frame.samples, {}, {}};
     layers.draw_surfaces = [&] {

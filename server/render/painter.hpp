@@ -23,7 +23,7 @@ public:
     Painter(const Painter&) = delete;
     Painter& operator=(const Painter&) = delete;
 
-    void draw(const Frame& frame, Image& image);
+    void draw(const Frame& frame, Image& image, const AfterStage& after);
     bool pick(int x, int y, Vec3d& position);
     [[nodiscard]] const std::string& renderer_name() const { return renderer_name_; }
     [[nodiscard]] const std::string& version() const { return version_; }
@@ -31,6 +31,7 @@ public:
 private:
     void enable_clip_planes(bool on);
     void load_scales(const Frame& frame);
+    void upload(const Frame& frame);
     void draw_background(const Frame& frame);
     void draw_meshes(const Frame& frame, const Program& program, bool before_volume = false);
     void draw_opaque(const Frame& frame);
@@ -41,20 +42,20 @@ private:
     void draw_transparent(const Frame& frame);
     void peel_transparent(const Frame& frame);
     void use(const Program& program, const Frame& frame);
-    [[nodiscard]] MeshBuffers& buffers(std::size_t slot);
+    void assign_buffers(const Frame& frame);
+    [[nodiscard]] MeshBuffers& buffers(std::size_t mesh) { return *slots_[mesh]; }
 
     Gl gl_;
     std::string renderer_name_, version_;
-    bool is_software_ = false;
-    Program background_, triangles_, normals_, occluded_, lines_, points_;
+    Program background_, triangles_, plain_, normals_, occluded_, lines_, points_;
     GLuint no_array_ = 0;
     ColorScales scales_;
     std::vector<float> scale_rows_; // of the frame's meshes
     Target target_;
     OpaqueDepth opaque_depth_;
     AmbientOcclusion occlusion_;
-    std::list<MeshBuffers> buffers_; // one per mesh of the largest frame so far
-    bool opaque_is_loaded_ = false;  // into them, of this frame
+    std::list<MeshBuffers> buffers_;  // one per mesh of the largest frame so far
+    std::vector<MeshBuffers*> slots_; // of the frame's meshes; null where they are transparent
     TransparentTriangles transparent_;
     DepthPeeling peeling_;
     VolumePainter volumes_;

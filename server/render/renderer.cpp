@@ -17,12 +17,18 @@ constexpr BackendName backend_names[] = {
     {Backend::osmesa, "osmesa"},
 };
 
+// The stills of a large screen stay below: nobody waits for a new context there.
+constexpr std::int64_t most_kept_pixels = 12 << 20;
+
+std::int64_t pixels_of(const Frame& frame) { return std::int64_t{frame.width} * frame.height; }
+
 } // namespace
 
 struct Renderer::State {
     ChosenContext chosen;
     Gl gl;
     std::optional<Painter> painter;
+    std::int64_t drawn_pixels = 0; // of the last frame
 
     explicit State(Backend backend) : chosen(make_context(backend)) { start(); }
 
@@ -34,6 +40,10 @@ struct Renderer::State {
     [[nodiscard]] bool is_lost() {
         return !make_current(*chosen.context) ||
                (gl.GetGraphicsResetStatus != nullptr && gl.GetGraphicsResetStatus() != GL_NO_ERROR);
+    }
+    // Objects of the GL live as long as their context, so what a very large picture has taken goes with that.
+    [[nodiscard]] bool is_much_larger_than(const Frame& frame) const {
+        return drawn_pixels > most_kept_pixels && pixels_of(frame) < drawn_pixels / 2;
     }
     // The same back end as before: a server must not go on in software without anybody having been told.
     void rebuild() {
@@ -49,12 +59,13 @@ Renderer::Renderer(Backend backend) : state_(std::make_unique<State>(backend)) {
 Renderer::~Renderer() = default;
 Renderer::Renderer(Renderer&&) noexcept = default;
 
-void Renderer::draw(const Frame& frame, Image& image) {
-    if (state_->is_lost()) state_->rebuild();
-    state_->painter->draw(frame, image);
+void Renderer::draw(const Frame& frame, Image& image, const AfterStage& after) {
+    if (state_->is_lost() || state_->is_much_larger_than(frame)) state_->rebuild();
+    state_->drawn_pixels = pixels_of(frame);
+    state_->painter->draw(frame, image, after);
     if (state_->is_lost()) { // while drawing: what was read is no picture
         state_->rebuild();
-        state_->painter->draw(frame, image);
+        state_->painter->draw(frame, image, after);
     }
 }
 

@@ -8,6 +8,7 @@
 #include "render/volume.hpp"
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <span>
 #include <string>
@@ -65,6 +66,10 @@ struct Image {
     std::vector<std::uint8_t> rgb;
 };
 
+// Of the making of a picture. Volumes and annotations go up while they are drawn.
+enum class DrawStage { upload, draw, read };
+using AfterStage = std::function<void(DrawStage)>;
+
 // Owns one GL context; make and use it on one thread only. Throws Error naming the back ends that were tried and why
 // each failed. A lost context is rebuilt by the next draw.
 class Renderer {
@@ -74,8 +79,9 @@ public:
     Renderer(Renderer&&) noexcept;
 
     // Throws Error when arrays of a mesh do not fit together, a colour map does not exist, the camera is not finite or
-    // the size is more than the GL can do; the next draw is not affected.
-    void draw(const Frame& frame, Image& image);
+    // the size is more than the GL can do; the next draw is not affected. `after` is for who measures: each stage is
+    // finished before it is called, which costs what the GL would have done side by side.
+    void draw(const Frame& frame, Image& image, const AfterStage& after = {});
     // World position under a pixel of the last drawn frame; false where there is only background.
     bool pick(int x, int y, Vec3d& position);
     [[nodiscard]] const std::string& gl_renderer() const; // GL_RENDERER

@@ -26,7 +26,7 @@ const std::string surface_block = R"( Surface {
     vec3 position; // for the lines' clip distances
 } surface)";
 
-const std::string surface_vertex = R"(#version 330 core
+const std::string surface_vertex = R"(
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
 layout(location = 2) in float scalar;
@@ -36,13 +36,17 @@ uniform mat4 view;
 uniform mat4 projection;
 uniform float scale;
 uniform float point_size;
+#ifndef PLAIN
 uniform vec4 clip[6]; // counts only where the painter has enabled it
 out float gl_ClipDistance[6];
+#endif
 out)" + surface_block + R"(;
 void main() {
     vec4 place = view * vec4(position, 1.0);
     gl_Position = projection * place;
+#ifndef PLAIN
     for (int i = 0; i < 6; ++i) gl_ClipDistance[i] = dot(clip[i].xyz, position) + clip[i].w;
+#endif
     gl_PointSize = point_size + 1.0; // room for a soft edge; counts for points only
     surface.place = place.xyz * scale;
     surface.normal = mat3(view) * normal;
@@ -64,6 +68,13 @@ uniform sampler2D nearer;
 uniform float occlusion_scale; // bounds' diagonal in units of the radius
 #endif
 
+#ifdef PLAIN
+vec3 facing_normal(vec3 viewer) {
+    float square = dot(surface.normal, surface.normal);
+    vec3 n = square > 1e-12 ? surface.normal * inversesqrt(square) : viewer;
+    return dot(n, viewer) < 0.0 ? -n : n;
+}
+#else
 vec3 facing_normal(vec3 viewer) {
     vec3 plane = cross(dFdx(surface.place), dFdy(surface.place));
     float plane_length = length(plane);
@@ -73,6 +84,7 @@ vec3 facing_normal(vec3 viewer) {
     if (normal_length > 1e-6) n = surface.normal / normal_length;
     return dot(n, viewer) < 0.0 ? -n : n;
 }
+#endif
 
 void main() {
 #ifdef PEELED
@@ -83,7 +95,11 @@ void main() {
     picture = vec4(facing_normal(viewer), 1.0);
     return;
 #endif
+#ifdef PLAIN
+    vec3 base = surface.color.rgb;
+#else
     vec3 base = base_color(surface.value, surface.color.rgb, surface.style.x);
+#endif
     if (surface.style.y > 0.5) {
         base = lit_surface(base, facing_normal(viewer), viewer);
 #ifdef OCCLUDED
@@ -236,6 +252,10 @@ Program link(const Gl& gl, const std::vector<Stage>& stages) {
     return program;
 }
 
+std::string surface_vertex_of(const char* defines = "") {
+    return std::string("#version 330 core\n") + defines + surface_vertex;
+}
+
 std::string with_color_scale(const std::string& body, const char* defines = "") {
     return std::string("#version 330 core\n") + defines + color_scale_glsl + lighting_glsl + body;
 }
@@ -268,31 +288,38 @@ Program make_background_program(const Gl& gl) {
 }
 
 Program make_triangle_program(const Gl& gl) {
-    return link(gl, {{GL_VERTEX_SHADER, surface_vertex}, {GL_FRAGMENT_SHADER, with_color_scale(triangle_fragment)}});
+    return link(gl,
+                {{GL_VERTEX_SHADER, surface_vertex_of()}, {GL_FRAGMENT_SHADER, with_color_scale(triangle_fragment)}});
+}
+
+Program make_plain_program(const Gl& gl) {
+    constexpr const char* plain = "#define PLAIN\n";
+    return link(gl, {{GL_VERTEX_SHADER, surface_vertex_of(plain)},
+                     {GL_FRAGMENT_SHADER, with_color_scale(triangle_fragment, plain)}});
 }
 
 Program make_point_program(const Gl& gl) {
-    return link(gl, {{GL_VERTEX_SHADER, surface_vertex}, {GL_FRAGMENT_SHADER, with_color_scale(point_fragment)}});
+    return link(gl, {{GL_VERTEX_SHADER, surface_vertex_of()}, {GL_FRAGMENT_SHADER, with_color_scale(point_fragment)}});
 }
 
 Program make_peeling_program(const Gl& gl) {
-    return link(gl, {{GL_VERTEX_SHADER, surface_vertex},
+    return link(gl, {{GL_VERTEX_SHADER, surface_vertex_of()},
                      {GL_FRAGMENT_SHADER, with_color_scale(triangle_fragment, "#define PEELED\n")}});
 }
 
 Program make_normals_program(const Gl& gl) {
-    return link(gl, {{GL_VERTEX_SHADER, surface_vertex},
+    return link(gl, {{GL_VERTEX_SHADER, surface_vertex_of()},
                      {GL_FRAGMENT_SHADER, with_color_scale(triangle_fragment, "#define NORMALS\n")}});
 }
 
 Program make_occluded_program(const Gl& gl) {
     const std::string defines = std::string("#define OCCLUDED\n") + occluded_glsl;
-    return link(gl, {{GL_VERTEX_SHADER, surface_vertex},
+    return link(gl, {{GL_VERTEX_SHADER, surface_vertex_of()},
                      {GL_FRAGMENT_SHADER, with_color_scale(triangle_fragment, defines.c_str())}});
 }
 
 Program make_line_program(const Gl& gl) {
-    return link(gl, {{GL_VERTEX_SHADER, surface_vertex},
+    return link(gl, {{GL_VERTEX_SHADER, surface_vertex_of()},
                      {GL_GEOMETRY_SHADER, line_geometry},
                      {GL_FRAGMENT_SHADER, with_color_scale(line_fragment)}});
 }

@@ -45,6 +45,8 @@ using Stage = std::pair<GLenum, std::string>; // kind and source of a shader
 // Each throws Error with the compiler's words.
 [[nodiscard]] Program make_background_program(const Gl& gl);
 [[nodiscard]] Program make_triangle_program(const Gl& gl);
+// The same for the most common mesh: one colour, normals of its own, no clip plane.
+[[nodiscard]] Program make_plain_program(const Gl& gl);
 // Triangles again, but only what lies behind a depth (depth_peeling.hpp).
 [[nodiscard]] Program make_peeling_program(const Gl& gl);
 // Triangles again, only their normals, towards the viewer and along the eye's axes.

@@ -31,7 +31,8 @@ private:
     const Gl& gl_;
     Layer single_, multisampled_;
     Layer* drawn_ = nullptr;
-    std::vector<std::uint8_t> rgba_; // reading RGBA and dropping A is ten times as fast as reading RGB from llvmpipe
+    std::vector<std::uint8_t>
+        rgba_; // a band: reading RGBA and dropping A is ten times as fast as reading RGB from llvmpipe
 };
 
 } // namespace ciel::render

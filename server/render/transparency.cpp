@@ -37,16 +37,33 @@ TransparentTriangles::TransparentTriangles(const Gl& gl) : gl_(gl) {
     attribute(attribute_style, 2, offsetof(Vertex, style));
 }
 
-void TransparentTriangles::begin(const glm::vec4& depth_row) {
+void TransparentTriangles::load(const std::vector<Part>& parts, const glm::vec4& depth_row, bool sorted) {
+    std::vector<Held> wanted;
+    bool same = true;
+    for (const auto& [mesh, scale_row] : parts) {
+        same = same && mesh->revision != 0;
+        wanted.push_back({mesh->identity, mesh->revision, mesh->color, scale_row, mesh->lit});
+    }
+    same = same && wanted == held_;
+    if (same && sorted == is_sorted_ && (!sorted || depth_row == depth_row_)) return;
+    if (!same) {
+        held_.clear(); // until all is there
+        vertices_.clear();
+        triangles_.clear();
+        for (const Part& part : parts) add(part);
+        upload_vertices();
+    }
     depth_row_ = depth_row;
-    vertices_.clear();
-    triangles_.clear();
+    is_sorted_ = sorted;
+    if (sorted) sort();
+    upload_order(sorted ? sorted_ : triangles_);
+    held_ = std::move(wanted);
 }
 
-void TransparentTriangles::add(const Mesh& mesh, float scale_row) {
-    check_mesh(mesh);
+void TransparentTriangles::add(const Part& part) {
+    const Mesh& mesh = *part.mesh;
     const auto first = static_cast<Index>(vertices_.size());
-    Vertex vertex{{}, {}, 0, mesh.color, {scale_row, mesh.lit ? 1.0F : 0.0F}};
+    Vertex vertex{{}, {}, 0, mesh.color, {part.scale_row, mesh.lit ? 1.0F : 0.0F}};
     vertices_.reserve(vertices_.size() + mesh.positions.size());
     for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
         vertex.position = mesh.positions[i];
@@ -55,41 +72,50 @@ void TransparentTriangles::add(const Mesh& mesh, float scale_row) {
         vertices_.push_back(vertex);
     }
     triangles_.reserve(triangles_.size() + mesh.indices.size() / 3);
-    const auto nearness = [&](Index corner) {
-        const Vec3f& p = mesh.positions[corner];
-        return depth_row_.x * p[0] + depth_row_.y * p[1] + depth_row_.z * p[2];
-    };
-    for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
-        const Index a = mesh.indices[i];
-        const Index b = mesh.indices[i + 1];
-        const Index c = mesh.indices[i + 2];
-        triangles_.push_back({sortable(nearness(a) + nearness(b) + nearness(c)), {first + a, first + b, first + c}});
-    }
+    for (std::size_t i = 0; i < mesh.indices.size(); i += 3)
+        triangles_.push_back({0, {first + mesh.indices[i], first + mesh.indices[i + 1], first + mesh.indices[i + 2]}});
 }
 
-// By radix.
-void TransparentTriangles::sort() {
-    constexpr unsigned bits = 11;
-    constexpr std::uint32_t mask = (1U << bits) - 1;
-    other_.resize(triangles_.size());
-    for (unsigned shift = 0; shift < 32; shift += bits) {
-        std::array<std::size_t, mask + 2> begin{};
-        for (const Triangle& triangle : triangles_) ++begin[((triangle.key >> shift) & mask) + 1];
-        for (std::size_t i = 1; i < begin.size(); ++i) begin[i] += begin[i - 1];
-        for (const Triangle& triangle : triangles_) other_[begin[(triangle.key >> shift) & mask]++] = triangle;
-        triangles_.swap(other_);
-    }
-}
-
-void TransparentTriangles::upload() {
-    indices_.clear();
-    indices_.reserve(3 * triangles_.size());
-    for (const Triangle& triangle : triangles_)
-        indices_.insert(indices_.end(), triangle.corners.begin(), triangle.corners.end());
-    gl_.BindVertexArray(array_);
+void TransparentTriangles::upload_vertices() {
+    if (vertices_.empty()) return;
     gl_.BindBuffer(GL_ARRAY_BUFFER, vertex_buffer_);
     gl_.BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(vertices_.size() * sizeof(Vertex)), vertices_.data(),
                    GL_STREAM_DRAW);
+}
+
+void TransparentTriangles::sort() {
+    const auto nearness = [&](Index corner) {
+        const Vec3f& p = vertices_[corner].position;
+        return depth_row_.x * p[0] + depth_row_.y * p[1] + depth_row_.z * p[2];
+    };
+    for (Triangle& triangle : triangles_) {
+        const auto [a, b, c] = triangle.corners;
+        triangle.key = sortable(nearness(a) + nearness(b) + nearness(c));
+    }
+    sorted_ = triangles_;
+    radix_sort();
+}
+
+void TransparentTriangles::radix_sort() {
+    constexpr unsigned bits = 11;
+    constexpr std::uint32_t mask = (1U << bits) - 1;
+    other_.resize(sorted_.size());
+    for (unsigned shift = 0; shift < 32; shift += bits) {
+        std::array<std::size_t, mask + 2> begin{};
+        for (const Triangle& triangle : sorted_) ++begin[((triangle.key >> shift) & mask) + 1];
+        for (std::size_t i = 1; i < begin.size(); ++i) begin[i] += begin[i - 1];
+        for (const Triangle& triangle : sorted_) other_[begin[(triangle.key >> shift) & mask]++] = triangle;
+        sorted_.swap(other_);
+    }
+}
+
+void TransparentTriangles::upload_order(const std::vector<Triangle>& order) {
+    indices_.clear();
+    indices_.reserve(3 * order.size());
+    for (const Triangle& triangle : order)
+        indices_.insert(indices_.end(), triangle.corners.begin(), triangle.corners.end());
+    if (indices_.empty()) return;
+    gl_.BindVertexArray(array_);
     gl_.BufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(indices_.size() * sizeof(Index)), indices_.data(),
                    GL_STREAM_DRAW);
 }

@@ -15,11 +15,13 @@ class TransparentTriangles {
 public:
     explicit TransparentTriangles(const Gl& gl);
 
-    // depth_row: the row of the view matrix that gives -depth, so that more is nearer.
-    void begin(const glm::vec4& depth_row);
-    void add(const Mesh& mesh, float scale_row);
-    void sort();
-    void upload();
+    struct Part {
+        const Mesh* mesh;
+        float scale_row; // of its colours in the frame's ColorScales, -1 for a solid mesh
+    };
+    // depth_row: the row of the view matrix that gives -depth, so that more is nearer. `sorted`: from far to near, by
+    // it. Vertices are uploaded where a part has changed, and their order where that or what it follows has.
+    void load(const std::vector<Part>& parts, const glm::vec4& depth_row, bool sorted);
     [[nodiscard]] bool is_empty() const { return triangles_.empty(); }
     void draw() const;
 
@@ -34,12 +36,27 @@ private:
         std::uint32_t key; // grows with nearness
         std::array<Index, 3> corners;
     };
+    struct Held { // of a part: what its vertices depend on
+        std::uint64_t identity, revision;
+        std::array<float, 4> color;
+        float scale_row;
+        bool lit;
+        bool operator==(const Held&) const = default;
+    };
+    void add(const Part& part);
+    void upload_vertices();
+    void sort();
+    void upload_order(const std::vector<Triangle>& order);
+    void radix_sort();
 
     const Gl& gl_;
     GLuint array_ = 0, vertex_buffer_ = 0, index_buffer_ = 0;
     glm::vec4 depth_row_{};
+    bool is_sorted_ = false;
+    std::vector<Held> held_;
     std::vector<Vertex> vertices_;
-    std::vector<Triangle> triangles_, other_;
+    std::vector<Triangle> triangles_; // in the order of the parts: ties are drawn in it, whatever was drawn before
+    std::vector<Triangle> sorted_, other_;
     std::vector<Index> indices_;
 };
 

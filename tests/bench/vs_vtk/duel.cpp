@@ -1,5 +1,6 @@
 #include "vs_vtk/duel.hpp"
 
+#include <algorithm>
 #include <cstdio>
 
 namespace ciel::vs_vtk {
@@ -22,6 +23,8 @@ void run_once(const Contender& contender, Times& times) {
     times.wall.push_back(watch.wall());
 }
 
+double median(const std::vector<double>& times) { return bench::spread_of(times).median; }
+
 void print(const std::string& name, const Times& times, const Times* ours) {
     const bench::Spread wall = bench::spread_of(times.wall), cpu = bench::spread_of(times.cpu);
     std::printf("    %-54s %10.2f  %9.2f..%-9.2f %10.2f %12llu", name.c_str(), 1e3 * wall.median, 1e3 * wall.low,
@@ -35,7 +38,7 @@ void print(const std::string& name, const Times& times, const Times* ours) {
 
 } // namespace
 
-void duel(const std::string& what, const Contender& ciel, const std::vector<Contender>& vtk) {
+Outcome duel(const std::string& what, const Contender& ciel, const std::vector<Contender>& vtk) {
     std::printf("  %s\n    %-54s %10s  %9s..%-9s %10s %12s  %8s %8s\n", what.c_str(), "", "wall ms", "low", "high",
                 "CPU ms", "counted", "by wall", "by CPU");
     Times ours;
@@ -51,6 +54,8 @@ void duel(const std::string& what, const Contender& ciel, const std::vector<Cont
     }
     print(ciel.name, ours, nullptr);
     for (std::size_t i = 0; i < vtk.size(); ++i) print(vtk[i].name, theirs[i], &ours);
+    const auto best = std::ranges::min_element(theirs, {}, [](const Times& times) { return median(times.wall); });
+    return {median(ours.wall) / median(best->wall), median(ours.cpu) / median(best->cpu)};
 }
 
 } // namespace ciel::vs_vtk

@@ -14,8 +14,12 @@ struct Contender {
     std::function<void()> prepare = {}; // untimed, before each run
 };
 
+struct Outcome { // CIEL's time as a share of VTK's best
+    double wall = 0, cpu = 0;
+};
+
 // Prints both times, and how many times faster CIEL is by wall and by CPU time.
-void duel(const std::string& what, const Contender& ciel, const std::vector<Contender>& vtk);
+Outcome duel(const std::string& what, const Contender& ciel, const std::vector<Contender>& vtk);
 
 // In the order of the source, as a reader would have made it.
 [[nodiscard]] vtkSmartPointer<vtkUnstructuredGrid> as_grid(const bench::Case& data);

@@ -1,0 +1,124 @@
+// 100 box-aligned slices at 1024 x 1024, read back, against the projected tetrahedra of the same mesh.
+#include "vs_vtk_render/pictures.hpp"
+
+#include "bench/volume_pictures.hpp"
+#include "render/color_scale.hpp"
+#include "vs_vtk_render/vtk_window.hpp"
+
+#include <cmath>
+#include <cstdio>
+#include <memory>
+#include <vtkColorTransferFunction.h>
+#include <vtkDataSetTriangleFilter.h>
+#include <vtkNew.h>
+#include <vtkOpenGLProjectedTetrahedraMapper.h>
+#include <vtkPiecewiseFunction.h>
+#include <vtkVolume.h>
+#include <vtkVolumeProperty.h>
+
+namespace ciel::vs_vtk {
+
+namespace {
+
+constexpr double turn_degrees = 3;
+constexpr Asked asked{0.8, 0.5};
+
+vtkSmartPointer<vtkUnstructuredGrid> tetrahedra_of(vtkUnstructuredGrid* grid) {
+    vtkNew<vtkDataSetTriangleFilter> filter;
+    filter->SetInputData(grid);
+    filter->TetrahedraOnlyOn();
+    filter->Update();
+    return filter->GetOutput();
+}
+
+// The mapper takes opacity for extinction per length, whatever the unit distance.
+vtkSmartPointer<vtkVolumeProperty> look_of(const render::Volume& volume) {
+    constexpr std::size_t entries = 257;
+    const auto colors = render::color_row(volume.scale, entries);
+    const auto [low, high] = volume.scale.range;
+    vtkNew<vtkColorTransferFunction> color;
+    vtkNew<vtkPiecewiseFunction> extinction;
+    for (std::size_t i = 0; i < entries; ++i) {
+        const double share = static_cast<double>(i) / (entries - 1), at = low + (double{high} - low) * share;
+        color->AddRGBPoint(at, colors[i][0] / 255.0, colors[i][1] / 255.0, colors[i][2] / 255.0);
+        const auto [from, to] = std::pair(volume.opacity_points.front(), volume.opacity_points.back());
+        const double opacity = from[1] + (to[1] - from[1]) * share;
+        extinction->AddPoint(at, -std::log(1 - opacity) / volume.unit_length);
+    }
+    auto look = vtkSmartPointer<vtkVolumeProperty>::New();
+    look->SetColor(color);
+    look->SetScalarOpacity(extinction);
+    look->SetScalarOpacityUnitDistance(1);
+    look->SetInterpolationTypeToLinear();
+    look->ShadeOff(); // it cannot
+    return look;
+}
+
+class Projected {
+public:
+    Projected(vtkUnstructuredGrid* tetrahedra, const render::Volume& volume, bool floats)
+        : window_(bench::VolumePictures::side, bench::VolumePictures::side) {
+        vtkNew<vtkOpenGLProjectedTetrahedraMapper> mapper;
+        mapper->SetInputData(tetrahedra);
+        mapper->SetUseFloatingPointFrameBuffer(floats);
+        vtkNew<vtkVolume> drawn;
+        drawn->SetMapper(mapper);
+        drawn->SetProperty(look_of(volume));
+        window_.renderer()->AddVolume(drawn);
+    }
+    void draw(const render::Frame& frame) {
+        window_.set_camera(frame.camera, frame.origin);
+        pixels_ = window_.draw();
+    }
+    [[nodiscard]] double covered_share() const { return covered_share_of_rgba(pixels_); }
+
+private:
+    VtkWindow window_;
+    std::span<const std::uint8_t> pixels_;
+};
+
+} // namespace
+
+void volumes(const bench::Case& data, vtkUnstructuredGrid* grid, session::FrameWorkers& drawing) {
+    const auto tetrahedra = tetrahedra_of(grid);
+    const auto cells = static_cast<std::uint64_t>(tetrahedra->GetNumberOfCells());
+    std::unique_ptr<bench::VolumePictures> pictures;
+    const auto draw_there = [&](auto&& work) { return drawing.run([&](session::Worker&) { return work(); }); };
+    draw_there([&] {
+        pictures = std::make_unique<bench::VolumePictures>(data);
+        return pictures->cut({0, 1, 0});
+    });
+    {
+        Projected floats(tetrahedra, pictures->volume(), true), bytes(tetrahedra, pictures->volume(), false);
+        const auto projected = [&](const char* name, Projected& by) {
+            return Contender{name, [&] {
+                                 by.draw(pictures->frame());
+                                 return cells;
+                             }};
+        };
+        const auto duel_of = [&](bool shaded, bool anew) {
+            const std::string what = std::string("100 box-aligned slices, ") + (shaded ? "shaded" : "unshaded") +
+                                     (anew ? ", cut anew" : ", the camera turned") + ", to pixels";
+            const auto draw = [&, shaded, anew] {
+                if (anew) (void)pictures->cut({0, 1, 0});
+                return pictures->draw(shaded);
+            };
+            const Contender ciel{"CIEL, float target, pre-integrated", [&] { return draw_there(draw); },
+                                 [&] { pictures->turn(turn_degrees); }};
+            compare(duel(what, ciel,
+                         {projected("vtkProjectedTetrahedraMapper, floats", floats),
+                          projected("vtkProjectedTetrahedraMapper, bytes", bytes)}),
+                    asked);
+            std::printf("    %.1f million samples by CIEL\n", pictures->samples() / 1e6);
+            compare_covered(pictures->covered_share(), floats.covered_share());
+        };
+        for (const bool shaded : {true, false}) duel_of(shaded, false);
+        duel_of(true, true);
+    }
+    draw_there([&] {
+        pictures.reset(); // its GL lives on that thread
+        return 0;
+    });
+}
+
+} // namespace ciel::vs_vtk

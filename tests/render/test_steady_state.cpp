@@ -1,0 +1,203 @@
+// While somebody drags and turns, the GL makes no object and gets nothing that it has already.
+#include "counted_gl.hpp"
+#include "render/painter.hpp"
+#include "scenes.hpp"
+#include "support/meshes.hpp"
+#include "volume_scene.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <optional>
+
+namespace ciel::render {
+namespace {
+
+std::size_t bytes_of(const Mesh& mesh) {
+    return mesh.positions.size_bytes() + mesh.normals.size_bytes() + mesh.scalars.size_bytes() +
+           mesh.indices.size_bytes();
+}
+
+class SteadyStateTest : public testing::TestWithParam<Backend> {
+protected:
+    SteadyStateTest() : chosen(make_context(GetParam())) {
+        EXPECT_TRUE(make_current(*chosen.context));
+        painter.emplace(counted_gl(*chosen.context));
+    }
+
+    GlCounts draw() {
+        (void)take_counts();
+        painter->draw(frame, image, {});
+        return take_counts();
+    }
+    void turn() {
+        angle += 0.1;
+        frame.camera.position = {5 * std::sin(angle), -5 * std::cos(angle), 0.5};
+    }
+    Mesh& add(const Shape& shape) {
+        frame.meshes.push_back(shape.mesh());
+        frame.meshes.back().identity = ++identity;
+        frame.meshes.back().revision = ++revision;
+        return frame.meshes.back();
+    }
+    void replace(std::size_t at, const Shape& shape) {
+        Mesh mesh = shape.mesh();
+        mesh.identity = frame.meshes[at].identity;
+        mesh.scale = frame.meshes[at].scale;
+        mesh.color = frame.meshes[at].color;
+        mesh.revision = ++revision;
+        frame.meshes[at] = mesh;
+    }
+    // No object and no memory for pictures: what every frame of a drag must have in common.
+    void expect_nothing_made(const GlCounts& counts) {
+        EXPECT_EQ(counts.objects, 0);
+        EXPECT_EQ(counts.storage, 0);
+        EXPECT_EQ(counts.texture_updates, 0);
+    }
+    void expect_nothing_sent(const GlCounts& counts) {
+        expect_nothing_made(counts);
+        EXPECT_EQ(counts.bytes, 0U);
+    }
+
+    ChosenContext chosen;
+    std::optional<Painter> painter;
+    Frame frame = front_view();
+    Image image;
+    double angle = 0;
+    std::uint64_t identity = 0, revision = 0;
+};
+
+INSTANTIATE_TEST_SUITE_P(Backends, SteadyStateTest, testing::ValuesIn(available_backends()),
+                         [](const testing::TestParamInfo<Backend>& backend) {
+                             std::string name = name_of(backend.param);
+                             std::replace(name.begin(), name.end(), '-', '_');
+                             return name;
+                         });
+GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(SteadyStateTest);
+
+TEST_P(SteadyStateTest, TheFirstFrameIsCounted) {
+    const Shape plane = square(0);
+    add(plane);
+    const GlCounts counts = draw();
+    EXPECT_EQ(counts.bytes, bytes_of(frame.meshes[0]));
+    EXPECT_GT(counts.objects, 0);
+    EXPECT_GT(counts.storage, 0);
+}
+
+TEST_P(SteadyStateTest, ADraggedSurfaceIsAllThatIsSent) {
+    const Shape other = square(0.5);
+    const Shape first = sphere(0.5);
+    add(other);
+    add(first);
+    (void)draw();
+    for (const double radius : {0.6, 0.7, 0.3}) {
+        const Shape shape = sphere(radius);
+        replace(1, shape);
+        const GlCounts counts = draw();
+        expect_nothing_made(counts);
+        EXPECT_EQ(counts.bytes, bytes_of(frame.meshes[1]));
+    }
+}
+
+TEST_P(SteadyStateTest, ACameraThatTurnsSendsNothing) {
+    const Shape ball = sphere(0.6), plane = square(0);
+    add(ball);
+    add(plane);
+    (void)draw();
+    for (int i = 0; i < 5; ++i) {
+        turn();
+        expect_nothing_sent(draw());
+    }
+}
+
+TEST_P(SteadyStateTest, AHiddenLayerLeavesTheOthersWhereTheyAre) {
+    const Shape ball = sphere(0.6), plane = square(0), small = sphere(0.2);
+    add(ball);
+    add(plane);
+    add(small);
+    (void)draw();
+    const Mesh hidden = frame.meshes[0];
+    frame.meshes.erase(frame.meshes.begin());
+    expect_nothing_sent(draw());
+    std::swap(frame.meshes[0], frame.meshes[1]);
+    expect_nothing_sent(draw());
+    frame.meshes.insert(frame.meshes.begin() + 1, hidden);
+    expect_nothing_sent(draw());
+}
+
+TEST_P(SteadyStateTest, OtherColoursSendNoVertices) {
+    const Shape ball = sphere(0.6), plane = square(0);
+    add(ball);
+    add(plane);
+    (void)draw();
+    frame.meshes[0].color = {1, 0, 0, 1};
+    frame.meshes[1].scale.range = {-2, 2};
+    const GlCounts counts = draw();
+    EXPECT_EQ(counts.bytes, 0U);
+    EXPECT_EQ(counts.objects, 0);
+    EXPECT_EQ(counts.storage, 2) << "the colours of the frame's scales, and their rules";
+}
+
+TEST_P(SteadyStateTest, TransparentTrianglesAreSentOnceAndSortedForEachView) {
+    const Shape ball = sphere(0.6), plane = square(0);
+    add(ball).color[3] = 0.5F;
+    add(plane).color[3] = 0.5F;
+    const std::size_t indices = frame.meshes[0].indices.size_bytes() + frame.meshes[1].indices.size_bytes();
+    (void)draw();
+    expect_nothing_sent(draw());
+    turn();
+    const GlCounts turned = draw();
+    expect_nothing_made(turned);
+    EXPECT_EQ(turned.bytes, indices);
+    frame.meshes[1].color[3] = 0.7F;
+    EXPECT_GT(draw().bytes, indices) << "opacity is a vertex's";
+}
+
+TEST_P(SteadyStateTest, AStillAfterAStillMakesNothing) {
+    const Shape ball = sphere(0.6), plane = square(0);
+    add(ball).color[3] = 0.5F;
+    add(plane);
+    frame.samples = 4;
+    (void)draw();
+    for (int i = 0; i < 3; ++i) {
+        turn();
+        expect_nothing_made(draw());
+    }
+}
+
+TEST_P(SteadyStateTest, AVolumeIsSentOnce) {
+    VolumeScene scene(test::hexahedra({{3, 3, 3}, 0, 1, 1.0 / 3}), [](const Vec3d& p) { return p[0]; });
+    Volume volume = scene.volume({0, 1, 0}, 15);
+    frame.volumes = {volume};
+    const Shape plane = square(0.5), ball = sphere(0.3);
+    add(plane);
+    const GlCounts first = draw();
+    EXPECT_GT(first.bytes, 0U);
+    for (int i = 0; i < 5; ++i) {
+        turn();
+        expect_nothing_sent(draw());
+    }
+    add(ball).color[3] = 0.5F;
+    (void)draw();
+    turn();
+    const GlCounts turned = draw();
+    expect_nothing_made(turned);
+    EXPECT_EQ(turned.bytes, ball.indices.size() * sizeof(Index));
+}
+
+TEST_P(SteadyStateTest, WritingIsSentWhenItChanges) {
+    const Shape plane = square(0);
+    add(plane);
+    frame.annotations.title = "Steady";
+    frame.annotations.legends.push_back({"s", "m", {}});
+    (void)draw();
+    expect_nothing_sent(draw());
+    frame.annotations.triad = true;
+    (void)draw();
+    turn();
+    const GlCounts turned = draw();
+    expect_nothing_made(turned);
+    EXPECT_GT(turned.bytes, 0U) << "the triad turns";
+}
+
+} // namespace
+} // namespace ciel::render
