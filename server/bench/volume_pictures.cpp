@@ -50,7 +50,7 @@ VolumePictures::VolumePictures(const Case& data)
         low = i < 3 ? at : std::min(low, at);
         high = i < 3 ? at : std::max(high, at);
     }
-    frame_.camera = render::default_camera(frame_.bounds_min, frame_.bounds_max, 1);
+    turn_back();
     frame_.samples = 1;
     const auto [lowest, highest] = std::ranges::minmax(*data.values);
     volume_.scale.range = {lowest, highest};
@@ -94,6 +94,8 @@ void VolumePictures::turn(double degrees) {
     const glm::dmat4 rotation = glm::rotate(glm::dmat4(1), glm::radians(degrees), vector_of(camera.up));
     camera.position = array_of(target + glm::dmat3(rotation) * (vector_of(camera.position) - target));
 }
+
+void VolumePictures::turn_back() { frame_.camera = render::default_camera(frame_.bounds_min, frame_.bounds_max, 1); }
 
 Vec3d VolumePictures::view_direction() const {
     return array_of(glm::normalize(vector_of(frame_.camera.target) - vector_of(frame_.camera.position)));

@@ -22,6 +22,7 @@ public:
     // those that are drawn. The picture is multisampled where others in it would be.
     std::uint64_t draw(bool shaded, std::size_t stride = 1);
     void turn(double degrees); // the camera about the middle of the mesh, around its up
+    void turn_back();          // to where it was first
 
     [[nodiscard]] Vec3d view_direction() const;
     [[nodiscard]] const render::Frame& frame() const { return frame_; }

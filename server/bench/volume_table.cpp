@@ -31,25 +31,31 @@ Table volume_table(const Case& data) {
     VolumePictures pictures(data);
     const Vec3d box{0, 1, 0};
     table.rows.push_back(measure("cut box-aligned", [&] { return pictures.cut(box); }));
-    for (const bool shaded : {true, false})
+    for (const bool shaded : {true, false}) {
+        pictures.turn_back();
         table.rows.push_back(measure(
             std::string("box-aligned, ") + style(shaded) + ", draw", [&] { return pictures.draw(shaded); },
             [&] { pictures.turn(turn_degrees); }));
+    }
     add_figures(table, pictures, "box-aligned");
-    for (const bool shaded : {true, false})
+    for (const bool shaded : {true, false}) {
+        pictures.turn_back();
         table.rows.push_back(measure(
             std::string("preview, ") + style(shaded) + ", draw", [&] { return pictures.draw(shaded, preview_stride); },
             [&] { pictures.turn(turn_degrees); }));
+    }
     add_figures(table, pictures, "preview");
     table.rows.push_back(measure(
         "cut screen-aligned", [&] { return pictures.cut_across_view(); }, [&] { pictures.turn(turn_degrees); }));
-    for (const bool shaded : {true, false})
+    for (const bool shaded : {true, false}) {
+        pictures.turn_back();
         table.rows.push_back(measure(
             std::string("screen-aligned, ") + style(shaded) + ", draw", [&] { return pictures.draw(shaded); },
             [&] {
                 pictures.turn(turn_degrees);
                 (void)pictures.cut_across_view();
             }));
+    }
     add_figures(table, pictures, "screen-aligned");
     return table;
 }

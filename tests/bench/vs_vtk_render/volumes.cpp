@@ -97,6 +97,7 @@ void volumes(const bench::Case& data, vtkUnstructuredGrid* grid, session::FrameW
                              }};
         };
         const auto duel_of = [&](bool shaded, bool anew) {
+            pictures->turn_back();
             const std::string what = std::string("100 box-aligned slices, ") + (shaded ? "shaded" : "unshaded") +
                                      (anew ? ", cut anew" : ", the camera turned") + ", to pixels";
             const auto draw = [&, shaded, anew] {

@@ -1,0 +1,98 @@
+// A still of 4096 x 4096 of everything at once is the small one with more pixels.
+#include "scenes.hpp"
+#include "support/meshes.hpp"
+#include "volume_scene.hpp"
+#include "wire/png.hpp"
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <gtest/gtest.h>
+
+namespace ciel::render {
+namespace {
+
+constexpr int small = 1024, factor = 4, margin = 160;
+
+Image drawn(Renderer& renderer, Frame& frame, int side) {
+    frame.width = frame.height = side;
+    Image image;
+    renderer.draw(frame, image);
+    return image;
+}
+
+// Mean of a block of the large picture against the small one's pixel, over all channels of the middle: letters are
+// hinted to whole pixels of either picture.
+struct Difference {
+    double mean = 0;
+    int far_off = 0; // channels that differ by more than an edge that lies a little elsewhere in its pixel
+};
+
+Difference compare(const Image& large, const Image& little) {
+    Difference difference;
+    for (int y = margin; y < small - margin; ++y)
+        for (int x = 3 * margin; x < 3 * (small - margin); ++x) {
+            int sum = 0;
+            for (int dy = 0; dy < factor; ++dy)
+                for (int dx = 0; dx < factor; ++dx) {
+                    const int column = x / 3 * factor + dx;
+                    sum +=
+                        large.rgb[static_cast<std::size_t>(3 * (y * factor + dy) * large.width + 3 * column + x % 3)];
+                }
+            const double off = std::abs(static_cast<double>(sum) / (factor * factor) -
+                                        little.rgb[static_cast<std::size_t>(3 * y * small + x)]);
+            difference.mean += off / (3.0 * (small - 2 * margin) * (small - 2 * margin));
+            if (off > 40) ++difference.far_off;
+        }
+    return difference;
+}
+
+void keep(const Image& image, const char* name) {
+    const auto folder = std::filesystem::path(CIEL_BINARY_DIR) / "pictures";
+    std::filesystem::create_directories(folder);
+    std::vector<std::uint8_t> png;
+    wire::encode_png(image.width, image.height, image.rgb, wire::PngEffort::interactive, png);
+    std::ofstream(folder / name, std::ios::binary)
+        .write(reinterpret_cast<const char*>(png.data()), static_cast<std::streamsize>(png.size()));
+}
+
+double resident_gigabytes() {
+    std::ifstream status("/proc/self/statm");
+    double all = 0, resident = 0;
+    status >> all >> resident;
+    return resident * 4096 / 1e9;
+}
+
+TEST(LargeStillTest, OfAVolumeTransparentSurfacesAndWriting) {
+    Renderer renderer(Backend::automatic);
+    VolumeScene scene(test::hexahedra({{3, 3, 3}, 0, 1, 1.0 / 3}), [](const Vec3d& p) { return p[0]; });
+    const Shape plane = square(0.5), ball = sphere(0.7), inner = sphere(0.4, {0.3, 0, 0.2});
+    Frame frame = front_view();
+    frame.camera.position = {1.5, -5, 1};
+    frame.samples = 4;
+    frame.meshes = {plane.mesh(), ball.mesh(), inner.mesh()};
+    frame.meshes[1].color = {0.9F, 0.4F, 0.2F, 0.4F};
+    frame.meshes[2].color = {0.2F, 0.5F, 0.9F, 0.6F};
+    frame.volumes = {scene.volume({0, 1, 0}, 31)};
+    frame.annotations.title = "A large still";
+    frame.annotations.legends.push_back({"x", "m", {}});
+    frame.annotations.triad = true;
+    const Image little = drawn(renderer, frame, small);
+    const Image large = drawn(renderer, frame, small * factor);
+    ASSERT_EQ(large.rgb.size(), std::size_t{3} * small * small * factor * factor);
+    const Difference same = compare(large, little);
+    EXPECT_LT(same.mean, 1.5);
+    EXPECT_LT(same.far_off, small * small / 100) << "at outlines";
+    if (HasFailure()) {
+        keep(little, "still_of_1024.png");
+        keep(large, "still_of_4096.png");
+    }
+    const double held = resident_gigabytes();
+    frame.meshes[1].color[3] = 0.7F;
+    EXPECT_GT(compare(large, drawn(renderer, frame, small)).mean, same.mean + 1) << "a test that sees nothing";
+    if (renderer.gl_renderer().find("llvmpipe") == std::string::npos) return; // its memory is not this program's
+    EXPECT_LT(resident_gigabytes(), held - 0.5) << "what the large one took is given back";
+}
+
+} // namespace
+} // namespace ciel::render
