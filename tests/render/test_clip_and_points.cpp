@@ -2,6 +2,7 @@
 #include "scenes.hpp"
 
 #include <cmath>
+#include <cstdlib>
 #include <gtest/gtest.h>
 #include <numbers>
 
@@ -70,6 +71,25 @@ TEST_P(ClipAndPoints, APlaneCutsSurfacesOpaqueAndTransparentAndWhatIsPicked) {
             draw();
             EXPECT_EQ(lit(), whole) << "nothing is left of the planes";
         }
+}
+
+// Without planes a surface of one colour with normals is drawn by a program that knows none.
+TEST_P(ClipAndPoints, ABallIsWholeAgainAfterAPlane) {
+    const Shape ball = sphere(0.8);
+    frame.meshes = {ball.mesh()};
+    draw();
+    const Image whole = image;
+    frame.clip = {{-1, 0, 0, 0}};
+    draw();
+    EXPECT_NE(image.rgb, whole.rgb);
+    frame.clip = {};
+    draw();
+    EXPECT_EQ(image.rgb, whole.rgb);
+    frame.clip = {{0, 0, 0, 1}}; // keeps everything, but by the program that knows planes
+    draw();
+    std::size_t differing = 0;
+    for (std::size_t i = 0; i < image.rgb.size(); ++i) differing += std::abs(image.rgb[i] - whole.rgb[i]) > 1 ? 1 : 0;
+    EXPECT_EQ(differing, 0U) << "both programs draw the same";
 }
 
 TEST_P(ClipAndPoints, APlaneCutsLinesAndPoints) {
