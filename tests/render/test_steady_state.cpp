@@ -179,9 +179,7 @@ TEST_P(SteadyStateTest, AVolumeIsSentOnce) {
     add(ball).color[3] = 0.5F;
     (void)draw();
     turn();
-    const GlCounts turned = draw();
-    expect_nothing_made(turned);
-    EXPECT_EQ(turned.bytes, ball.indices.size() * sizeof(Index));
+    expect_nothing_sent(draw()); // layers in a volume are peeled: their triangles have no order
 }
 
 TEST_P(SteadyStateTest, WritingIsSentWhenItChanges) {
