@@ -48,8 +48,8 @@ struct Table {
 
 // Runs `body` until a quarter of a second of work is measured, 3 times at least and 25 at most, after one run that is
 // not counted (it fills caches and buffers); what takes more than half a second is measured once. After a first run of
-// more than three seconds there is no other: it is the one that counts, and the row's note says so. `prepare` runs before
-// each, untimed. The body returns its triangles.
+// more than three seconds there is no other: it is the one that counts, and the row's note says so. `prepare` runs
+// before each, untimed. The body returns its triangles.
 [[nodiscard]] Row measure(const std::string& what, const std::function<std::uint64_t()>& body,
                           const std::function<void()>& prepare = {});
 
