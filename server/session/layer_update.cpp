@@ -1,0 +1,100 @@
+#include "session/layer_update.hpp"
+
+#include "session/color_scale_of.hpp"
+#include "session/errors.hpp"
+
+namespace ciel::session {
+namespace {
+
+void colour(Drawable& drawable, const scene::Coloring& coloring, const scene::Layer& layer,
+            const store::Dataset& dataset, std::size_t step) {
+    drawable.color = {coloring.solid[0], coloring.solid[1], coloring.solid[2], layer.opacity};
+    drawable.array = coloring.array;
+    if (coloring.array.empty()) return;
+    drawable.units = dataset.find(store::parse_scalar(dataset, coloring.array).array)->units;
+    drawable.scale = color_scale_of(coloring, range_of(dataset, coloring.array, step));
+}
+
+} // namespace
+
+std::array<float, 2> range_of(const store::Dataset& dataset, const std::string& scalar, std::size_t step) {
+    const store::ScalarName name = store::parse_scalar(dataset, scalar);
+    const auto& arrays = dataset.steps()[step].arrays;
+    const auto found = arrays.find(name.array);
+    if (found == arrays.end()) return {0, 1};
+    const auto& info = found->second;
+    const auto& range =
+        name.component ? info.component_ranges.at(static_cast<std::size_t>(*name.component)) : info.range;
+    return {static_cast<float>(range[0]), static_cast<float>(range[1])};
+}
+
+std::string bits_of(double number) { return {reinterpret_cast<const char*>(&number), sizeof number}; }
+
+std::string plane_name(const std::array<double, 3>& normal, const store::Step& step) {
+    std::string name = "plane " + std::to_string(step.mesh) + " " + std::to_string(step.coordinates);
+    for (const double component : normal) {
+        name.push_back(' ');
+        name += bits_of(component);
+    }
+    return name;
+}
+
+void LayerUpdate::count(std::size_t before, std::size_t after) {
+    bytes = bytes - before + after;
+    if (bytes > most_bytes)
+        throw LimitReached("the surfaces of this scene need more than the " + std::to_string(most_bytes >> 20) +
+                           " MB that a scene may have; show fewer values or layers");
+}
+
+void LayerUpdate::lack(const scene::Layer& layer, const char* what, const store::NotWritten& missing) const {
+    out.lacking.push_back("layer " + layer.id + " " + what + ": " + missing.what());
+}
+
+void LayerUpdate::add(Painted& painted, const std::shared_ptr<const Shape>& shape, const scene::Coloring& coloring,
+                      const scene::Layer& layer, bool lit, std::optional<double> own) {
+    scene::Coloring shown = coloring;
+    try {
+        painted.paint(shape, shown.array, out.step, *loaded, own);
+    } catch (const store::NotWritten& missing) {
+        lack(layer, "has no colours", missing);
+        shown.array.clear();
+        painted.paint(shape, shown.array, out.step, *loaded);
+    }
+    Drawable drawable;
+    drawable.layer = layer.id;
+    drawable.shape = shape;
+    drawable.scalars = painted.scalars;
+    drawable.lit = lit;
+    drawable.identity = painted.identity;
+    drawable.revision = painted.revision;
+    colour(drawable, shown, layer, *dataset, out.step);
+    if (!shown.array.empty() && !is_shown_by(shown, range_of(*dataset, shown.array, out.step)))
+        out.lacking.push_back("layer " + layer.id + " has no colours: " + shown.array +
+                              " has no value above zero at this time, and only those have a place on a "
+                              "logarithmic scale; choose a linear one");
+    if (drawable.polygons()) out.triangles += shape->indices.size() / 3;
+    out.drawables.push_back(std::move(drawable));
+}
+
+void LayerUpdate::add_edges(Outlined& outlined, const std::shared_ptr<const Shape>& shape,
+                            const std::optional<scene::LineStyle>& style, const scene::Layer& layer) {
+    if (!style) return outlined.forget();
+    outlined.follow(shape);
+    add_lines(shape, *style, layer, outlined.identity, outlined.revision).edges = outlined.edges;
+}
+
+Drawable& LayerUpdate::add_lines(const std::shared_ptr<const Shape>& shape, const scene::LineStyle& style,
+                                 const scene::Layer& layer, std::uint64_t identity, std::uint64_t revision) {
+    Drawable drawable;
+    drawable.layer = layer.id;
+    drawable.shape = shape;
+    drawable.line_width = style.width;
+    drawable.color = {style.color[0], style.color[1], style.color[2], layer.opacity};
+    drawable.lit = false;
+    drawable.identity = identity;
+    drawable.revision = revision;
+    out.drawables.push_back(std::move(drawable));
+    return out.drawables.back();
+}
+
+} // namespace ciel::session

@@ -1,0 +1,76 @@
+// Layers that cut the mesh: iso-surfaces and slices.
+#include "session/layer_update.hpp"
+
+#include <cmath>
+
+namespace ciel::session {
+namespace {
+
+// High means value >= nu, so a plane on the low side of the domain would cut nothing. One that is off a side by no more
+// than rounding means the side.
+double on_the_side(double nu, std::array<float, 2> range) {
+    const auto [low, high] = range;
+    const double rounding = 1e-6 * (static_cast<double>(high) - static_cast<double>(low));
+    if (nu <= low && nu >= low - rounding) return std::nextafter(low, high);
+    if (nu > high && nu <= high + rounding) return high;
+    return nu;
+}
+
+} // namespace
+
+bool LayerUpdate::operator()(const scene::Layer& layer, const scene::IsoLayer& iso) {
+    for (std::size_t i = 0; i < iso.values.size(); ++i) {
+        Cut& cut = cuts[{layer.id, i}];
+        const std::size_t before = cut.memory_bytes();
+        const std::string name = "field " + std::to_string(out.step) + " " + iso.array;
+        try {
+            if (cut.field_name != name) cut.use_field(name, loaded->scalar(iso.array, out.step), extraction);
+        } catch (const store::NotWritten& missing) {
+            lack(layer, "is not shown", missing);
+            return true;
+        }
+        if (!cut.extract(iso.values[i], iso.smooth, stop)) return false;
+        const bool by_itself = iso.color.array == iso.array;
+        add(cut.painted, cut.shape, iso.color, layer, true, by_itself ? std::optional(iso.values[i]) : std::nullopt);
+        add_edges(cut.outlined, cut.shape, iso.edges, layer);
+        count(before, cut.memory_bytes());
+    }
+    return true;
+}
+
+double LayerUpdate::use_plane(Cut& cut, const std::array<double, 3>& origin, const std::array<double, 3>& normal) {
+    const std::string name = plane_name(normal, step());
+    if (cut.field_name != name) cut.use_field(name, loaded->plane(out.step, out.origin, normal), extraction);
+    double nu = 0;
+    for (std::size_t axis = 0; axis < 3; ++axis) nu += normal[axis] * (origin[axis] - out.origin[axis]);
+    return nu;
+}
+
+bool LayerUpdate::operator()(const scene::Layer& layer, const scene::SliceLayer& slice) {
+    Cut& cut = cuts[{layer.id, 0}];
+    const std::size_t before = cut.memory_bytes();
+    const double nu = use_plane(cut, slice.origin, slice.normal);
+    if (!cut.extract(on_the_side(nu, cut.field.field->range()), false, stop)) return false;
+    add(cut.painted, cut.shape, slice.color, layer, false);
+    add_edges(cut.outlined, cut.shape, slice.edges, layer);
+    add_contours(cut.contoured, cut.shape, slice.contours, layer);
+    count(before, cut.memory_bytes());
+    return true;
+}
+
+void LayerUpdate::add_contours(Contoured& contoured, const std::shared_ptr<const Shape>& shape,
+                               const std::optional<scene::Contours>& contours, const scene::Layer& layer) {
+    if (!contours) return contoured.forget();
+    std::vector<double> values = contours->values;
+    const auto own = range_of(*dataset, contours->array, out.step);
+    const auto [low, high] = contours->range.value_or(std::array<double, 2>{own[0], own[1]});
+    for (int i = 1; i <= contours->count; ++i) values.push_back(low + (high - low) * i / (contours->count + 1));
+    try {
+        contoured.follow(shape, contours->array, out.step, values, *loaded);
+    } catch (const store::NotWritten& missing) {
+        return lack(layer, "has no contour lines", missing);
+    }
+    add_lines(contoured.lines, contours->line, layer, contoured.identity, contoured.revision);
+}
+
+} // namespace ciel::session

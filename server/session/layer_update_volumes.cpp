@@ -1,0 +1,50 @@
+#include "session/color_scale_of.hpp"
+#include "session/layer_update.hpp"
+#include "session/volume_cut.hpp"
+
+#include <cmath>
+
+namespace ciel::session {
+
+bool LayerUpdate::operator()(const scene::Layer& layer, const scene::VolumeLayer& volume) {
+    VolumeCut& kept = volumes[layer.id];
+    const std::size_t before = kept.memory_bytes();
+    try {
+        kept.use_property(volume.array, out.step, *loaded);
+    } catch (const store::NotWritten& missing) {
+        lack(layer, "is not shown", missing);
+        return true;
+    }
+    const Vec3d normal = slab_normal(volume, camera, moving);
+    const store::ScalarField planes = loaded->plane(out.step, out.origin, normal);
+    const std::string place = plane_name(normal, step());
+    if (!kept.cut(place, planes, normal, volume.slices, moving, stop)) return false;
+    out.volumes.push_back(drawable_of(layer, volume, kept));
+    count(before, kept.memory_bytes());
+    return true;
+}
+
+VolumeDrawable LayerUpdate::drawable_of(const scene::Layer& layer, const scene::VolumeLayer& volume,
+                                        const VolumeCut& kept) const {
+    VolumeDrawable drawable;
+    drawable.layer = layer.id;
+    drawable.slabs = kept.slabs;
+    drawable.stride = moving ? moving_stride(volume.slices) : 1;
+    drawable.array = volume.array;
+    drawable.units = dataset->find(store::parse_scalar(*dataset, volume.array).array)->units;
+    drawable.scale = color_scale_of(volume.color, range_of(*dataset, volume.array, out.step));
+    drawable.opacity_points = volume.opacity_points;
+    drawable.unit_length = volume.unit_length.value_or(0.1 * diagonal());
+    drawable.shaded = volume.shaded;
+    drawable.opacity = layer.opacity;
+    drawable.identity = kept.identity;
+    drawable.revision = kept.revision;
+    return drawable;
+}
+
+double LayerUpdate::diagonal() const {
+    return std::hypot(out.bounds_max[0] - out.bounds_min[0], out.bounds_max[1] - out.bounds_min[1],
+                      out.bounds_max[2] - out.bounds_min[2]);
+}
+
+} // namespace ciel::session
