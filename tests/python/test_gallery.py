@@ -45,7 +45,7 @@ def test_its_command_draws_the_picture(name, tmp_path):
     if make[1] == "import" and not NASA.is_dir():
         pytest.skip("CIEL_DATA does not name the folder with the real datasets")
     inputs = [NASA / word if word.endswith(".bin") else word for word in make[1:]]
-    for words in (inputs, [GALLERY.parent / word if word.endswith(".json") else word for word in render[1:]]):
+    for words in (inputs, [GALLERY.parents[1] / word if word.endswith(".json") else word for word in render[1:]]):
         done = ciel(*words, cwd=tmp_path)
         assert done.returncode == 0, done.stderr
     kept, drawn = pixels(GALLERY / f"{name}.png"), pixels(tmp_path / render[-1])
