@@ -59,11 +59,12 @@ Table slices_table(const Case& data) {
     }
     for (const auto& [normal, name] : {std::pair{box, "box-aligned"}, {screen, "screen-aligned"}}) {
         std::vector<SliceSink::Out> made;
+        SweepParts<SliceSink> parts;
         table.rows.push_back(measure(std::string("100 ") + name + ", one pass", [&, along = normal] {
             const Field distance = distance_along(data, along);
             const auto [low, high] = distance.range();
             sweep(*data.topology, data.mesh, distance, values_between(low, high, slice_count), SliceSink{*data.values},
-                  made);
+                  parts, made);
             std::uint64_t triangles = 0;
             for (const SliceSink::Out& slice : made) triangles += slice.triangles.size() / 3;
             return triangles;

@@ -1,5 +1,4 @@
-#include "ciel/cut_block.hpp"
-
+#include "ciel/active_edges.hpp"
 #include "ciel/vector_units.hpp"
 
 #include <algorithm>
@@ -27,6 +26,11 @@ CIEL_FOR_ALL_VECTOR_UNITS void mark_high(const float* values, std::size_t count,
 
 namespace {
 
+template <class T>
+void grow(std::vector<T>& room, std::size_t size) {
+    if (room.size() < size) room.resize(size);
+}
+
 // Eight bytes of 0 or 1 to eight bits: each product bit of the top byte gets one of them.
 std::uint64_t bits_of(const std::uint8_t* bytes) {
     std::uint64_t word;
@@ -38,7 +42,7 @@ std::uint64_t bits_of(const std::uint8_t* bytes) {
 
 bool classify(std::span<const float> values, float threshold, CutScratch& scratch, CutBlock& cut) {
     const std::size_t words = (values.size() + 63) / 64;
-    if (scratch.high.size() < 64 * words) scratch.high.resize(64 * words);
+    grow(scratch.high, 64 * words);
     std::uint8_t* high = scratch.high.data();
     mark_high(values.data(), values.size(), threshold, high);
     std::fill(high + values.size(), high + 64 * words, std::uint8_t{0});
@@ -64,23 +68,24 @@ Index high_corners(const std::uint16_t* vertex, const std::uint8_t* high) {
     return bits;
 }
 
-// Without a branch: which cells are active is unpredictable.
+// Appends to scratch.cell. Without a branch: which cells are active is unpredictable.
 template <std::size_t corners>
 void list_active(const StandardSection& section, Index begin, Index end, CutScratch& scratch) {
     constexpr Index all = (Index{1} << corners) - 1;
-    std::size_t count = scratch.cell.size();
-    scratch.cell.resize(count + end - begin);
+    const std::uint16_t* vertex = section.vertex.data();
+    const std::uint8_t* high = scratch.high.data();
+    CutScratch::ActiveCell* to = scratch.cell.data() + scratch.cells;
     for (Index i = begin; i < end; ++i) {
-        const Index bits = high_corners<corners>(&section.vertex[i * corners], scratch.high.data());
-        scratch.cell[count] = {i, bits};
-        count += bits != 0 && bits != all ? 1 : 0;
+        const Index bits = high_corners<corners>(vertex + i * corners, high);
+        *to = {i, bits};
+        to += bits != 0 && bits != all ? 1 : 0;
     }
-    scratch.cell.resize(count);
+    scratch.cells = static_cast<Index>(to - scratch.cell.data());
 }
 
 void find_active(const StandardSection& section, const BlockValues& in, std::span<const CellRanges::Range> groups,
                  CutScratch& scratch) {
-    scratch.cell.clear();
+    scratch.cells = 0;
     with_shape(section.shape->type, [&]<const StandardShape & shape>() {
         if (groups.empty()) return list_active<shape.corners>(section, 0, section.count(), scratch);
         for (Index g = 0; g < groups.size(); ++g)
@@ -122,16 +127,17 @@ bool is_active(const PolyhedralSection<Local>& section, Index cell, const CutScr
 template <class Local>
 void find_active(const PolyhedralSection<Local>& section, const BlockValues& in,
                  std::span<const CellRanges::Range> ranges, CutScratch& scratch) {
-    scratch.cell.clear();
+    scratch.cells = 0;
     if (ranges.empty()) sort_faces(section, scratch);
     for (Index cell = 0; cell < section.count(); ++cell)
         if (ranges.empty() ? is_active(section, cell, scratch) : crosses(ranges[cell], in.threshold))
-            scratch.cell.push_back({cell, 0});
+            scratch.cell[scratch.cells++] = {cell, 0};
 }
 
+// One more than there are: what is not active is written beyond the last that is.
 void begin_cut(const Block& block, CutScratch& scratch, CutBlock& cut) {
-    cut.active.assign((block.edge_count + 63) / 64, 0);
-    if (scratch.ends.size() < block.edge_count) scratch.ends.resize(block.edge_count);
+    grow(scratch.ends, block.edge_count + std::size_t{1});
+    grow(scratch.cell, block.cell_count + std::size_t{1});
     cut.polygon_cell.clear();
     cut.polygon_end.clear();
     cut.polygon_edge.clear();
@@ -161,8 +167,7 @@ void sort_polygons(CutScratch& scratch, CutBlock& cut) {
     cut.polygon_edge.assign(edge.begin(), edge.end());
 }
 
-void end_cut(const Block& block, CutScratch& scratch, CutBlock& cut) {
-    if (!std::ranges::is_sorted(cut.polygon_cell)) sort_polygons(scratch, cut);
+void list_edges(const Block& block, CutScratch& scratch, CutBlock& cut) {
     cut.rank.resize(cut.active.size());
     Index count = 0;
     for (std::size_t w = 0; w < cut.active.size(); ++w) {
@@ -179,30 +184,52 @@ void end_cut(const Block& block, CutScratch& scratch, CutBlock& cut) {
                      : cut.place(static_cast<Index>(block.ghost_edge.size()));
 }
 
-} // namespace
-
-void cut_block(const Block& block, const BlockValues& in, CutScratch& scratch, CutBlock& cut) {
-    begin_cut(block, scratch, cut);
+template <class Edges>
+void cut_sections(const Block& block, const BlockValues& in, CutScratch& scratch, CutBlock& cut) {
     std::size_t first = 0;
     for (const StandardSection& section : block.standard) {
         const std::size_t groups = (section.count() + CellRanges::cells_per_group - 1) / CellRanges::cells_per_group;
         find_active(section, in, in.ranges.empty() ? in.ranges : in.ranges.subspan(first, groups), scratch);
         first += groups;
-        cut_standard(section, in, scratch, cut);
+        cut_standard<Edges>(section, in, scratch, cut);
     }
     block.with([&](const auto& arrays) {
         find_active(arrays.polyhedra, in, in.ranges.empty() ? in.ranges : in.ranges.subspan(first), scratch);
-        cut_polyhedra(arrays.polyhedra, in, scratch, cut);
+        cut_polyhedra<Edges>(arrays.polyhedra, in, scratch, cut);
     });
-    end_cut(block, scratch, cut);
+    if (!std::ranges::is_sorted(cut.polygon_cell)) sort_polygons(scratch, cut);
+}
+
+} // namespace
+
+void cut_block(const Block& block, const BlockValues& in, CutScratch& scratch, CutBlock& cut) {
+    begin_cut(block, scratch, cut);
+    cut.active.assign((block.edge_count + 63) / 64, 0);
+    cut_sections<SharedEdges>(block, in, scratch, cut);
+    list_edges(block, scratch, cut);
+}
+
+void cut_block_alone(const Block& block, const BlockValues& in, CutScratch& scratch, CutBlock& cut) {
+    begin_cut(block, scratch, cut);
+    grow(scratch.met, block.edge_count);
+    grow(scratch.high, in.values.size());
+    mark_high(in.values.data(), in.values.size(), in.threshold, scratch.high.data());
+    scratch.met_before += scratch.met_count;
+    scratch.met_count = 0;
+    if (scratch.met_before > none - block.edge_count) {
+        std::ranges::fill(scratch.met, Index{0});
+        scratch.met_before = 1;
+    }
+    cut_sections<MetEdges>(block, in, scratch, cut);
 }
 
 void cut_cells(const Block& block, const BlockValues& in, std::span<const Index> cells, CutScratch& scratch,
                CutBlock& cut) {
     begin_cut(block, scratch, cut);
+    cut.active.assign((block.edge_count + 63) / 64, 0);
     // Calls found(index in the section) for those of the cells that are in it.
     const auto for_each_in = [&](const auto& section, auto&& found) {
-        scratch.cell.clear();
+        scratch.cells = 0;
         for (const Index cell : cells) {
             if (section.cell.empty()) {
                 if (section.count() > 0) found(cell);
@@ -216,13 +243,14 @@ void cut_cells(const Block& block, const BlockValues& in, std::span<const Index>
         with_shape(section.shape->type, [&]<const StandardShape & shape>() {
             for_each_in(section, [&](Index i) { list_active<shape.corners>(section, i, i + 1, scratch); });
         });
-        cut_standard(section, in, scratch, cut);
+        cut_standard<SharedEdges>(section, in, scratch, cut);
     }
     block.with([&](const auto& arrays) {
-        for_each_in(arrays.polyhedra, [&](Index i) { scratch.cell.push_back({i, 0}); });
-        cut_polyhedra(arrays.polyhedra, in, scratch, cut);
+        for_each_in(arrays.polyhedra, [&](Index i) { scratch.cell[scratch.cells++] = {i, 0}; });
+        cut_polyhedra<SharedEdges>(arrays.polyhedra, in, scratch, cut);
     });
-    end_cut(block, scratch, cut);
+    if (!std::ranges::is_sorted(cut.polygon_cell)) sort_polygons(scratch, cut);
+    list_edges(block, scratch, cut);
 }
 
 } // namespace ciel

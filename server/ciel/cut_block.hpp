@@ -44,9 +44,13 @@ struct CutScratch {
         Index high;  // of a standard cell: one bit per corner
     };
     std::vector<std::uint8_t> high;         // per local vertex; zeros up to a multiple of 64
-    std::vector<ActiveCell> cell;           // of one section, ascending
-    std::vector<std::array<Index, 2>> ends; // per local edge, good where active
-    std::vector<std::uint8_t> face_kinds;   // per face of the polyhedra: 1 has low corners, 2 has high ones
+    std::vector<ActiveCell> cell;           // room for all of a block's
+    Index cells = 0;                        // how many are active, of one section, ascending
+    std::vector<std::array<Index, 2>> ends; // per local edge, good where active; or by point (cut_block_alone)
+    // Of cut_block_alone, per local edge: its point + met_before; less where this cut has not met it.
+    std::vector<Index> met;
+    Index met_before = 1, met_count = 0;
+    std::vector<std::uint8_t> face_kinds; // per face of the polyhedra: 1 has low corners, 2 has high ones
     // Which active edges of a face the surface joins, along the stored loop.
     struct Pair {
         Index climbing, descending; // local edges
@@ -74,6 +78,8 @@ struct CutScratch {
         std::vector<Index> order, cell, end, edge;
     };
     Sorted sorted; // polygons of several sections
+
+    [[nodiscard]] std::span<const ActiveCell> active_cells() const { return std::span(cell).first(cells); }
 };
 
 [[nodiscard]] CutScratch& scratch_of_this_thread();
@@ -95,13 +101,18 @@ struct BlockValues {
 
 // After `classify` with the same scratch.
 void cut_block(const Block& block, const BlockValues& in, CutScratch& scratch, CutBlock& cut);
+// For one value after another, none of which is kept or joined with other blocks': classifies by itself. The polygons'
+// edges are points, which scratch.ends tells the edges of, scratch.met_count of them. Of `cut` only the polygons are
+// made.
+void cut_block_alone(const Block& block, const BlockValues& in, CutScratch& scratch, CutBlock& cut);
 // The same where it is known which cells may be active: local cells, ascending.
 void cut_cells(const Block& block, const BlockValues& in, std::span<const Index> cells, CutScratch& scratch,
                CutBlock& cut);
 
-// Of one section, for the two above. The active cells are in scratch.cell.
+// Of one section, for those above. The active cells are in scratch.cell; Edges: see active_edges.hpp.
+template <class Edges>
 void cut_standard(const StandardSection& section, const BlockValues& in, CutScratch& scratch, CutBlock& cut);
-template <class Local>
+template <class Edges, class Local>
 void cut_polyhedra(const PolyhedralSection<Local>& section, const BlockValues& in, CutScratch& scratch, CutBlock& cut);
 
 } // namespace ciel

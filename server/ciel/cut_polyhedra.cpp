@@ -5,7 +5,7 @@
 // edge the polygon goes on in another face of the cell. Where every active edge of the cell is entered once, it is
 // enough to note for each where the face behind it is left; where the cell touches itself, mate_face tells the ways
 // apart. A decider may join the high sides of a face instead: then it is left at the active edge before.
-#include "ciel/cut_block.hpp"
+#include "ciel/active_edges.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -24,23 +24,25 @@ Index next_stamp(Index& stamp, std::vector<Marks>& marks) {
     return stamp;
 }
 
-template <class Local>
+template <class Edges, class Local>
 class PolyhedronCutter {
 public:
     PolyhedronCutter(const PolyhedralSection<Local>& section, const BlockValues& in, CutScratch& scratch, CutBlock& cut)
         : section_(section), vertex_(section.vertex.data()), edge_(section.edge.data()), high_(scratch.high.data()),
-          in_(in), scratch_(scratch), cut_(cut) {}
+          in_(in), scratch_(scratch), cut_(cut), edges_(scratch, cut) {}
 
     void run() {
-        if (scratch_.cell.empty()) return;
-        if (scratch_.way.size() < 64 * cut_.active.size()) scratch_.way.resize(64 * cut_.active.size());
+        if (scratch_.cells == 0) return;
+        if (scratch_.way.size() < scratch_.ends.size()) scratch_.way.resize(scratch_.ends.size());
         if (scratch_.face.size() < section_.face_count()) scratch_.face.resize(section_.face_count());
         (void)next_stamp(scratch_.cut_stamp, scratch_.face);
         scratch_.pair.clear();
-        for (std::size_t i = 0; i < scratch_.cell.size(); ++i) {
-            if (i + 1 < scratch_.cell.size()) fetch(scratch_.cell[i + 1].index);
-            cut_cell(scratch_.cell[i].index);
+        const std::span cells = scratch_.active_cells();
+        for (std::size_t i = 0; i < cells.size(); ++i) {
+            if (i + 1 < cells.size()) fetch(cells[i + 1].index);
+            cut_cell(cells[i].index);
         }
+        edges_.finish();
     }
 
 private:
@@ -69,8 +71,7 @@ private:
     void activate(Index corner, Index next) {
         const Index edge = edge_[corner], a = vertex_[corner], b = vertex_[next];
         if (in_.gaps && (std::isnan(in_.values[a]) || std::isnan(in_.values[b]))) return;
-        cut_.active[edge / 64] |= std::uint64_t{1} << edge % 64;
-        scratch_.ends[edge] = {std::min(a, b), std::max(a, b)};
+        (void)edges_.activate(edge, a, b);
     }
 
     const PolyhedralSection<Local>& section_;
@@ -79,11 +80,12 @@ private:
     const BlockValues& in_;
     CutScratch& scratch_;
     CutBlock& cut_;
+    Edges edges_;
 };
 
 // A cell's faces lie apart in memory, and waiting for them was half of the time: they are asked for one cell ahead.
-template <class Local>
-void PolyhedronCutter<Local>::fetch(Index cell) const {
+template <class Edges, class Local>
+void PolyhedronCutter<Edges, Local>::fetch(Index cell) const {
     for (const Index ref : section_.faces_of(cell)) {
         const std::size_t first = section_.face_begin[ref / 2];
         __builtin_prefetch(vertex_ + first);
@@ -91,8 +93,8 @@ void PolyhedronCutter<Local>::fetch(Index cell) const {
     }
 }
 
-template <class Local>
-bool PolyhedronCutter<Local>::has_gap(Index cell) const {
+template <class Edges, class Local>
+bool PolyhedronCutter<Edges, Local>::has_gap(Index cell) const {
     for (const Index ref : section_.faces_of(cell))
         for (Index k = section_.face_begin[ref / 2]; k < section_.face_begin[ref / 2 + 1]; ++k)
             if (std::isnan(in_.values[vertex_[k]])) return true;
@@ -101,8 +103,8 @@ bool PolyhedronCutter<Local>::has_gap(Index cell) const {
 
 // Most faces are not crossed, most others once: both are told from one bit per corner, without a branch on what is
 // high.
-template <class Local>
-void PolyhedronCutter<Local>::cut_face(Index face, CutFace& out) {
+template <class Edges, class Local>
+void PolyhedronCutter<Edges, Local>::cut_face(Index face, CutFace& out) {
     const Index begin = section_.face_begin[face], n = section_.face_begin[face + 1] - begin;
     out.stamp = scratch_.cut_stamp;
     out.pairs = 0;
@@ -120,8 +122,8 @@ void PolyhedronCutter<Local>::cut_face(Index face, CutFace& out) {
     out.pair = {edge_[begin + up], edge_[begin + down]};
 }
 
-template <class Local>
-void PolyhedronCutter<Local>::cut_face_often(Index face, CutFace& out) {
+template <class Edges, class Local>
+void PolyhedronCutter<Edges, Local>::cut_face_often(Index face, CutFace& out) {
     find_crossings(face);
     const auto& crossing = scratch_.crossing;
     const std::size_t n = crossing.size();
@@ -136,8 +138,8 @@ void PolyhedronCutter<Local>::cut_face_often(Index face, CutFace& out) {
 
 // The active edges of a face along its stored loop; climbing and descending ones alternate, and a climbing one is
 // first.
-template <class Local>
-void PolyhedronCutter<Local>::find_crossings(Index face) {
+template <class Edges, class Local>
+void PolyhedronCutter<Edges, Local>::find_crossings(Index face) {
     scratch_.crossing.clear();
     const Index begin = section_.face_begin[face], end = section_.face_begin[face + 1];
     bool high = is_high(begin);
@@ -151,8 +153,8 @@ void PolyhedronCutter<Local>::find_crossings(Index face) {
         std::rotate(scratch_.crossing.begin(), scratch_.crossing.begin() + 1, scratch_.crossing.end());
 }
 
-template <class Local>
-bool PolyhedronCutter<Local>::is_joined(Index face) {
+template <class Edges, class Local>
+bool PolyhedronCutter<Edges, Local>::is_joined(Index face) {
     if (in_.decider == Decider::isolate_high || scratch_.crossing.size() < 4) return false;
     cut_.decided = true;
     const Index begin = section_.face_begin[face];
@@ -162,8 +164,8 @@ bool PolyhedronCutter<Local>::is_joined(Index face) {
 
 // From an entry to its exit: against the loop, what descends along it climbs. False where the edge is entered a second
 // time in this cell.
-template <class Local>
-bool PolyhedronCutter<Local>::link(const Pair& pair, Index side) {
+template <class Edges, class Local>
+bool PolyhedronCutter<Edges, Local>::link(const Pair& pair, Index side) {
     const Index in = side == 0 ? pair.climbing : pair.descending;
     CutScratch::Way& way = scratch_.way[in];
     if (way.stamp == scratch_.cell_stamp) return false;
@@ -172,16 +174,16 @@ bool PolyhedronCutter<Local>::link(const Pair& pair, Index side) {
     return true;
 }
 
-template <class Local>
-bool PolyhedronCutter<Local>::link_face(const CutFace& face, Index side) {
+template <class Edges, class Local>
+bool PolyhedronCutter<Edges, Local>::link_face(const CutFace& face, Index side) {
     if (face.pairs == 1) return link(face.pair, side);
     for (Index i = 0; i < face.pairs; ++i)
         if (!link(scratch_.pair[face.pair.descending + i], side)) return false;
     return true;
 }
 
-template <class Local>
-void PolyhedronCutter<Local>::cut_cell(Index cell) {
+template <class Edges, class Local>
+void PolyhedronCutter<Edges, Local>::cut_cell(Index cell) {
     const bool gap = in_.gaps && has_gap(cell);
     scratch_.entry.clear();
     scratch_.returning.clear();
@@ -208,8 +210,8 @@ void PolyhedronCutter<Local>::cut_cell(Index cell) {
         walk_all(cell);
 }
 
-template <class Local>
-void PolyhedronCutter<Local>::follow(Index cell) {
+template <class Edges, class Local>
+void PolyhedronCutter<Edges, Local>::follow(Index cell) {
     std::vector<Index>& loop = cut_.polygon_edge;
     for (const Index start : scratch_.entry) {
         if (scratch_.way[start].stamp != scratch_.cell_stamp) continue; // part of a polygon by now
@@ -224,8 +226,8 @@ void PolyhedronCutter<Local>::follow(Index cell) {
     }
 }
 
-template <class Local>
-void PolyhedronCutter<Local>::walk_all(Index cell) {
+template <class Edges, class Local>
+void PolyhedronCutter<Edges, Local>::walk_all(Index cell) {
     if (scratch_.walked.size() < 2 * section_.mate_face.size())
         scratch_.walked.resize(2 * section_.mate_face.size(), 0);
     std::vector<Index>& entries = scratch_.entry; // half-edges now: what is linked is not used
@@ -240,8 +242,8 @@ void PolyhedronCutter<Local>::walk_all(Index cell) {
     for (const Index h : entries) scratch_.walked[h] = 0;
 }
 
-template <class Local>
-void PolyhedronCutter<Local>::walk(Index cell, Index start) {
+template <class Edges, class Local>
+void PolyhedronCutter<Edges, Local>::walk(Index cell, Index start) {
     std::vector<Index>& loop = cut_.polygon_edge;
     const std::size_t begin = loop.size();
     Index h = start;
@@ -264,8 +266,8 @@ void PolyhedronCutter<Local>::walk(Index cell, Index start) {
 }
 
 // Where the cell touches itself or has collapsed, a walk may pass an edge more than once.
-template <class Local>
-void PolyhedronCutter<Local>::finish_walk(Index cell, std::size_t begin) {
+template <class Edges, class Local>
+void PolyhedronCutter<Edges, Local>::finish_walk(Index cell, std::size_t begin) {
     std::vector<Index>& loop = cut_.polygon_edge;
     while (loop.size() > begin + 1 && loop.back() == loop[begin]) loop.pop_back();
     const auto first = loop.begin() + static_cast<std::ptrdiff_t>(begin);
@@ -278,8 +280,8 @@ void PolyhedronCutter<Local>::finish_walk(Index cell, std::size_t begin) {
 }
 
 // The walk has the high side on its left seen from outside: reversed, the right-hand normal points to it.
-template <class Local>
-void PolyhedronCutter<Local>::finish(Index cell, std::size_t begin) {
+template <class Edges, class Local>
+void PolyhedronCutter<Edges, Local>::finish(Index cell, std::size_t begin) {
     std::vector<Index>& loop = cut_.polygon_edge;
     if (loop.size() - begin < 3) {
         loop.resize(begin);
@@ -287,18 +289,25 @@ void PolyhedronCutter<Local>::finish(Index cell, std::size_t begin) {
         return;
     }
     std::reverse(loop.begin() + static_cast<std::ptrdiff_t>(begin), loop.end());
+    for (std::size_t i = begin; i < loop.size(); ++i) loop[i] = edges_.kept(loop[i]);
     cut_.polygon_cell.push_back(section_.local_cell(cell));
     cut_.polygon_end.push_back(static_cast<Index>(loop.size()));
 }
 
 } // namespace
 
-template <class Local>
+template <class Edges, class Local>
 void cut_polyhedra(const PolyhedralSection<Local>& section, const BlockValues& in, CutScratch& scratch, CutBlock& cut) {
-    PolyhedronCutter<Local>(section, in, scratch, cut).run();
+    PolyhedronCutter<Edges, Local>(section, in, scratch, cut).run();
 }
 
-template void cut_polyhedra(const PolyhedralSection<std::uint16_t>&, const BlockValues&, CutScratch&, CutBlock&);
-template void cut_polyhedra(const PolyhedralSection<std::uint32_t>&, const BlockValues&, CutScratch&, CutBlock&);
+template void cut_polyhedra<SharedEdges>(const PolyhedralSection<std::uint16_t>&, const BlockValues&, CutScratch&,
+                                         CutBlock&);
+template void cut_polyhedra<SharedEdges>(const PolyhedralSection<std::uint32_t>&, const BlockValues&, CutScratch&,
+                                         CutBlock&);
+template void cut_polyhedra<MetEdges>(const PolyhedralSection<std::uint16_t>&, const BlockValues&, CutScratch&,
+                                      CutBlock&);
+template void cut_polyhedra<MetEdges>(const PolyhedralSection<std::uint32_t>&, const BlockValues&, CutScratch&,
+                                      CutBlock&);
 
 } // namespace ciel

@@ -1,5 +1,5 @@
 // Algorithm 4 in standard cells: the polygons of each case are known, only their edges' names differ from cell to cell.
-#include "ciel/cut_block.hpp"
+#include "ciel/active_edges.hpp"
 #include "ciel/standard_cases.hpp"
 
 #include <algorithm>
@@ -9,18 +9,19 @@ namespace ciel {
 
 namespace {
 
-template <const StandardShape& shape>
+template <const StandardShape& shape, class Edges>
 class StandardCutter {
 public:
     StandardCutter(const StandardSection& section, const BlockValues& in, CutScratch& scratch, CutBlock& cut)
-        : section_(section), in_(in), scratch_(scratch), cut_(cut), cases_(standard_cases<shape>()) {}
+        : section_(section), in_(in), scratch_(scratch), cut_(cut), edges_(scratch, cut),
+          cases_(standard_cases<shape>().data()) {}
 
     void run() {
-        if (in_.gaps) std::erase_if(scratch_.cell, [this](const auto& cell) { return passed_over(cell); });
+        if (in_.gaps) pass_over();
         // A cell's active edges are each in one polygon, however faces are joined; there are at most four polygons.
         std::size_t polygons = cut_.polygon_cell.size(), corners = cut_.polygon_edge.size();
         const std::size_t first_polygon = polygons, first_corner = corners;
-        for (const auto& cell : scratch_.cell) {
+        for (const auto& cell : scratch_.active_cells()) {
             polygons += in_.decider == Decider::isolate_high ? cases_[cell.high].polygons : most_polygons;
             corners += cases_[cell.high].edges;
         }
@@ -31,19 +32,15 @@ public:
         polygon_end_ = cut_.polygon_end.data() + first_polygon;
         polygon_edge_ = cut_.polygon_edge.data() + first_corner;
         corner_ = static_cast<Index>(first_corner);
-        for (const auto& cell : scratch_.cell) cut_cell(cell);
+        for (const auto& cell : scratch_.active_cells()) cut_cell(cell);
         const auto made = static_cast<std::size_t>(polygon_cell_ - cut_.polygon_cell.data());
         cut_.polygon_cell.resize(made);
         cut_.polygon_end.resize(made);
+        edges_.finish();
     }
 
 private:
     static constexpr std::size_t most_polygons = 4;
-
-    void activate(Index edge, Index a, Index b) {
-        cut_.active[edge / 64] |= std::uint64_t{1} << edge % 64;
-        scratch_.ends[edge] = {std::min(a, b), std::max(a, b)};
-    }
 
     void cut_cell(const CutScratch::ActiveCell& cell) {
         const StandardCase& plain = cases_[cell.high];
@@ -68,17 +65,25 @@ private:
     void append(const CutScratch::ActiveCell& cell, const StandardCase& found) {
         const std::uint16_t* vertex = &section_.vertex[cell.index * shape.corners];
         const std::uint16_t* edge = &section_.edge[cell.index * shape.edges];
+        Edges edges = edges_; // in registers: what is written might be part of anything
+        Index* to = polygon_edge_;
         for (std::size_t i = 0; i < found.edges; ++i) {
             const std::size_t e = found.edge[i];
-            polygon_edge_[i] = edge[e];
-            activate(edge[e], vertex[shape.edge_ends[e][0]], vertex[shape.edge_ends[e][1]]);
+            to[i] = edges.activate(edge[e], vertex[shape.edge_ends[e][0]], vertex[shape.edge_ends[e][1]]);
         }
+        edges_ = edges;
         for (std::size_t i = 0; i < found.polygons; ++i) {
             *polygon_cell_++ = section_.local_cell(cell.index);
             *polygon_end_++ = corner_ + found.end[i];
         }
         polygon_edge_ += found.edges;
         corner_ += found.edges;
+    }
+
+    void pass_over() {
+        const std::span active = std::span(scratch_.cell).first(scratch_.cells);
+        const auto left = std::ranges::remove_if(active, [this](const auto& cell) { return passed_over(cell); });
+        scratch_.cells -= static_cast<Index>(left.size());
     }
 
     // The edges that have values at both ends stay active: a neighbour in another block may cut them.
@@ -91,7 +96,7 @@ private:
         for (std::size_t e = 0; e < shape.edges; ++e) {
             const auto [a, b] = shape.edge_ends[e];
             if (has_value(a) && has_value(b) && (cell.high >> a & 1) != (cell.high >> b & 1))
-                activate(section_.edge[cell.index * shape.edges + e], vertex[a], vertex[b]);
+                (void)edges_.activate(section_.edge[cell.index * shape.edges + e], vertex[a], vertex[b]);
         }
         cut_.wasted = true;
         return true;
@@ -101,16 +106,21 @@ private:
     const BlockValues& in_;
     CutScratch& scratch_;
     CutBlock& cut_;
-    const std::vector<StandardCase>& cases_;
+    Edges edges_;
+    const StandardCase* cases_;
     Index *polygon_cell_ = nullptr, *polygon_end_ = nullptr, *polygon_edge_ = nullptr;
     Index corner_ = 0;
 };
 
 } // namespace
 
+template <class Edges>
 void cut_standard(const StandardSection& section, const BlockValues& in, CutScratch& scratch, CutBlock& cut) {
     with_shape(section.shape->type,
-               [&]<const StandardShape & shape>() { StandardCutter<shape>(section, in, scratch, cut).run(); });
+               [&]<const StandardShape & shape>() { StandardCutter<shape, Edges>(section, in, scratch, cut).run(); });
 }
+
+template void cut_standard<SharedEdges>(const StandardSection&, const BlockValues&, CutScratch&, CutBlock&);
+template void cut_standard<MetEdges>(const StandardSection&, const BlockValues&, CutScratch&, CutBlock&);
 
 } // namespace ciel

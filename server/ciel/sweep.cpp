@@ -15,43 +15,26 @@ namespace {
 // One block's points and polygons at one value. Scratch, one per thread.
 class BlockSweep {
 public:
-    BlockSweep(const FaceMeshView& mesh, const Field::Blocks& field) : mesh_(mesh), field_(field) {}
-
-    [[nodiscard]] BlockCut cut(Index b, double nu) {
-        const Block& block = field_.topology->blocks().block[b];
-        const std::span<const float> values = field_.of_block(b);
-        const BlockValues in{values, field_.gaps[b] != 0,   threshold_of(nu),
-                             nu,     Decider::isolate_high, field_.ranges.of(block, b, values)};
+    [[nodiscard]] BlockCut cut(const FaceMeshView& mesh, const Field::Blocks& field, Index b, double nu) {
+        const Block& block = field.topology->blocks().block[b];
+        const std::span<const float> values = field.of_block(b);
+        const BlockValues in{values, field.gaps[b] != 0,    threshold_of(nu),
+                             nu,     Decider::isolate_high, field.ranges.of(block, b, values)};
         CutScratch& scratch = scratch_of_this_thread();
-        (void)classify(values, in.threshold, scratch, cut_);
-        cut_block(block, in, scratch, cut_);
-        place_points(block, values, nu);
+        cut_block_alone(block, in, scratch, cut_);
+        points_.resize(scratch.met_count);
+        positions_.resize(scratch.met_count);
+        for (std::size_t i = 0; i < points_.size(); ++i) {
+            points_[i] = edge_point(block, values, scratch.ends[i], nu);
+            positions_[i] = position_of(points_[i], mesh.positions);
+        }
         return {points_, positions_, cut_.polygon_end, cut_.polygon_edge, cut_.polygon_cell, block.cell_begin};
     }
 
 private:
-    // All active edges, and then the polygons' edges are told as places among them.
-    void place_points(const Block& block, std::span<const float> values, double nu) {
-        points_.resize(cut_.ends.size());
-        positions_.resize(cut_.ends.size());
-        for (std::size_t i = 0; i < cut_.ends.size(); ++i) {
-            points_[i] = edge_point(block, values, cut_.ends[i], nu);
-            positions_[i] = position_of(points_[i], mesh_.positions);
-        }
-        place_.resize(64 * cut_.active.size());
-        Index i = 0;
-        for (std::size_t w = 0; w < cut_.active.size(); ++w)
-            for (std::uint64_t bits = cut_.active[w]; bits != 0; bits &= bits - 1)
-                place_[64 * w + static_cast<std::size_t>(std::countr_zero(bits))] = i++;
-        for (Index& edge : cut_.polygon_edge) edge = place_[edge];
-    }
-
-    const FaceMeshView& mesh_;
-    const Field::Blocks& field_;
     CutBlock cut_;
     std::vector<EdgePoint> points_;
     std::vector<Vec3f> positions_;
-    std::vector<Index> place_;
 };
 
 std::size_t triangle_count(const BlockCut& cut) { return cut.polygon_point.size() - 2 * cut.polygon_count(); }
@@ -59,9 +42,11 @@ std::size_t triangle_count(const BlockCut& cut) { return cut.polygon_point.size(
 // Calls f(a, b, c) for the triangles of a fan from each polygon's first point.
 template <class F>
 void for_triangles(const BlockCut& cut, F&& f) {
-    for (std::size_t i = 0; i < cut.polygon_count(); ++i) {
-        const std::span<const Index> loop = cut.polygon(i);
-        for (std::size_t k = 2; k < loop.size(); ++k) f(loop[0], loop[k - 1], loop[k]);
+    const Index* point = cut.polygon_point.data();
+    Index begin = 0;
+    for (const Index end : cut.polygon_end) {
+        for (Index k = begin + 2; k < end; ++k) f(point[begin], point[k - 1], point[k]);
+        begin = end;
     }
 }
 
@@ -78,12 +63,18 @@ void append_all(std::span<const std::vector<T>* const> parts, std::vector<T>& ou
 
 void SliceSink::write(const BlockCut& cut, Part& part) const {
     part.positions.assign(cut.positions.begin(), cut.positions.end());
-    part.property.clear();
-    for (const EdgePoint& point : cut.points)
-        part.property.push_back(lerp(property[point.a], property[point.b], point.t));
-    part.triangles.clear();
-    part.triangles.reserve(3 * triangle_count(cut));
-    for_triangles(cut, [&](Index a, Index b, Index c) { part.triangles.insert(part.triangles.end(), {a, b, c}); });
+    part.property.resize(cut.points.size());
+    std::ranges::transform(cut.points, part.property.begin(), [this](const EdgePoint& point) {
+        return lerp(property[point.a], property[point.b], point.t);
+    });
+    part.triangles.resize(3 * triangle_count(cut));
+    Index* to = part.triangles.data();
+    for_triangles(cut, [&](Index a, Index b, Index c) {
+        to[0] = a;
+        to[1] = b;
+        to[2] = c;
+        to += 3;
+    });
 }
 
 void SliceSink::join(std::span<const Part* const> parts, Out& out) const {
@@ -107,10 +98,14 @@ void SliceSink::join(std::span<const Part* const> parts, Out& out) const {
 }
 
 void SoupSink::write(const BlockCut& cut, Part& part) const {
-    part.clear();
-    part.reserve(3 * triangle_count(cut));
+    part.resize(3 * triangle_count(cut));
+    Vec3f* to = part.data();
+    const Vec3f* position = cut.positions.data();
     for_triangles(cut, [&](Index a, Index b, Index c) {
-        for (const Index p : {a, b, c}) part.push_back(cut.positions[p]);
+        to[0] = position[a];
+        to[1] = position[b];
+        to[2] = position[c];
+        to += 3;
     });
 }
 
@@ -133,45 +128,57 @@ void OutlineSink::join(std::span<const Part* const> parts, Out& out) const { app
 
 template <class Sink>
 bool sweep(const Topology& topology, const FaceMeshView& mesh, const Field& field, std::span<const double> values,
-           const Sink& sink, std::vector<typename Sink::Out>& out, const StopToken& stop) {
-    using Part = typename Sink::Part;
+           const Sink& sink, SweepParts<Sink>& scratch, std::vector<typename Sink::Out>& out, const StopToken& stop) {
     const Field::Blocks& blocks = field.blocks();
     if (blocks.topology != &topology) fail("the field belongs to another topology");
-    struct Made {
-        std::size_t value;
-        Part part;
-    };
-    std::vector<std::vector<Made>> made(topology.block_count());
-    parallel_for(made.size(), 1, [&](std::size_t begin, std::size_t end) {
-        BlockSweep block_sweep(mesh, blocks);
-        for (std::size_t b = begin; b < end && !stop.stop_requested(); ++b)
+    scratch.block.resize(topology.block_count());
+    parallel_for(scratch.block.size(), 1, [&](std::size_t begin, std::size_t end) {
+        static thread_local BlockSweep block_sweep;
+        for (std::size_t b = begin; b < end && !stop.stop_requested(); ++b) {
+            auto& made = scratch.block[b];
+            made.count = 0;
             for (std::size_t i = 0; i < values.size(); ++i) {
                 const float threshold = threshold_of(values[i]);
                 if (!(blocks.low[b] < threshold && blocks.high[b] >= threshold)) continue;
-                const BlockCut cut = block_sweep.cut(static_cast<Index>(b), values[i]);
+                const BlockCut cut = block_sweep.cut(mesh, blocks, static_cast<Index>(b), values[i]);
                 if (cut.polygon_count() == 0) continue;
-                made[b].push_back({i, {}});
-                sink.write(cut, made[b].back().part);
+                if (made.count == made.part.size()) made.part.emplace_back();
+                auto& [value, part] = made.part[made.count++];
+                value = i;
+                sink.write(cut, part);
             }
+        }
     });
     if (stop.stop_requested()) return false;
-    std::vector<std::vector<const Part*>> parts(values.size());
-    for (const auto& of_block : made)
-        for (const Made& one : of_block) parts[one.value].push_back(&one.part);
+    scratch.of_value.resize(values.size());
+    for (auto& parts : scratch.of_value) parts.clear();
+    for (const auto& made : scratch.block)
+        for (std::size_t k = 0; k < made.count; ++k)
+            scratch.of_value[made.part[k].first].push_back(&made.part[k].second);
     out.resize(values.size());
     parallel_for(values.size(), 1, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) sink.join(parts[i], out[i]);
+        for (std::size_t i = begin; i < end; ++i) sink.join(scratch.of_value[i], out[i]);
     });
     return true;
 }
 
-template bool sweep(const Topology&, const FaceMeshView&, const Field&, std::span<const double>, const SliceSink&,
-                    std::vector<SliceSink::Out>&, const StopToken&);
-template bool sweep(const Topology&, const FaceMeshView&, const Field&, std::span<const double>, const SoupSink&,
-                    std::vector<SoupSink::Out>&, const StopToken&);
-template bool sweep(const Topology&, const FaceMeshView&, const Field&, std::span<const double>, const OutlineSink&,
-                    std::vector<OutlineSink::Out>&, const StopToken&);
-template bool sweep(const Topology&, const FaceMeshView&, const Field&, std::span<const double>, const SlabSink&,
-                    std::vector<SlabSink::Out>&, const StopToken&);
+template <class Sink>
+bool sweep(const Topology& topology, const FaceMeshView& mesh, const Field& field, std::span<const double> values,
+           const Sink& sink, std::vector<typename Sink::Out>& out, const StopToken& stop) {
+    SweepParts<Sink> scratch;
+    return sweep(topology, mesh, field, values, sink, scratch, out, stop);
+}
+
+#define CIEL_SWEEP(Sink)                                                                                               \
+    template bool sweep(const Topology&, const FaceMeshView&, const Field&, std::span<const double>, const Sink&,      \
+                        SweepParts<Sink>&, std::vector<Sink::Out>&, const StopToken&);                                 \
+    template bool sweep(const Topology&, const FaceMeshView&, const Field&, std::span<const double>, const Sink&,      \
+                        std::vector<Sink::Out>&, const StopToken&);
+
+CIEL_SWEEP(SliceSink)
+CIEL_SWEEP(SoupSink)
+CIEL_SWEEP(OutlineSink)
+CIEL_SWEEP(SlabSink)
+#undef CIEL_SWEEP
 
 } // namespace ciel

@@ -60,8 +60,24 @@ struct OutlineSink {
     void join(std::span<const Part* const> parts, Out& out) const;
 };
 
+// What a sweep keeps for the next one, which then asks for no memory: the parts of all values, about as much as `out`.
+template <class Sink>
+struct SweepParts {
+    struct OfBlock {
+        std::vector<std::pair<std::size_t, typename Sink::Part>> part; // with the place of its value
+        std::size_t count = 0;                                         // how many are of this sweep
+    };
+    std::vector<OfBlock> block;
+    std::vector<std::vector<const typename Sink::Part*>> of_value;
+};
+
 // out[i] is of values[i]; its buffers are used again. Values may be in any order and outside the range. False, leaving
 // `out` unspecified, when stop was requested.
+template <class Sink>
+bool sweep(const Topology& topology, const FaceMeshView& mesh, const Field& field, std::span<const double> values,
+           const Sink& sink, SweepParts<Sink>& scratch, std::vector<typename Sink::Out>& out,
+           const StopToken& stop = {});
+// The same where there is no next one.
 template <class Sink>
 bool sweep(const Topology& topology, const FaceMeshView& mesh, const Field& field, std::span<const double> values,
            const Sink& sink, std::vector<typename Sink::Out>& out, const StopToken& stop = {});

@@ -63,6 +63,7 @@ void slices(const bench::Case& data, vtkUnstructuredGrid* grid, std::size_t many
         const auto [low, high] = distance().range();
         const Planes planes{normal, bench::values_between(low, high, many)};
         std::vector<SliceSink::Out> made;
+        SweepParts<SliceSink> parts;
         std::vector<Contender> vtk{cutter<vtkPlaneCutter>("vtkPlaneCutter", grid, planes),
                                    cutter<vtkCutter>("vtkCutter", grid, planes)};
         if (is_linear(data))
@@ -70,7 +71,7 @@ void slices(const bench::Case& data, vtkUnstructuredGrid* grid, std::size_t many
         duel(std::to_string(planes.at.size()) + " slices, " + name + ", from nothing",
              {"CIEL, property interpolated",
               [&] {
-                  sweep(*data.topology, data.mesh, distance(), planes.at, SliceSink{*data.values}, made);
+                  sweep(*data.topology, data.mesh, distance(), planes.at, SliceSink{*data.values}, parts, made);
                   std::uint64_t triangles = 0;
                   for (const SliceSink::Out& slice : made) triangles += slice.triangles.size() / 3;
                   return triangles;

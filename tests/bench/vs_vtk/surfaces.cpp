@@ -119,7 +119,7 @@ public:
         return triangles;
     }
     std::uint64_t soups(const std::vector<double>& values, std::vector<SoupSink::Out>& out) {
-        sweep(*data_.topology, data_.mesh, field_, values, SoupSink{}, out);
+        sweep(*data_.topology, data_.mesh, field_, values, SoupSink{}, parts_, out);
         std::uint64_t triangles = 0;
         for (const SoupSink::Out& soup : out) triangles += soup.size() / 3;
         return triangles;
@@ -136,6 +136,7 @@ private:
     Field field_;
     Query query_;
     Surface surface_;
+    SweepParts<SoupSink> parts_;
 };
 
 // The scalars are exchanged while nobody looks at the clock of VTK; CIEL's block ranges are made on the clock.
