@@ -112,6 +112,11 @@ void BlockBuilder::fill_standard(BuiltBlock& built, std::span<const Recognised> 
                 static_cast<std::uint16_t>(loops_.edge_at(cell.loop[face], at));
         }
     }
+    const Index part = built.block.vertices_per_part();
+    section.group_parts.resize(section.group_count(), 0);
+    for (std::size_t i = 0; i < section.vertex.size(); ++i)
+        section.group_parts[i / (std::size_t{StandardSection::cells_per_group} * shape.corners)] |=
+            std::uint64_t{1} << section.vertex[i] / part;
     set_anchors<shape>(cells, section.half_edge_begin);
 }
 

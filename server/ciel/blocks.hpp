@@ -13,6 +13,7 @@
 #include "ciel/standard_shapes.hpp"
 #include "ciel/topology.hpp"
 
+#include <algorithm>
 #include <bit>
 #include <limits>
 #include <span>
@@ -24,6 +25,7 @@ namespace ciel {
 
 struct StandardSection {
     static constexpr std::uint16_t no_mate = std::numeric_limits<std::uint16_t>::max();
+    static constexpr Index cells_per_group = 8;
 
     const StandardShape* shape = nullptr;
     Index cells = 0;
@@ -35,8 +37,11 @@ struct StandardSection {
     // index into Block::twin; or no_mate.
     std::vector<std::uint16_t> mate;
     std::vector<std::uint16_t> next_entry; // per corner: next entry of the same vertex, or end_of_list
+    std::vector<std::uint64_t>
+        group_parts; // per group: a bit for each part of the block's vertices that it has some of
 
     [[nodiscard]] Index count() const { return cells; }
+    [[nodiscard]] Index group_count() const { return (cells + cells_per_group - 1) / cells_per_group; }
     [[nodiscard]] Index local_cell(Index i) const { return cell.empty() ? i : cell[i]; }
 };
 
@@ -147,6 +152,8 @@ struct Block {
         const auto ghosts = static_cast<Index>(ghost_vertex.size());
         return local < ghosts ? ghost_vertex[local] : own_vertex_begin + local - ghosts;
     }
+    // So many consecutive local vertices are a part, of which there are at most 64.
+    [[nodiscard]] Index vertices_per_part() const { return 8 * std::max<Index>(1, (vertex_count + 511) / 512); }
     [[nodiscard]] Index edge_id(Index local) const {
         const auto ghosts = static_cast<Index>(ghost_edge.size());
         return local < ghosts ? ghost_edge[local] : edge_begin + local - ghosts;

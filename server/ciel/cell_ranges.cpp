@@ -16,7 +16,7 @@ void widen(CellRanges::Range& range, float value) {
 }
 
 void append(const StandardSection& section, std::span<const float> values, std::vector<CellRanges::Range>& out) {
-    const std::size_t per_group = std::size_t{CellRanges::cells_per_group} * section.shape->corners;
+    const std::size_t per_group = std::size_t{StandardSection::cells_per_group} * section.shape->corners;
     for (std::size_t begin = 0; begin < section.vertex.size(); begin += per_group) {
         CellRanges::Range range = nothing;
         for (std::size_t i = begin; i < std::min(begin + per_group, section.vertex.size()); ++i)

@@ -11,9 +11,8 @@ namespace ciel {
 // Made for a block the second time that it is cut: a field that is looked at once would pay for nothing. Any thread.
 class CellRanges {
 public:
-    // So many consecutive cells of a standard section share one range; polyhedra have one each.
-    static constexpr Index cells_per_group = 16;
-    using Range = std::array<float, 2>; // finite values only; low > high where there are none
+    // Of a group of cells of a standard section, or of a polyhedron. Finite values only; low > high where there are none.
+    using Range = std::array<float, 2>;
 
     // Room for so many blocks; nothing is made.
     void resize(std::size_t blocks);

@@ -31,6 +31,15 @@ void grow(std::vector<T>& room, std::size_t size) {
     if (room.size() < size) room.resize(size);
 }
 
+const std::uint8_t* mark(std::span<const float> values, float threshold, CutScratch& scratch) {
+    const std::size_t padded = (values.size() + 63) / 64 * 64;
+    grow(scratch.high, padded);
+    std::uint8_t* high = scratch.high.data();
+    mark_high(values.data(), values.size(), threshold, high);
+    std::fill(high + values.size(), high + padded, std::uint8_t{0});
+    return high;
+}
+
 // Eight bytes of 0 or 1 to eight bits: each product bit of the top byte gets one of them.
 std::uint64_t bits_of(const std::uint8_t* bytes) {
     std::uint64_t word;
@@ -41,11 +50,8 @@ std::uint64_t bits_of(const std::uint8_t* bytes) {
 } // namespace
 
 bool classify(std::span<const float> values, float threshold, CutScratch& scratch, CutBlock& cut) {
+    const std::uint8_t* high = mark(values, threshold, scratch);
     const std::size_t words = (values.size() + 63) / 64;
-    grow(scratch.high, 64 * words);
-    std::uint8_t* high = scratch.high.data();
-    mark_high(values.data(), values.size(), threshold, high);
-    std::fill(high + values.size(), high + 64 * words, std::uint8_t{0});
     bool same = cut.known;
     cut.signature.resize(words);
     for (std::size_t w = 0; w < words; ++w) {
@@ -83,16 +89,47 @@ void list_active(const StandardSection& section, Index begin, Index end, CutScra
     scratch.cells = static_cast<Index>(to - scratch.cell.data());
 }
 
+// The vertices of a group of cells lie in few parts of the block's, most of which are all low or all high. What is
+// behind the last vertex counts as low: it costs a look.
+void find_parts(const Block& block, CutScratch& scratch) {
+    constexpr std::uint64_t all_high = 0x0101010101010101U;
+    const Index step = block.vertices_per_part();
+    scratch.low_parts = scratch.high_parts = 0;
+    for (Index begin = 0, part = 0; begin < block.vertex_count; begin += step, ++part) {
+        std::uint64_t any = 0, all = all_high;
+        for (Index v = begin; v < std::min(begin + step, block.vertex_count); v += 8) {
+            std::uint64_t eight;
+            std::memcpy(&eight, scratch.high.data() + v, sizeof eight);
+            any |= eight;
+            all &= eight;
+        }
+        scratch.high_parts |= std::uint64_t{any != 0} << part;
+        scratch.low_parts |= std::uint64_t{all != all_high} << part;
+    }
+}
+
+// Asks for memory that is about to be read.
+template <class T>
+void fetch(const T* from, std::size_t count) {
+    for (std::size_t i = 0; i < count; i += 64 / sizeof(T)) __builtin_prefetch(from + i);
+}
+
 void find_active(const StandardSection& section, const BlockValues& in, std::span<const CellRanges::Range> groups,
                  CutScratch& scratch) {
     scratch.cells = 0;
+    const auto may_be_active = [&](Index g) {
+        if (!groups.empty()) return crosses(groups[g], in.threshold);
+        const std::uint64_t parts = section.group_parts[g];
+        return (parts & scratch.low_parts) != 0 && (parts & scratch.high_parts) != 0;
+    };
+    constexpr Index step = StandardSection::cells_per_group, ahead = 8;
     with_shape(section.shape->type, [&]<const StandardShape & shape>() {
-        if (groups.empty()) return list_active<shape.corners>(section, 0, section.count(), scratch);
-        for (Index g = 0; g < groups.size(); ++g)
-            if (crosses(groups[g], in.threshold))
-                list_active<shape.corners>(section, g * CellRanges::cells_per_group,
-                                           std::min<Index>((g + 1) * CellRanges::cells_per_group, section.count()),
-                                           scratch);
+        for (Index g = 0; g < section.group_count(); ++g) {
+            if (g + ahead < section.group_count() && may_be_active(g + ahead))
+                fetch(&section.vertex[(g + ahead) * step * shape.corners], step * shape.corners);
+            if (may_be_active(g))
+                list_active<shape.corners>(section, g * step, std::min((g + 1) * step, section.count()), scratch);
+        }
     });
 }
 
@@ -167,18 +204,23 @@ void sort_polygons(CutScratch& scratch, CutBlock& cut) {
     cut.polygon_edge.assign(edge.begin(), edge.end());
 }
 
+CIEL_FOR_ALL_VECTOR_UNITS Index rank_active(const std::uint64_t* active, std::size_t words, Index* rank) {
+    Index count = 0;
+    for (std::size_t w = 0; w < words; ++w) {
+        rank[w] = count;
+        count += static_cast<Index>(std::popcount(active[w]));
+    }
+    return count;
+}
+
 void list_edges(const Block& block, CutScratch& scratch, CutBlock& cut) {
     cut.rank.resize(cut.active.size());
-    Index count = 0;
-    for (std::size_t w = 0; w < cut.active.size(); ++w) {
-        cut.rank[w] = count;
-        count += static_cast<Index>(std::popcount(cut.active[w]));
-    }
-    cut.ends.resize(count);
-    count = 0;
+    cut.ends.resize(rank_active(cut.active.data(), cut.active.size(), cut.rank.data()));
+    std::array<Index, 2>* to = cut.ends.data();
     for (std::size_t w = 0; w < cut.active.size(); ++w)
         for (std::uint64_t bits = cut.active[w]; bits != 0; bits &= bits - 1)
-            cut.ends[count++] = scratch.ends[64 * w + static_cast<std::size_t>(std::countr_zero(bits))];
+            *to++ = scratch.ends[64 * w + static_cast<std::size_t>(std::countr_zero(bits))];
+    const auto count = static_cast<Index>(cut.ends.size());
     cut.ghosts = count == 0 || block.ghost_edge.size() == block.edge_count
                      ? count
                      : cut.place(static_cast<Index>(block.ghost_edge.size()));
@@ -186,9 +228,13 @@ void list_edges(const Block& block, CutScratch& scratch, CutBlock& cut) {
 
 template <class Edges>
 void cut_sections(const Block& block, const BlockValues& in, CutScratch& scratch, CutBlock& cut) {
+    if (in.naive)
+        scratch.low_parts = scratch.high_parts = ~std::uint64_t{0};
+    else if (in.ranges.empty())
+        find_parts(block, scratch);
     std::size_t first = 0;
     for (const StandardSection& section : block.standard) {
-        const std::size_t groups = (section.count() + CellRanges::cells_per_group - 1) / CellRanges::cells_per_group;
+        const std::size_t groups = section.group_count();
         find_active(section, in, in.ranges.empty() ? in.ranges : in.ranges.subspan(first, groups), scratch);
         first += groups;
         cut_standard<Edges>(section, in, scratch, cut);
@@ -212,8 +258,7 @@ void cut_block(const Block& block, const BlockValues& in, CutScratch& scratch, C
 void cut_block_alone(const Block& block, const BlockValues& in, CutScratch& scratch, CutBlock& cut) {
     begin_cut(block, scratch, cut);
     grow(scratch.met, block.edge_count);
-    grow(scratch.high, in.values.size());
-    mark_high(in.values.data(), in.values.size(), in.threshold, scratch.high.data());
+    (void)mark(in.values, in.threshold, scratch);
     scratch.met_before += scratch.met_count;
     scratch.met_count = 0;
     if (scratch.met_before > none - block.edge_count) {

@@ -43,10 +43,11 @@ struct CutScratch {
         Index index; // in its section
         Index high;  // of a standard cell: one bit per corner
     };
-    std::vector<std::uint8_t> high;         // per local vertex; zeros up to a multiple of 64
-    std::vector<ActiveCell> cell;           // room for all of a block's
-    Index cells = 0;                        // how many are active, of one section, ascending
-    std::vector<std::array<Index, 2>> ends; // per local edge, good where active; or by point (cut_block_alone)
+    std::vector<std::uint8_t> high;              // per local vertex; zeros up to a multiple of 64
+    std::uint64_t low_parts = 0, high_parts = 0; // a bit for each part of the vertices that has low or high ones
+    std::vector<ActiveCell> cell;                // room for all of a block's
+    Index cells = 0;                             // how many are active, of one section, ascending
+    std::vector<std::array<Index, 2>> ends;      // per local edge, good where active; or by point (cut_block_alone)
     // Of cut_block_alone, per local edge: its point + met_before; less where this cut has not met it.
     std::vector<Index> met;
     Index met_before = 1, met_count = 0;
@@ -97,6 +98,7 @@ struct BlockValues {
     double nu = 0;
     Decider decider = Decider::isolate_high;
     std::span<const CellRanges::Range> ranges; // may be empty
+    bool naive = false;                        // each cell is looked at
 };
 
 // After `classify` with the same scratch.

@@ -32,7 +32,11 @@ public:
         polygon_end_ = cut_.polygon_end.data() + first_polygon;
         polygon_edge_ = cut_.polygon_edge.data() + first_corner;
         corner_ = static_cast<Index>(first_corner);
-        for (const auto& cell : scratch_.active_cells()) cut_cell(cell);
+        const std::span active = scratch_.active_cells();
+        for (std::size_t i = 0; i < active.size(); ++i) {
+            if (i + ahead < active.size()) __builtin_prefetch(&section_.edge[active[i + ahead].index * shape.edges]);
+            cut_cell(active[i]);
+        }
         const auto made = static_cast<std::size_t>(polygon_cell_ - cut_.polygon_cell.data());
         cut_.polygon_cell.resize(made);
         cut_.polygon_end.resize(made);
@@ -40,7 +44,7 @@ public:
     }
 
 private:
-    static constexpr std::size_t most_polygons = 4;
+    static constexpr std::size_t most_polygons = 4, ahead = 8;
 
     void cut_cell(const CutScratch::ActiveCell& cell) {
         const StandardCase& plain = cases_[cell.high];

@@ -11,10 +11,14 @@ struct Field::Blocks {
     const Topology* topology = nullptr;
     std::span<const float> values;
     std::shared_ptr<const void> keep_alive;
-    std::unique_ptr<float[]> local; // values in block order (Block::vertex_begin); NaN where there is none
     std::vector<float> low, high;   // per block, finite values only; low > high where there are none
     std::vector<std::uint8_t> gaps; // per block: some vertex has no value
     std::array<float, 2> range{};
+
+    // Values in block order (Block::vertex_begin), NaN where there is none: of the blocks that somebody has looked at.
+    std::unique_ptr<float[]> local;
+    std::unique_ptr<std::atomic<bool>[]> taken; // by block
+    mutable std::array<Mutex, 16> take_in_mutex;
 
     mutable Mutex extrema_mutex;
     mutable bool extrema_made = false;
@@ -23,10 +27,14 @@ struct Field::Blocks {
     mutable GradientCache gradients;
 
     [[nodiscard]] std::span<const float> of_block(Index block) const {
+        if (!taken[block].load(std::memory_order_acquire)) take_in(block);
         const Block& b = topology->blocks().block[block];
         return {local.get() + b.vertex_begin, b.vertex_count};
     }
     void make_extrema() const; // once
+
+private:
+    void take_in(Index block) const;
 };
 
 } // namespace ciel

@@ -25,7 +25,8 @@ namespace ciel {
 [[nodiscard]] inline Vec3f unit(const Vec3d& v) {
     const double length = std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
     if (!(length > 0) || !std::isfinite(length)) return {};
-    return {static_cast<float>(v[0] / length), static_cast<float>(v[1] / length), static_cast<float>(v[2] / length)};
+    const double scale = 1 / length;
+    return {static_cast<float>(v[0] * scale), static_cast<float>(v[1] * scale), static_cast<float>(v[2] * scale)};
 }
 
 // Twice the area, along the right-hand normal; taken about the first corner, so it does not suffer far from the origin.

@@ -62,7 +62,7 @@ std::size_t bytes(const std::vector<T>& v) {
 
 std::size_t bytes_of(const StandardSection& section) {
     return bytes(section.cell) + bytes(section.vertex) + bytes(section.edge) + bytes(section.mate) +
-           bytes(section.next_entry);
+           bytes(section.next_entry) + bytes(section.group_parts);
 }
 
 template <class Local>
