@@ -52,18 +52,13 @@ struct CutScratch {
     std::vector<Index> met;
     Index met_before = 1, met_count = 0;
     std::vector<std::uint8_t> face_kinds; // per face of the polyhedra: 1 has low corners, 2 has high ones
-    // Which active edges of a face the surface joins, along the stored loop.
-    struct Pair {
-        Index climbing, descending; // local edges
+    // Of one polyhedron: the faces that nu crosses. A bit per corner of the stored loop, where the edge that begins
+    // there climbs or descends; of a face with more than 64 all are set.
+    struct CrossedFace {
+        Index face, side;
+        std::uint64_t climbs, descends;
     };
-    struct CutFace {
-        Index stamp = 0; // of the cut that it is good for
-        Index pairs = 0;
-        Pair pair{}; // where there is one; else descending counts from where they are in `pair`
-    };
-    std::vector<CutFace> face; // per face of the polyhedra
-    std::vector<Pair> pair;
-    Index cut_stamp = 0;
+    std::vector<CrossedFace> crossed;
     // Of one polyhedron: where the face that is entered over an edge is left.
     struct Way {
         Index stamp = 0; // of the cell that it is good for

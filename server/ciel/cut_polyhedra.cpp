@@ -34,9 +34,6 @@ public:
     void run() {
         if (scratch_.cells == 0) return;
         if (scratch_.way.size() < scratch_.ends.size()) scratch_.way.resize(scratch_.ends.size());
-        if (scratch_.face.size() < section_.face_count()) scratch_.face.resize(section_.face_count());
-        (void)next_stamp(scratch_.cut_stamp, scratch_.face);
-        scratch_.pair.clear();
         const std::span cells = scratch_.active_cells();
         for (std::size_t i = 0; i < cells.size(); ++i) {
             if (i + 1 < cells.size()) fetch(cells[i + 1].index);
@@ -46,18 +43,16 @@ public:
     }
 
 private:
-    using Pair = CutScratch::Pair;
-    using CutFace = CutScratch::CutFace;
-
     void fetch(Index cell) const;
     void cut_cell(Index cell);
     bool has_gap(Index cell) const;
-    void cut_face(Index face, CutFace& out);
-    void cut_face_often(Index face, CutFace& out);
+    [[nodiscard]] std::uint64_t high_corners(Index begin, Index size) const;
+    [[nodiscard]] std::span<const CutScratch::CrossedFace> find_crossed(Index cell);
+    bool link(Index entry, Index after, Index exit);
+    bool link_once(const CutScratch::CrossedFace& face);
+    bool link_often(const CutScratch::CrossedFace& face);
     void find_crossings(Index face);
     bool is_joined(Index face);
-    bool link(const Pair& pair, Index side);
-    bool link_face(const CutFace& face, Index side);
     void follow(Index cell);
     void walk_all(Index cell);
     void walk(Index cell, Index start);
@@ -101,39 +96,78 @@ bool PolyhedronCutter<Edges, Local>::has_gap(Index cell) const {
     return false;
 }
 
-// Most faces are not crossed, most others once: both are told from one bit per corner, without a branch on what is
-// high.
+// Eight corners without a branch: the sizes of faces are unpredictable. What lies behind the face is masked.
 template <class Edges, class Local>
-void PolyhedronCutter<Edges, Local>::cut_face(Index face, CutFace& out) {
-    const Index begin = section_.face_begin[face], n = section_.face_begin[face + 1] - begin;
-    out.stamp = scratch_.cut_stamp;
-    out.pairs = 0;
-    if (n > 64) return cut_face_often(face, out);
-    std::uint64_t here = 0;
-    for (Index i = 0; i < n; ++i) here |= std::uint64_t{high_[vertex_[begin + i]]} << i;
-    const std::uint64_t next = here >> 1 | (here & 1) << (n - 1);
-    const std::uint64_t climbs = ~here & next, descends = here & ~next;
-    if (climbs == 0) return;
-    if ((climbs & (climbs - 1)) != 0) return cut_face_often(face, out);
-    const auto up = static_cast<Index>(std::countr_zero(climbs)), down = static_cast<Index>(std::countr_zero(descends));
-    activate(begin + up, begin + (up + 1 == n ? 0 : up + 1));
-    activate(begin + down, begin + (down + 1 == n ? 0 : down + 1));
-    out.pairs = 1;
-    out.pair = {edge_[begin + up], edge_[begin + down]};
+std::uint64_t PolyhedronCutter<Edges, Local>::high_corners(Index begin, Index size) const {
+    const Local* vertex = vertex_ + begin;
+    std::uint64_t bits = 0;
+    if (size <= 8 && begin + 8 <= section_.vertex.size()) {
+        for (Index i = 0; i < 8; ++i) bits |= std::uint64_t{high_[vertex[i]]} << i;
+        return bits & ((std::uint64_t{1} << size) - 1);
+    }
+    for (Index i = 0; i < size; ++i) bits |= std::uint64_t{high_[vertex[i]]} << i;
+    return bits;
+}
+
+// Lists the faces that nu crosses, without a branch on which they are. To look at a face for both of its cells costs
+// less than to remember that it has been looked at.
+template <class Edges, class Local>
+std::span<const CutScratch::CrossedFace> PolyhedronCutter<Edges, Local>::find_crossed(Index cell) {
+    const std::span<const Local> faces = section_.faces_of(cell);
+    if (scratch_.crossed.size() <= faces.size()) scratch_.crossed.resize(faces.size() + 1);
+    const Local* begin = section_.face_begin.data();
+    CutScratch::CrossedFace* to = scratch_.crossed.data();
+    for (const Index ref : faces) {
+        const Index face = ref / 2, size = begin[face + 1] - begin[face];
+        const bool many = size > 64;
+        const std::uint64_t here = many ? 0 : high_corners(begin[face], size);
+        const std::uint64_t next = here >> 1 | (here & 1) << ((size - 1) % 64);
+        *to = {face, ref % 2, many ? ~std::uint64_t{0} : ~here & next, here & ~next};
+        to += to->climbs != 0 ? 1 : 0;
+    }
+    return {scratch_.crossed.data(), to};
+}
+
+// From an entry to its exit, two corners of the stored loop. False where the edge is entered a second time in this
+// cell. Each active edge of the cell is the entry of one of its faces.
+template <class Edges, class Local>
+bool PolyhedronCutter<Edges, Local>::link(Index entry, Index after, Index exit) {
+    activate(entry, after);
+    CutScratch::Way& way = scratch_.way[edge_[entry]];
+    if (way.stamp == scratch_.cell_stamp) return false;
+    way = {scratch_.cell_stamp, edge_[exit]};
+    scratch_.entry.push_back(edge_[entry]);
+    return true;
+}
+
+// Against the loop, what descends along it climbs.
+template <class Edges, class Local>
+bool PolyhedronCutter<Edges, Local>::link_once(const CutScratch::CrossedFace& face) {
+    const Index begin = section_.face_begin[face.face], end = section_.face_begin[face.face + 1];
+    const Index climbing = begin + static_cast<Index>(std::countr_zero(face.climbs));
+    const Index descending = begin + static_cast<Index>(std::countr_zero(face.descends));
+    const Index entry = face.side == 0 ? climbing : descending, exit = face.side == 0 ? descending : climbing;
+    const Index after = entry + 1 == end ? begin : entry + 1;
+    if (edge_[entry] != edge_[exit]) return link(entry, after, exit);
+    // A face that collapsed to a line leads from an edge to itself, which may have no other face.
+    activate(entry, after);
+    scratch_.returning.push_back(edge_[entry]);
+    return true;
 }
 
 template <class Edges, class Local>
-void PolyhedronCutter<Edges, Local>::cut_face_often(Index face, CutFace& out) {
-    find_crossings(face);
+bool PolyhedronCutter<Edges, Local>::link_often(const CutScratch::CrossedFace& face) {
+    find_crossings(face.face);
     const auto& crossing = scratch_.crossing;
-    const std::size_t n = crossing.size();
-    const bool joined = is_joined(face);
-    out.pairs = static_cast<Index>(n / 2);
-    const auto first = static_cast<Index>(scratch_.pair.size());
-    for (std::size_t i = 0; i < n; i += 2)
-        scratch_.pair.push_back({edge_[crossing[i][0]], edge_[crossing[joined ? (i + n - 1) % n : i + 1][0]]});
-    for (const auto& [corner, following] : crossing) activate(corner, following);
-    out.pair = out.pairs == 1 ? scratch_.pair.back() : Pair{none, first};
+    const std::size_t n = crossing.size(), to_exit = is_joined(face.face) ? n - 1 : 1;
+    bool simple = true;
+    for (std::size_t i = 0; i < n; i += 2) {
+        const auto &climbing = crossing[i], &descending = crossing[(i + to_exit) % n];
+        simple = (face.side == 0 ? link(climbing[0], climbing[1], descending[0])
+                                 : link(descending[0], descending[1], climbing[0])) &&
+                 simple;
+    }
+    return simple;
 }
 
 // The active edges of a face along its stored loop; climbing and descending ones alternate, and a climbing one is
@@ -162,47 +196,19 @@ bool PolyhedronCutter<Edges, Local>::is_joined(Index face) {
                       [&](std::size_t i) { return double{in_.values[vertex_[begin + i]]}; });
 }
 
-// From an entry to its exit: against the loop, what descends along it climbs. False where the edge is entered a second
-// time in this cell.
-template <class Edges, class Local>
-bool PolyhedronCutter<Edges, Local>::link(const Pair& pair, Index side) {
-    const Index in = side == 0 ? pair.climbing : pair.descending;
-    CutScratch::Way& way = scratch_.way[in];
-    if (way.stamp == scratch_.cell_stamp) return false;
-    way = {scratch_.cell_stamp, side == 0 ? pair.descending : pair.climbing};
-    scratch_.entry.push_back(in);
-    return true;
-}
-
-template <class Edges, class Local>
-bool PolyhedronCutter<Edges, Local>::link_face(const CutFace& face, Index side) {
-    if (face.pairs == 1) return link(face.pair, side);
-    for (Index i = 0; i < face.pairs; ++i)
-        if (!link(scratch_.pair[face.pair.descending + i], side)) return false;
-    return true;
-}
-
 template <class Edges, class Local>
 void PolyhedronCutter<Edges, Local>::cut_cell(Index cell) {
-    const bool gap = in_.gaps && has_gap(cell);
     scratch_.entry.clear();
     scratch_.returning.clear();
     (void)next_stamp(scratch_.cell_stamp, scratch_.way);
     bool simple = true;
-    for (const Index ref : section_.faces_of(cell)) {
-        CutFace& face = scratch_.face[ref / 2];
-        if (face.stamp != scratch_.cut_stamp) cut_face(ref / 2, face);
-        if (face.pairs == 0 || gap) continue;
-        // A face that collapsed to a line leads from an edge to itself, which may have no other face.
-        if (face.pairs == 1 && face.pair.climbing == face.pair.descending) {
-            scratch_.returning.push_back(face.pair.climbing);
-            continue;
-        }
-        simple = simple && link_face(face, ref % 2);
+    for (const CutScratch::CrossedFace& face : find_crossed(cell)) {
+        const bool once = (face.climbs & (face.climbs - 1)) == 0;
+        simple = (once ? link_once(face) : link_often(face)) && simple;
     }
     for (const Index edge : scratch_.returning)
         if (scratch_.way[edge].stamp != scratch_.cell_stamp) cut_.wasted = true;
-    if (gap)
+    if (in_.gaps && has_gap(cell))
         cut_.wasted = true;
     else if (simple)
         follow(cell);
