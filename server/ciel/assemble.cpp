@@ -199,7 +199,6 @@ Assembled assemble(const PolyhedraView& input) {
     Assembled out;
     out.mesh.origin = input.origin;
     Judged judged = judge_cells(input);
-    report_bad_cells(judged, out.report);
 
     std::vector<Index> cell_of_face(judged.turn.size(), none);
     std::vector<double> volume(judged.verdict.size());
@@ -210,6 +209,8 @@ Assembled assemble(const PolyhedraView& input) {
                   cell_of_face.begin() + static_cast<std::ptrdiff_t>(input.cell_offset[c + 1]), c);
     }
     const MatchedFaces matched = match_faces(input, {cell_of_face, volume, judged.turn});
+    for (const Index cell : matched.repeated_cells) judged.verdict[cell].bad = BadCells::Reason::repeated;
+    report_bad_cells(judged, out.report);
     out.report.internal_boundaries = matched.internal_boundaries;
     out.report.inverted_cells = matched.inverted_cells.size();
     out.report.first_inverted.assign(matched.inverted_cells.begin(),

@@ -23,9 +23,17 @@ struct PolyhedraView {
     std::span<const Index> face_vertex;
 };
 
-// Cells that cannot be handled are left out and their neighbours' faces become boundary.
+// Cells that cannot be handled are left out and their neighbours' faces become boundary (but for those of a cell that
+// is listed twice: they stay with the first).
 struct BadCells {
-    enum class Reason { open, inconsistent_winding, inside_out_unresolved, index_out_of_range, too_few_faces };
+    enum class Reason {
+        open,
+        inconsistent_winding,
+        inside_out_unresolved,
+        index_out_of_range,
+        too_few_faces,
+        repeated // has the faces of an earlier cell, which is kept
+    };
     Reason reason;
     std::uint64_t count = 0;
     std::vector<Index> first_ids; // at most 10, ids in the input

@@ -3,6 +3,7 @@
 #include "ciel/cell_winding.hpp"
 #include "ciel/loop.hpp"
 #include "ciel/parallel.hpp"
+#include "ciel/repeated_cells.hpp"
 
 #include <algorithm>
 
@@ -66,15 +67,16 @@ std::vector<Claim> group_claims(const std::vector<Claim>& claims, std::size_t ve
 
 class Matcher {
 public:
-    Matcher(const PolyhedraView& input, CellOfFace faces) : input_(input), faces_(faces) {
-        result_.partner.assign(faces.cell.size(), none);
-    }
+    Matcher(const PolyhedraView& input, CellOfFace faces) : input_(input), faces_(faces) {}
 
     MatchedFaces run();
 
 private:
     enum class Relation { different, same_direction, opposite };
 
+    void pair_faces();
+    [[nodiscard]] std::vector<Index> suspects() const;
+    bool leave_out_repeated_cells();
     void settle_equal(std::span<const Claim> claims);
     void settle_group(std::span<const Index> group);
     Relation compare(Index a, Index b);
@@ -259,7 +261,38 @@ void Matcher::settle_crowd(const std::vector<Index>& group) {
     if (single.size() == 2) match(open, single[1]);
 }
 
-MatchedFaces Matcher::run() {
+// Cells that may have another one's faces: all of theirs are in crowds, or matched with one and the same cell.
+std::vector<Index> Matcher::suspects() const {
+    std::vector<Index> out;
+    for (const auto& crowd : crowds_)
+        for (const Index f : crowd) out.push_back(faces_.cell[f]);
+    for (Index cell = 0; cell < input_.cell_types.size(); ++cell) {
+        Index other = none;
+        for (std::uint64_t f = input_.cell_offset[cell]; f < input_.cell_offset[cell + 1]; ++f) {
+            if (result_.partner[f] == none) continue;
+            const Index behind = faces_.cell[result_.partner[f]];
+            if (behind == other) out.push_back(cell);
+            if (other != none) break; // two faces tell
+            other = behind;
+        }
+    }
+    std::ranges::sort(out);
+    out.erase(std::unique(out.begin(), out.end()), out.end());
+    return out;
+}
+
+bool Matcher::leave_out_repeated_cells() {
+    result_.repeated_cells = repeated_cells(input_, suspects());
+    for (const Index cell : result_.repeated_cells)
+        std::ranges::fill(faces_.cell.subspan(input_.cell_offset[cell],
+                                              input_.cell_offset[cell + 1] - input_.cell_offset[cell]),
+                          none);
+    return !result_.repeated_cells.empty();
+}
+
+void Matcher::pair_faces() {
+    result_.partner.assign(faces_.cell.size(), none);
+    crowds_.clear();
     const std::vector<Claim> claims = group_claims(make_claims(input_, faces_.cell), input_.positions.size() / 3);
     for (std::size_t begin = 0, end; begin < claims.size(); begin = end) {
         end = begin + 1;
@@ -268,6 +301,11 @@ MatchedFaces Matcher::run() {
             ++end;
         settle_equal(std::span(claims).subspan(begin, end - begin));
     }
+}
+
+MatchedFaces Matcher::run() {
+    pair_faces();
+    if (leave_out_repeated_cells()) pair_faces();
     agree_across_faces();
     for (const auto& crowd : crowds_) settle_crowd(crowd);
     std::ranges::sort(result_.inverted_cells);

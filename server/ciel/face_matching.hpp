@@ -6,13 +6,15 @@
 namespace ciel {
 
 struct CellOfFace {
-    std::span<const Index> cell;    // input face -> input cell, none for faces of cells that are left out
+    std::span<Index> cell;          // input face -> input cell, none for faces of cells that are left out, as matching
+                                    // leaves cells out that have the same faces as an earlier one
     std::span<const double> volume; // input cell -> volume, not negative
     std::span<std::uint8_t> turn;   // input face -> reversed when stored; matching may turn whole cells
 };
 
 struct MatchedFaces {
     std::vector<Index> partner;        // input face -> input face on the other side, none on the boundary
+    std::vector<Index> repeated_cells; // ascending: left out, they have the faces of an earlier cell
     std::vector<Index> inverted_cells; // cells that were turned inside out to agree with their neighbours
     std::uint64_t internal_boundaries = 0;
 };

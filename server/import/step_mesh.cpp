@@ -21,6 +21,7 @@ const char* reason_text(BadCells::Reason reason) {
         {Reason::inside_out_unresolved, "no inside and outside that can be told apart"},
         {Reason::index_out_of_range, "a vertex that does not exist"},
         {Reason::too_few_faces, "too few faces"},
+        {Reason::repeated, "the same faces as an earlier cell, which was kept"},
     };
     return texts.at(reason);
 }
