@@ -3,6 +3,7 @@
 #include "ciel/parallel.hpp"
 
 #include <algorithm>
+#include <tuple>
 
 namespace ciel {
 
@@ -43,6 +44,7 @@ private:
     void ring_vertices();
     void link_border(Block& block, std::span<const Index> next);
     void own_edges();
+    void give_to_first(std::span<SharedEdge> edges);
     [[nodiscard]] std::vector<std::vector<std::pair<Index, SharedEdge>>> shared_edges() const;
     void renumber_edges(Index b);
     void join_twins();
@@ -169,6 +171,28 @@ std::vector<std::vector<std::pair<Index, Linker::SharedEdge>>> Linker::shared_ed
     return shared;
 }
 
+// Of the edges that one vertex is the lower end of, sorted by block. Short lists as they are; long ones, of a vertex that
+// many blocks meet at, by their upper ends.
+void Linker::give_to_first(std::span<SharedEdge> edges) {
+    constexpr std::size_t short_list = 64;
+    const auto give = [this](const SharedEdge& ghost, const SharedEdge& owner) {
+        ghosts_[ghost.block].push_back({ghost.edge, owner.block, owner.edge});
+    };
+    if (edges.size() > short_list) {
+        std::ranges::sort(edges, {}, [](const SharedEdge& e) { return std::tuple(e.high, e.block, e.edge); });
+        for (std::size_t i = 1, owner = 0; i < edges.size(); ++i)
+            if (edges[i].high == edges[owner].high)
+                give(edges[i], edges[owner]);
+            else
+                owner = i;
+        return;
+    }
+    for (std::size_t i = 1; i < edges.size(); ++i) {
+        const auto owner = std::ranges::find(edges.first(i), edges[i].high, &SharedEdge::high);
+        if (owner != edges.begin() + static_cast<std::ptrdiff_t>(i)) give(edges[i], *owner);
+    }
+}
+
 // Equal edges meet in the list of their lower vertex; the first block owns them. Lists are filled block by block, so
 // they are sorted by block.
 void Linker::own_edges() {
@@ -184,12 +208,7 @@ void Linker::own_edges() {
 
     ghosts_.resize(built_.size());
     for (std::size_t v = 0; v + 1 < begin.size(); ++v)
-        for (std::uint64_t i = begin[v] + 1; i < begin[v + 1]; ++i)
-            for (std::uint64_t j = begin[v]; j < i; ++j)
-                if (list[j].high == list[i].high) {
-                    ghosts_[list[i].block].push_back({list[i].edge, list[j].block, list[j].edge});
-                    break;
-                }
+        give_to_first(std::span(list).subspan(begin[v], begin[v + 1] - begin[v]));
 
     new_edge_.resize(built_.size());
     std::uint64_t edges = 0;

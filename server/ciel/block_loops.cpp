@@ -71,20 +71,28 @@ void BlockLoops::find_edges() {
     edge_ends.clear();
     edge_head_.assign(vertices.size(), none);
     edge_next_.clear();
+    crowded_edge_.clear();
     for (Index loop = 0; loop < loop_count(); ++loop)
         for (Index k = begin[loop]; k < begin[loop + 1]; ++k) {
             const Index a = vertex[k], b = vertex[k + 1 == begin[loop + 1] ? begin[loop] : k + 1];
-            const Index low = std::min(a, b), high = std::max(a, b);
-            Index e = edge_head_[low];
-            while (e != none && edge_ends[e][1] != high) e = edge_next_[e];
-            if (e == none) {
-                e = static_cast<Index>(edge_ends.size());
-                edge_ends.push_back({low, high});
-                edge_next_.push_back(edge_head_[low]);
-                edge_head_[low] = e;
-            }
-            edge[k] = e;
+            edge[k] = edge_between(std::min(a, b), std::max(a, b));
         }
+}
+
+Index BlockLoops::edge_between(Index low, Index high) {
+    constexpr Index most_listed = 64;
+    Index listed = 0;
+    for (Index e = edge_head_[low]; e != none; e = edge_next_[e], ++listed)
+        if (edge_ends[e][1] == high) return e;
+    const auto created = static_cast<Index>(edge_ends.size());
+    if (listed == most_listed) {
+        const auto [known, is_new] = crowded_edge_.try_emplace(std::uint64_t{low} << 32 | high, created);
+        if (!is_new) return known->second;
+    }
+    edge_ends.push_back({low, high});
+    edge_next_.push_back(listed < most_listed ? edge_head_[low] : none);
+    if (listed < most_listed) edge_head_[low] = created;
+    return created;
 }
 
 } // namespace ciel

@@ -3,6 +3,8 @@
 
 #include "ciel/cell_faces.hpp"
 
+#include <unordered_map>
+
 namespace ciel {
 
 // A face seen from one of its cells: 2 * loop + side, side 1 against the stored direction.
@@ -52,10 +54,12 @@ private:
     void note_vertex(Index v);
     void number_vertices();
     void find_edges();
+    Index edge_between(Index low, Index high); // a new one where there is none
 
     const CellFaces& faces_;
     std::vector<Index> local_vertex_;          // mesh vertex -> local, none outside this block
-    std::vector<Index> edge_head_, edge_next_; // edges by their lower vertex
+    std::vector<Index> edge_head_, edge_next_; // edges by their lower vertex: the first ones of each
+    std::unordered_map<std::uint64_t, Index> crowded_edge_; // the others: a vertex of thousands, say a fan's apex
 };
 
 } // namespace ciel

@@ -49,7 +49,7 @@ struct StandardSection {
 template <class Local>
 struct PolyhedralSection {
     static constexpr Local end_of_list = std::numeric_limits<Local>::max();
-    static constexpr Index escape = 15;
+    static constexpr Index escape = 15, longest_search = 256;
 
     Index half_edge_begin = 0, entry_begin = 0; // local
     Index inner_corners = 0;                    // corners below this belong to inner faces
@@ -62,7 +62,9 @@ struct PolyhedralSection {
     std::vector<Local> edge;       // from this corner to the next
     std::vector<Local> next_entry; // next entry of the same vertex, or end_of_list
     // Four bits per half-edge of the section: which of its cell's faces has its mate, modulo `escape`; or `escape`, and
-    // then mate_escapes tells the mate. (Half-edges may be more than Local counts: two of them share a corner.)
+    // then mate_escapes tells the mate: also where a search would be longer than `longest_search` corners, as in a cell
+    // of thousands of faces or with a face of thousands of corners. (Half-edges may be more than Local counts: two of
+    // them share a corner.)
     std::vector<std::uint8_t> mate_face;
     std::vector<std::pair<Index, Index>> mate_escapes; // sorted
     // Per face.
@@ -219,11 +221,14 @@ Index PolyhedralSection<Local>::mate(Index h) const {
     }
     const Index k = corner(h), own = face(k);
     const std::span<const Local> faces = faces_of(face_cell[own][side(h)]);
-    for (Index i = bits; i < faces.size(); i += escape) {
+    Index left = longest_search; // for the one who builds: a mate that is stored is found before
+    for (Index i = bits; i < faces.size() && left > 0; i += escape) {
         const Index other = faces[i] / 2;
         if (other == own) continue;
-        for (Index at = face_begin[other]; at < face_begin[other + 1]; ++at)
+        const Index end = std::min(Index{face_begin[other + 1]}, face_begin[other] + left);
+        for (Index at = face_begin[other]; at < end; ++at)
             if (edge[at] == edge[k]) return half_edge(at, faces[i] % 2);
+        left -= end - face_begin[other];
     }
     return none;
 }

@@ -48,7 +48,9 @@ Index CellWinding::target(Index half_edge) const {
 
 // As many half-edges a -> b as b -> a, for every pair.
 bool CellWinding::balanced() {
+    constexpr Index most_listed = 1024;
     const auto count = static_cast<Index>(from_.size());
+    if (count > most_listed) return balanced_when_sorted(); // the lists of a fan's apex would be as long as the cell
     head_.assign(vertices_.size(), none);
     next_.resize(count);
     paired_.assign(count, 0);
@@ -69,6 +71,22 @@ bool CellWinding::balanced() {
         head_[a] = h;
     }
     return open == 0;
+}
+
+bool CellWinding::balanced_when_sorted() {
+    uses_.clear();
+    for (Index h = 0; h < from_.size(); ++h) {
+        const Index a = from_[h], b = target(h);
+        uses_.push_back({std::min(a, b), std::max(a, b), face_of_[h], (a < b) != faces_[face_of_[h]].turned});
+    }
+    std::ranges::sort(uses_, {}, [](const Use& use) { return std::pair(use.low, use.high); });
+    std::int64_t balance = 0; // of one edge
+    for (std::size_t i = 0; i < uses_.size(); ++i) {
+        balance += uses_[i].upward ? 1 : -1;
+        const bool last = i + 1 == uses_.size() || uses_[i + 1].low != uses_[i].low || uses_[i + 1].high != uses_[i].high;
+        if (last && balance != 0) return false;
+    }
+    return true;
 }
 
 // Lists which faces meet at an edge that no third face of the cell touches. False when an edge is used an odd number

@@ -35,6 +35,7 @@ private:
     bool gather(Index cell); // false when an index is out of range
     void forget();
     bool balanced();
+    bool balanced_when_sorted(); // the same; overwrites uses_
     std::optional<BadCells::Reason> make_agree();
     bool collect_edges();
     Index spread_winding();

@@ -1,8 +1,11 @@
-// Fans from the first corner that is good enough: polygons of cells are mostly convex, and nearly flat.
+// Fans from the first corner that is good enough: polygons of cells are mostly convex, and nearly flat. Where every fan
+// folds over, ears are clipped.
+#include "ciel/ear_clipping.hpp"
 #include "ciel/parallel.hpp"
 #include "ciel/polygon.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace ciel {
@@ -27,30 +30,60 @@ double worst_area(const Surface& surface, std::span<const Index> loop, const Vec
     return worst;
 }
 
-std::size_t best_corner(const Surface& surface, std::span<const Index> loop) {
-    if (loop.size() == 3) return 0;
-    const Vec3d normal = area_vector(surface.positions, loop);
+struct Fan {
+    std::size_t corner = 0;
+    bool folds = false; // not by rounding alone
+};
+
+// Of a polygon with more corners than this, so many are tried: linear, not quadratic.
+constexpr std::size_t most_tried = 64;
+
+Fan best_fan(const Surface& surface, std::span<const Index> loop, const Vec3d& normal) {
     const double fair = 0.05 * dot(normal, normal) / static_cast<double>(loop.size() - 2);
-    std::size_t best = 0;
+    Fan best;
     double best_worst = -std::numeric_limits<double>::infinity();
-    for (std::size_t corner = 0; corner < loop.size() && best_worst < fair; ++corner) {
+    const std::size_t step = std::max<std::size_t>(1, loop.size() / most_tried);
+    for (std::size_t corner = 0; corner < loop.size() && best_worst < fair; corner += step) {
         const double worst = worst_area(surface, loop, normal, corner);
         if (worst > best_worst) {
             best_worst = worst;
-            best = corner;
+            best.corner = corner;
         }
     }
+    best.folds = best_worst < -fair;
     return best;
 }
 
-void append_fan(const Surface& surface, std::span<const Index> loop, Triangles& out) {
-    const std::size_t corner = best_corner(surface, loop), n = loop.size();
-    for (std::size_t i = 1; i + 1 < n; ++i) {
-        const Index a = loop[corner], b = loop[(corner + i) % n], c = loop[(corner + i + 1) % n];
-        const Vec3d area = triangle_area(surface, a, b, c);
-        if (a == b || b == c || c == a || dot(area, area) == 0) continue;
-        out.insert(out.end(), {a, b, c});
-    }
+void append(const Surface& surface, Index a, Index b, Index c, Triangles& out) {
+    const Vec3d area = triangle_area(surface, a, b, c);
+    if (a == b || b == c || c == a || dot(area, area) == 0) return;
+    out.insert(out.end(), {a, b, c});
+}
+
+// As the polygon looks along the axis that its normal is nearest to.
+void append_ears(const Surface& surface, std::span<const Index> loop, const Vec3d& normal, Triangles& out) {
+    std::size_t axis = 0;
+    for (const std::size_t other : {1U, 2U})
+        if (std::abs(normal[other]) > std::abs(normal[axis])) axis = other;
+    const bool from_behind = normal[axis] < 0;
+    const std::size_t right = (axis + (from_behind ? 2 : 1)) % 3, up = (axis + (from_behind ? 1 : 2)) % 3;
+    std::vector<std::array<double, 2>> flat;
+    flat.reserve(loop.size());
+    for (const Index p : loop) flat.push_back({surface.positions[p][right], surface.positions[p][up]});
+    Triangles places;
+    clip_ears(flat, places);
+    for (std::size_t t = 0; t < places.size(); t += 3)
+        append(surface, loop[places[t]], loop[places[t + 1]], loop[places[t + 2]], out);
+}
+
+void append_triangles(const Surface& surface, std::span<const Index> loop, Triangles& out) {
+    const std::size_t n = loop.size();
+    if (n == 3) return append(surface, loop[0], loop[1], loop[2], out);
+    const Vec3d normal = area_vector(surface.positions, loop);
+    const Fan fan = best_fan(surface, loop, normal);
+    if (fan.folds) return append_ears(surface, loop, normal, out);
+    for (std::size_t i = 1; i + 1 < n; ++i)
+        append(surface, loop[fan.corner], loop[(fan.corner + i) % n], loop[(fan.corner + i + 1) % n], out);
 }
 
 } // namespace
@@ -62,7 +95,7 @@ Triangles triangulate(const Surface& surface) {
     parallel_for(parts.size(), 1, [&](std::size_t begin, std::size_t end) {
         for (std::size_t part = begin; part < end; ++part)
             for (std::size_t i = part * chunk; i < std::min(polygons, (part + 1) * chunk); ++i)
-                append_fan(surface, polygon(surface, i), parts[part]);
+                append_triangles(surface, polygon(surface, i), parts[part]);
     });
     std::size_t size = 0;
     for (const Triangles& part : parts) size += part.size();

@@ -56,9 +56,83 @@ INSTANTIATE_TEST_SUITE_P(
                     Shape{"square", {{0, 0, 5}, {1, 0, 5}, {1, 1, 5}, {0, 1, 5}}, 1, 2},
                     Shape{"dart", {{0, 0, 0}, {4, -2, 0}, {1, 0, 0}, {4, 2, 0}}, 2, 2},
                     Shape{"corner_of_a_wall", {{0, 0, 0}, {2, 0, 0}, {2, 1, 0}, {1, 1, 0}, {1, 2, 0}, {0, 2, 0}}, 3, 4},
+                    Shape{"comb",
+                          {{0, 0, 0}, {7, 0, 0}, {7, 3, 0}, {6, 3, 0}, {6, 1, 0}, {5, 1, 0}, {5, 3, 0}, {4, 3, 0},
+                           {4, 1, 0}, {3, 1, 0}, {3, 3, 0}, {2, 3, 0}, {2, 1, 0}, {1, 1, 0}, {1, 3, 0}, {0, 3, 0}},
+                          15, 14},
+                    Shape{"spiral",
+                          {{0, 0, 0}, {6, 0, 0}, {6, 6, 0}, {1, 6, 0}, {1, 2, 0}, {4, 2, 0}, {4, 4, 0}, {3, 4, 0},
+                           {3, 3, 0}, {2, 3, 0}, {2, 5, 0}, {5, 5, 0}, {5, 1, 0}, {0, 1, 0}},
+                          21, 12},
                     Shape{"a_corner_twice", {{0, 0, 0}, {1, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, 1, 2},
                     Shape{"no_area", {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}}, 0, 0}),
     [](const auto& test) { return std::string(test.param.name); });
+
+// Twice as many ways to look at it would be four times the work, were it quadratic: at a quarter of a million corners
+// that is a test which does not end.
+constexpr int many = 250'000;
+
+std::vector<Vec3f> giant_comb() {
+    std::vector<Vec3f> corners{{static_cast<float>(many / 2), 0, 0}};
+    for (int i = many / 2; i > 0; --i) {
+        corners.push_back({static_cast<float>(i), i % 2 == 0 ? 3.0F : 1.0F, 0});
+        corners.push_back({static_cast<float>(i - 1), i % 2 == 0 ? 3.0F : 1.0F, 0});
+    }
+    corners.push_back({0, 0, 0});
+    return corners;
+}
+
+std::vector<Vec3f> giant_circle() {
+    std::vector<Vec3f> corners;
+    for (int i = 0; i < many; ++i) {
+        const double angle = 2 * 3.14159265358979323846 * i / many;
+        corners.push_back(
+            {static_cast<float>(1000 * std::cos(angle)), static_cast<float>(1000 * std::sin(angle)), 7.0F});
+    }
+    return corners;
+}
+
+struct Covered {
+    std::size_t triangles;
+    double area, turned_over; // sums
+};
+
+Covered cover(const std::vector<Vec3f>& corners) {
+    const Surface surface = one_polygon(corners);
+    const std::vector<Index> triangles = triangulate(surface);
+    Covered sum{triangles.size() / 3, 0, 0};
+    for (std::size_t t = 0; t + 2 < triangles.size(); t += 3) {
+        const double area = vector_area(surface.positions, std::span(triangles).subspan(t, 3))[2];
+        (area > 0 ? sum.area : sum.turned_over) += std::abs(area);
+    }
+    return sum;
+}
+
+TEST(TriangulateGiant, ACombIsCoveredOnce) {
+    const Covered comb = cover(giant_comb());
+    EXPECT_LE(comb.triangles, static_cast<std::size_t>(many)); // valleys lie on one line: some have no area
+    EXPECT_EQ(comb.turned_over, 0);
+    EXPECT_NEAR(comb.area, many / 2 * 2.0, 1e-3);
+}
+
+TEST(TriangulateGiant, ACircleIsCoveredOnceButForRounding) {
+    const Covered circle = cover(giant_circle());
+    EXPECT_LE(circle.triangles, static_cast<std::size_t>(many - 2));
+    EXPECT_NEAR(circle.area - circle.turned_over, 3.14159265358979 * 1e6, 10);
+    EXPECT_LT(circle.turned_over, 1);
+}
+
+// A polygon that crosses itself, over and over, has no right answer but gets one.
+TEST(TriangulateGiant, AScribbleEnds) {
+    std::vector<Vec3f> corners;
+    std::uint64_t state = 7;
+    const auto next = [&state] {
+        state = state * 6364136223846793005ULL + 1442695040888963407ULL;
+        return static_cast<float>(state >> 40) / static_cast<float>(1 << 24);
+    };
+    for (int i = 0; i < many; ++i) corners.push_back({next(), next(), 0});
+    EXPECT_LE(cover(corners).triangles, static_cast<std::size_t>(many - 2));
+}
 
 TEST(Refusals, ValuesOfAnotherLength) {
     const KernelMesh mesh(hexahedra({{1, 1, 1}}));

@@ -1,0 +1,167 @@
+// Faces of thousands of corners, and vertices of thousands of edges. Nothing here is measured: with work that is
+// quadratic anywhere, these tests do not end.
+#include "ciel/blocks.hpp"
+#include "oracle/kernel_mesh.hpp"
+#include "support/meshes.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace ciel::test {
+namespace {
+
+constexpr Id sides = 100'000;
+
+Point on_circle(Id i, double z) {
+    const double angle = 2 * 3.14159265358979323846 * i / sides;
+    return {100 * std::cos(angle), 100 * std::sin(angle), z};
+}
+
+// One cell with a floor and a roof of as many corners as it has walls.
+Polyhedra prism() {
+    Polyhedra mesh;
+    std::vector<Loop> faces(2);
+    for (const double z : {0.0, 1.0})
+        for (Id i = 0; i < sides; ++i) mesh.add_vertex(on_circle(i, z));
+    for (Id i = 0; i < sides; ++i) {
+        const Id next = (i + 1) % sides;
+        faces[0].push_back(sides - 1 - i);
+        faces[1].push_back(sides + i);
+        faces.push_back({i, next, sides + next, sides + i});
+    }
+    mesh.add_cell(polyhedron, faces);
+    return mesh;
+}
+
+// One cell with two apexes that all of its triangles are at. The apexes come first, so they are the lower end of
+// their edges, or last.
+Polyhedra spindle(bool apexes_first) {
+    Polyhedra mesh;
+    if (apexes_first) mesh.add_vertex({0, 0, -1}), mesh.add_vertex({0, 0, 1});
+    for (Id i = 0; i < sides; ++i) mesh.add_vertex(on_circle(i, 0));
+    if (!apexes_first) mesh.add_vertex({0, 0, -1}), mesh.add_vertex({0, 0, 1});
+    const Id rim = apexes_first ? 2 : 0, bottom = apexes_first ? 0 : sides, top = bottom + 1;
+    std::vector<Loop> faces;
+    for (Id i = 0; i < sides; ++i) {
+        const Id here = rim + i, next = rim + (i + 1) % sides;
+        faces.push_back({bottom, next, here});
+        faces.push_back({top, here, next});
+    }
+    mesh.add_cell(polyhedron, faces);
+    return mesh;
+}
+
+// As many tetrahedra around one edge.
+Polyhedra ring_of_tetrahedra() {
+    Polyhedra mesh;
+    mesh.add_vertex({0, 0, -1});
+    mesh.add_vertex({0, 0, 1});
+    for (Id i = 0; i < sides; ++i) mesh.add_vertex(on_circle(i, 0));
+    for (Id i = 0; i < sides; ++i) {
+        const Id here = 2 + i, next = 2 + (i + 1) % sides;
+        mesh.add_cell(tetrahedron, {{0, next, here}, {1, here, next}, {0, here, 1}, {0, 1, next}});
+    }
+    return mesh;
+}
+
+void expect_operators_hold(const Topology& topology) {
+    for (HalfEdge h = 0; h < topology.counts().half_edges; ++h) {
+        const HalfEdge mate = topology.mate_face(h);
+        ASSERT_NE(mate, h);
+        ASSERT_EQ(topology.mate_face(mate), h);
+        ASSERT_EQ(topology.edge(mate), topology.edge(h));
+        ASSERT_NE(topology.vertex(mate), topology.vertex(h));
+        ASSERT_EQ(topology.vertex(topology.mate_face(topology.next_around_face(h))), topology.vertex(h));
+    }
+}
+
+// All engines cut at a height, in a ring around the axis.
+void expect_polygon(const KernelMesh& mesh, double z, std::size_t polygons, std::size_t points) {
+    const Field height = make_field(mesh.topology, plane_distance(mesh.mesh(), {0, 0, 0}, {0, 0, 1}));
+    for (const Engine engine : {Engine::signatures, Engine::propagation, Engine::naive}) {
+        Query query = mesh.query(engine);
+        query.set_field(height);
+        Surface surface;
+        ASSERT_TRUE(query.extract(z, false, surface));
+        EXPECT_EQ(surface.polygon_cell.size(), polygons);
+        EXPECT_EQ(surface.points.size(), points);
+        EXPECT_FALSE(triangulate(surface).empty());
+    }
+}
+
+TEST(GiantFace, APrism) {
+    const KernelMesh mesh(prism());
+    ASSERT_TRUE(mesh.assembled.report.bad_cells.empty());
+    EXPECT_EQ(mesh.topology.counts().half_edges, 6ULL * sides);
+    EXPECT_EQ(mesh.topology.counts().edges, 3ULL * sides);
+    expect_operators_hold(mesh.topology);
+    expect_polygon(mesh, 0.25, 1, sides);
+}
+
+TEST(GiantFace, ASpindleOfTwoApexes) {
+    for (const bool apexes_first : {true, false}) {
+        const KernelMesh mesh(spindle(apexes_first));
+        ASSERT_TRUE(mesh.assembled.report.bad_cells.empty());
+        EXPECT_EQ(mesh.topology.counts().half_edges, 6ULL * sides);
+        EXPECT_EQ(mesh.topology.counts().edges, 3ULL * sides);
+        expect_operators_hold(mesh.topology);
+        expect_polygon(mesh, 0.25, 1, sides);
+    }
+}
+
+// Wound either way at random, the cell has to find its own agreement.
+TEST(GiantFace, ASpindleWithTurnedFaces) {
+    const KernelMesh mesh(with_turned_faces(spindle(true), 0.5, 3));
+    ASSERT_TRUE(mesh.assembled.report.bad_cells.empty());
+    expect_operators_hold(mesh.topology);
+    expect_polygon(mesh, 0.25, 1, sides);
+}
+
+TEST(GiantFace, ASpindleThatLacksATriangleIsOpen) {
+    Polyhedra mesh = spindle(true);
+    mesh.face_offset.pop_back();
+    mesh.face_vertex.resize(mesh.face_offset.back());
+    mesh.cell_offset.back() -= 1;
+    const Assembled assembled = assemble(view(mesh));
+    ASSERT_EQ(assembled.report.bad_cells.size(), 1U);
+    EXPECT_EQ(assembled.report.bad_cells[0].reason, BadCells::Reason::open);
+}
+
+TEST(GiantFace, ARingOfTetrahedraInBlocksOfOne) {
+    const KernelMesh mesh(ring_of_tetrahedra(), {1});
+    EXPECT_EQ(mesh.topology.counts().half_edges, 12ULL * sides);
+    EXPECT_EQ(mesh.topology.counts().edges, 3ULL * sides + 1);
+    expect_operators_hold(mesh.topology);
+    expect_polygon(mesh, 0.25, sides, sides + 1ULL);
+}
+
+// What bounds a step of mate_face: not the cell, and not the face.
+TEST(GiantFace, AMateIsFoundInAFewStepsOrListed) {
+    for (const Polyhedra& input : {prism(), spindle(true), giant_cell(56)}) {
+        const KernelMesh mesh(input);
+        for (const Block& block : mesh.topology.blocks().block)
+            block.with([&](const auto& arrays) {
+                const auto& polyhedra = arrays.polyhedra;
+                for (Index h = 0; h < polyhedra.vertex.size() + polyhedra.inner_corners; ++h) {
+                    const Index bits = polyhedra.mate_bits(h);
+                    if (bits == polyhedra.escape) continue;
+                    const Index k = polyhedra.corner(h), own = polyhedra.face(k);
+                    const auto faces = polyhedra.faces_of(polyhedra.face_cell[own][polyhedra.side(h)]);
+                    std::size_t steps = 0;
+                    bool found = false;
+                    for (Index i = bits; i < faces.size() && !found; i += polyhedra.escape) {
+                        const Index other = faces[i] / 2;
+                        for (Index at = polyhedra.face_begin[other];
+                             at < polyhedra.face_begin[other + 1] && other != own && !found; ++at, ++steps)
+                            found = polyhedra.edge[at] == polyhedra.edge[k];
+                    }
+                    ASSERT_TRUE(found);
+                    ASSERT_LE(steps, polyhedra.longest_search);
+                }
+            });
+    }
+}
+
+} // namespace
+} // namespace ciel::test
