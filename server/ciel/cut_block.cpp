@@ -246,32 +246,10 @@ void cut_sections(const Block& block, const BlockValues& in, CutScratch& scratch
     if (!std::ranges::is_sorted(cut.polygon_cell)) sort_polygons(scratch, cut);
 }
 
-} // namespace
-
-void cut_block(const Block& block, const BlockValues& in, CutScratch& scratch, CutBlock& cut) {
-    begin_cut(block, scratch, cut);
-    cut.active.assign((block.edge_count + 63) / 64, 0);
-    cut_sections<SharedEdges>(block, in, scratch, cut);
-    list_edges(block, scratch, cut);
-}
-
-void cut_block_alone(const Block& block, const BlockValues& in, CutScratch& scratch, CutBlock& cut) {
-    begin_cut(block, scratch, cut);
-    grow(scratch.met, block.edge_count);
-    (void)mark(in.values, in.threshold, scratch);
-    scratch.met_before += scratch.met_count;
-    scratch.met_count = 0;
-    if (scratch.met_before > none - block.edge_count) {
-        std::ranges::fill(scratch.met, Index{0});
-        scratch.met_before = 1;
-    }
-    cut_sections<MetEdges>(block, in, scratch, cut);
-}
-
-void cut_cells(const Block& block, const BlockValues& in, std::span<const Index> cells, CutScratch& scratch,
-               CutBlock& cut) {
-    begin_cut(block, scratch, cut);
-    cut.active.assign((block.edge_count + 63) / 64, 0);
+// The same where it is known which cells may be active.
+template <class Edges>
+void cut_listed(const Block& block, const BlockValues& in, std::span<const Index> cells, CutScratch& scratch,
+                CutBlock& cut) {
     // Calls found(index in the section) for those of the cells that are in it.
     const auto for_each_in = [&](const auto& section, auto&& found) {
         scratch.cells = 0;
@@ -288,14 +266,53 @@ void cut_cells(const Block& block, const BlockValues& in, std::span<const Index>
         with_shape(section.shape->type, [&]<const StandardShape & shape>() {
             for_each_in(section, [&](Index i) { list_active<shape.corners>(section, i, i + 1, scratch); });
         });
-        cut_standard<SharedEdges>(section, in, scratch, cut);
+        cut_standard<Edges>(section, in, scratch, cut);
     }
     block.with([&](const auto& arrays) {
         for_each_in(arrays.polyhedra, [&](Index i) { scratch.cell[scratch.cells++] = {i, 0}; });
-        cut_polyhedra<SharedEdges>(arrays.polyhedra, in, scratch, cut);
+        cut_polyhedra<Edges>(arrays.polyhedra, in, scratch, cut);
     });
     if (!std::ranges::is_sorted(cut.polygon_cell)) sort_polygons(scratch, cut);
+}
+
+void begin_cut_alone(const Block& block, const BlockValues& in, CutScratch& scratch, CutBlock& cut) {
+    begin_cut(block, scratch, cut);
+    grow(scratch.met, block.edge_count);
+    (void)mark(in.values, in.threshold, scratch);
+    scratch.met_before += scratch.met_count;
+    scratch.met_count = 0;
+    if (scratch.met_before > none - block.edge_count) {
+        std::ranges::fill(scratch.met, Index{0});
+        scratch.met_before = 1;
+    }
+}
+
+} // namespace
+
+void cut_block(const Block& block, const BlockValues& in, CutScratch& scratch, CutBlock& cut) {
+    begin_cut(block, scratch, cut);
+    cut.active.assign((block.edge_count + 63) / 64, 0);
+    cut_sections<SharedEdges>(block, in, scratch, cut);
     list_edges(block, scratch, cut);
+}
+
+void cut_cells(const Block& block, const BlockValues& in, std::span<const Index> cells, CutScratch& scratch,
+               CutBlock& cut) {
+    begin_cut(block, scratch, cut);
+    cut.active.assign((block.edge_count + 63) / 64, 0);
+    cut_listed<SharedEdges>(block, in, cells, scratch, cut);
+    list_edges(block, scratch, cut);
+}
+
+void cut_block_alone(const Block& block, const BlockValues& in, CutScratch& scratch, CutBlock& cut) {
+    begin_cut_alone(block, in, scratch, cut);
+    cut_sections<MetEdges>(block, in, scratch, cut);
+}
+
+void cut_cells_alone(const Block& block, const BlockValues& in, std::span<const Index> cells, CutScratch& scratch,
+                     CutBlock& cut) {
+    begin_cut_alone(block, in, scratch, cut);
+    cut_listed<MetEdges>(block, in, cells, scratch, cut);
 }
 
 } // namespace ciel

@@ -102,9 +102,11 @@ void cut_block(const Block& block, const BlockValues& in, CutScratch& scratch, C
 // edges are points, which scratch.ends tells the edges of, scratch.met_count of them. Of `cut` only the polygons are
 // made.
 void cut_block_alone(const Block& block, const BlockValues& in, CutScratch& scratch, CutBlock& cut);
-// The same where it is known which cells may be active: local cells, ascending.
+// The same two where it is known which cells may be active: local cells, ascending.
 void cut_cells(const Block& block, const BlockValues& in, std::span<const Index> cells, CutScratch& scratch,
                CutBlock& cut);
+void cut_cells_alone(const Block& block, const BlockValues& in, std::span<const Index> cells, CutScratch& scratch,
+                     CutBlock& cut);
 
 // Of one section, for those above. The active cells are in scratch.cell; Edges: see active_edges.hpp.
 template <class Edges>

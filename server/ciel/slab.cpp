@@ -15,7 +15,9 @@ double dot(const Vec3d& a, const Vec3d& b) { return a[0] * b[0] + a[1] * b[1] + 
 // Adds polygons to a SlabMesh whose first vertices are the points that they join.
 class FanWriter {
 public:
-    explicit FanWriter(SlabMesh& out) : out_(out), taken_(out.vertices.size(), 0) {}
+    explicit FanWriter(SlabMesh& out) : out_(out), taken_(taken_of_this_thread()) {
+        taken_.assign(out.vertices.size(), 0);
+    }
 
     void add(std::span<const Index> loop, const std::array<float, 2>& limits) {
         if (loop.size() < 3 || !has_values(loop)) return;
@@ -42,14 +44,20 @@ private:
         return static_cast<Index>(out_.vertices.size() - 1);
     }
 
-    // A corner from which no triangle turns over: a fan that folds back would be blended twice. One that nobody has
+    [[nodiscard]] static std::vector<std::uint8_t>& taken_of_this_thread() {
+        static thread_local std::vector<std::uint8_t> taken;
+        return taken;
+    }
+
+    // A corner from which no triangle turns over, of 64 or so where there are more: a fan that folds back would be blended twice. One that nobody has
     // taken yet where there is a choice.
     [[nodiscard]] std::size_t best_corner(std::span<const Index> loop) const {
         if (loop.size() == 3) return free_corner(loop);
         const Vec3d normal = area_of(loop);
         std::size_t best = 0;
         double best_worst = -std::numeric_limits<double>::infinity();
-        for (std::size_t k = 0, first = free_corner(loop); k < loop.size() && best_worst < 0; ++k) {
+        const std::size_t step = std::max<std::size_t>(1, loop.size() / 64); // linear, not quadratic
+        for (std::size_t k = 0, first = free_corner(loop); k < loop.size() && best_worst < 0; k += step) {
             const std::size_t corner = (first + k) % loop.size();
             const double worst = worst_area(loop, normal, corner);
             if (worst > best_worst) {
@@ -88,7 +96,7 @@ private:
     }
 
     SlabMesh& out_;
-    std::vector<std::uint8_t> taken_; // by point: the first vertex of a polygon
+    std::vector<std::uint8_t>& taken_; // by point: the first vertex of a polygon
 };
 
 Vec3f lerp(const Vec3f& a, const Vec3f& b, float t) {

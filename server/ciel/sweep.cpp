@@ -4,9 +4,12 @@
 #include "ciel/edge_points.hpp"
 #include "ciel/field_blocks.hpp"
 #include "ciel/parallel.hpp"
+#include "ciel/propagation.hpp"
 #include "ciel/slab.hpp"
 
 #include <algorithm>
+#include <numeric>
+#include <optional>
 
 namespace ciel {
 
@@ -15,13 +18,18 @@ namespace {
 // One block's points and polygons at one value. Scratch, one per thread.
 class BlockSweep {
 public:
-    [[nodiscard]] BlockCut cut(const FaceMeshView& mesh, const Field::Blocks& field, Index b, double nu) {
+    // `cells`: those that may be active, where that is known.
+    [[nodiscard]] BlockCut cut(const FaceMeshView& mesh, const Field::Blocks& field, Extraction how, Index b, double nu,
+                               std::optional<std::span<const Index>> cells) {
         const Block& block = field.topology->blocks().block[b];
         const std::span<const float> values = field.of_block(b);
-        const BlockValues in{values, field.gaps[b] != 0,    threshold_of(nu),
-                             nu,     Decider::isolate_high, field.ranges.of(block, b, values)};
+        BlockValues in{values, field.gaps[b] != 0, threshold_of(nu), nu, how.decider, {}};
+        if (how.engine == Engine::signatures) in.ranges = field.ranges.of(block, b, values);
         CutScratch& scratch = scratch_of_this_thread();
-        cut_block_alone(block, in, scratch, cut_);
+        if (cells)
+            cut_cells_alone(block, in, *cells, scratch, cut_);
+        else
+            cut_block_alone(block, in, scratch, cut_);
         points_.resize(scratch.met_count);
         positions_.resize(scratch.met_count);
         for (std::size_t i = 0; i < points_.size(); ++i) {
@@ -36,6 +44,11 @@ private:
     std::vector<EdgePoint> points_;
     std::vector<Vec3f> positions_;
 };
+
+BlockSweep& block_sweep_of_this_thread() {
+    static thread_local BlockSweep block_sweep;
+    return block_sweep;
+}
 
 std::size_t triangle_count(const BlockCut& cut) { return cut.polygon_point.size() - 2 * cut.polygon_count(); }
 
@@ -126,29 +139,82 @@ void OutlineSink::write(const BlockCut& cut, Part& part) const {
 
 void OutlineSink::join(std::span<const Part* const> parts, Out& out) const { append_all(parts, out); }
 
+namespace {
+
+// What one sweep does, with the scratch that is kept.
+template <class Sink>
+struct Pass {
+    const Topology& topology;
+    const FaceMeshView& mesh;
+    const Field& field;
+    std::span<const double> values;
+    const Sink& sink;
+    Extraction how;
+    SweepParts<Sink>& scratch;
+    const StopToken& stop;
+
+    void write(Index b, std::size_t value, std::optional<std::span<const Index>> cells) {
+        const BlockCut cut =
+            block_sweep_of_this_thread().cut(mesh, field.blocks(), how, b, values[value], cells);
+        if (cut.polygon_count() == 0) return;
+        auto& made = scratch.block[b];
+        if (made.count == made.part.size()) made.part.emplace_back();
+        auto& [place, part] = made.part[made.count++];
+        place = value;
+        sink.write(cut, part);
+    }
+
+    // Block by block.
+    void cut_blocks() {
+        const Field::Blocks& blocks = field.blocks();
+        parallel_for(scratch.block.size(), 1, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t b = begin; b < end && !stop.stop_requested(); ++b)
+                for (std::size_t i = 0; i < values.size(); ++i) {
+                    const float threshold = threshold_of(values[i]);
+                    if (how.engine == Engine::naive || (blocks.low[b] < threshold && blocks.high[b] >= threshold))
+                        write(static_cast<Index>(b), i, {});
+                }
+        });
+    }
+
+    // Value by value, upwards. False when stopped.
+    bool propagate() {
+        if (!scratch.propagation) scratch.propagation = std::make_shared<Propagation>();
+        Propagation& propagation = *scratch.propagation;
+        propagation.begin(topology, field);
+        scratch.order.resize(values.size());
+        std::iota(scratch.order.begin(), scratch.order.end(), std::size_t{0});
+        std::ranges::sort(scratch.order, {}, [&](std::size_t i) { return std::pair(threshold_of(values[i]), i); });
+        for (const std::size_t i : scratch.order) {
+            if (!propagation.reach(values[i], stop)) return false;
+            propagation.list_blocks(scratch.reached);
+            parallel_for(scratch.reached.size(), 1, [&](std::size_t begin, std::size_t end) {
+                for (std::size_t k = begin; k < end && !stop.stop_requested(); ++k) {
+                    const Index b = scratch.reached[k];
+                    propagation.settle(b);
+                    if (!propagation.cells(b).empty()) write(b, i, propagation.cells(b));
+                }
+            });
+        }
+        return true;
+    }
+};
+
+} // namespace
+
 template <class Sink>
 bool sweep(const Topology& topology, const FaceMeshView& mesh, const Field& field, std::span<const double> values,
-           const Sink& sink, SweepParts<Sink>& scratch, std::vector<typename Sink::Out>& out, const StopToken& stop) {
-    const Field::Blocks& blocks = field.blocks();
-    if (blocks.topology != &topology) fail("the field belongs to another topology");
+           const Sink& sink, SweepParts<Sink>& scratch, std::vector<typename Sink::Out>& out, const StopToken& stop,
+           Extraction extraction) {
+    if (field.blocks().topology != &topology) fail("the field belongs to another topology");
     scratch.block.resize(topology.block_count());
-    parallel_for(scratch.block.size(), 1, [&](std::size_t begin, std::size_t end) {
-        static thread_local BlockSweep block_sweep;
-        for (std::size_t b = begin; b < end && !stop.stop_requested(); ++b) {
-            auto& made = scratch.block[b];
-            made.count = 0;
-            for (std::size_t i = 0; i < values.size(); ++i) {
-                const float threshold = threshold_of(values[i]);
-                if (!(blocks.low[b] < threshold && blocks.high[b] >= threshold)) continue;
-                const BlockCut cut = block_sweep.cut(mesh, blocks, static_cast<Index>(b), values[i]);
-                if (cut.polygon_count() == 0) continue;
-                if (made.count == made.part.size()) made.part.emplace_back();
-                auto& [value, part] = made.part[made.count++];
-                value = i;
-                sink.write(cut, part);
-            }
-        }
-    });
+    for (auto& made : scratch.block) made.count = 0;
+    Pass<Sink> pass{topology, mesh, field, values, sink, extraction, scratch, stop};
+    if (extraction.engine == Engine::propagation) {
+        if (!pass.propagate()) return false;
+    } else {
+        pass.cut_blocks();
+    }
     if (stop.stop_requested()) return false;
     scratch.of_value.resize(values.size());
     for (auto& parts : scratch.of_value) parts.clear();
@@ -164,16 +230,16 @@ bool sweep(const Topology& topology, const FaceMeshView& mesh, const Field& fiel
 
 template <class Sink>
 bool sweep(const Topology& topology, const FaceMeshView& mesh, const Field& field, std::span<const double> values,
-           const Sink& sink, std::vector<typename Sink::Out>& out, const StopToken& stop) {
+           const Sink& sink, std::vector<typename Sink::Out>& out, const StopToken& stop, Extraction extraction) {
     SweepParts<Sink> scratch;
-    return sweep(topology, mesh, field, values, sink, scratch, out, stop);
+    return sweep(topology, mesh, field, values, sink, scratch, out, stop, extraction);
 }
 
 #define CIEL_SWEEP(Sink)                                                                                               \
     template bool sweep(const Topology&, const FaceMeshView&, const Field&, std::span<const double>, const Sink&,      \
-                        SweepParts<Sink>&, std::vector<Sink::Out>&, const StopToken&);                                 \
+                        SweepParts<Sink>&, std::vector<Sink::Out>&, const StopToken&, Extraction);                                 \
     template bool sweep(const Topology&, const FaceMeshView&, const Field&, std::span<const double>, const Sink&,      \
-                        std::vector<Sink::Out>&, const StopToken&);
+                        std::vector<Sink::Out>&, const StopToken&, Extraction);
 
 CIEL_SWEEP(SliceSink)
 CIEL_SWEEP(SoupSink)

@@ -5,7 +5,11 @@
 
 #include "ciel/extract.hpp"
 
+#include <memory>
+
 namespace ciel {
+
+class Propagation; // propagation.hpp
 
 // The cut of one block at one value. Points are the block's own: where two blocks meet, both have them.
 struct BlockCut {
@@ -28,8 +32,7 @@ struct BlockCut {
 //     void write(const BlockCut& cut, Part& part) const;
 //     void join(std::span<const Part* const> parts, Out& out) const;
 // and a line at the end of sweep.cpp, where the loop is. Points at the border of two blocks are in both, so indexed
-// parts (SliceSink, SlabSink) have other points with other blocks, though the same triangles. Ambiguous faces: the high
-// side is cut off (Decider::isolate_high).
+// parts (SliceSink, SlabSink) have other points with other blocks, though the same triangles.
 
 // Indexed triangles, each polygon a fan, with a property at the points: slices to blend.
 struct SliceSink {
@@ -69,17 +72,25 @@ struct SweepParts {
     };
     std::vector<OfBlock> block;
     std::vector<std::vector<const typename Sink::Part*>> of_value;
+    std::shared_ptr<Propagation> propagation; // of Engine::propagation
+    std::vector<std::size_t> order;           // its way through the values
+    std::vector<Index> reached;               // and the blocks that it reaches
 };
 
 // out[i] is of values[i]; its buffers are used again. Values may be in any order and outside the range. False, leaving
-// `out` unspecified, when stop was requested.
+// `out` unspecified, when stop was requested. `out` has the same bits with every engine: by signatures, each block goes
+// through all values that lie in its range; by propagation, the active edges go from the least value to the greatest,
+// from the field's minima (algorithm 1 as it is printed), and the cells around them are cut value by value; the naive
+// engine looks at each cell for each value. Points, polygons and ambiguous faces are those of a Query with the same
+// decider.
 template <class Sink>
 bool sweep(const Topology& topology, const FaceMeshView& mesh, const Field& field, std::span<const double> values,
            const Sink& sink, SweepParts<Sink>& scratch, std::vector<typename Sink::Out>& out,
-           const StopToken& stop = {});
+           const StopToken& stop = {}, Extraction extraction = {});
 // The same where there is no next one.
 template <class Sink>
 bool sweep(const Topology& topology, const FaceMeshView& mesh, const Field& field, std::span<const double> values,
-           const Sink& sink, std::vector<typename Sink::Out>& out, const StopToken& stop = {});
+           const Sink& sink, std::vector<typename Sink::Out>& out, const StopToken& stop = {},
+           Extraction extraction = {});
 
 } // namespace ciel

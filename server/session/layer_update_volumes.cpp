@@ -18,7 +18,7 @@ bool LayerUpdate::operator()(const scene::Layer& layer, const scene::VolumeLayer
     const Vec3d normal = slab_normal(volume, camera, moving);
     const store::ScalarField planes = loaded->plane(out.step, out.origin, normal);
     const std::string place = plane_name(normal, step());
-    if (!kept.cut(place, planes, normal, volume.slices, moving, stop)) return false;
+    if (!kept.cut(place, planes, normal, volume.slices, moving, extraction, stop)) return false;
     out.volumes.push_back(drawable_of(layer, volume, kept));
     count(before, kept.memory_bytes());
     return true;

@@ -45,7 +45,7 @@ void VolumeCut::use_property(const std::string& name, std::size_t step, store::L
 }
 
 bool VolumeCut::cut(const std::string& place, const store::ScalarField& planes, Vec3d normal, std::size_t count,
-                    bool moving, const std::stop_token& stop) {
+                    bool moving, Extraction extraction, const std::stop_token& stop) {
     const std::string wanted = place + " " + std::to_string(count);
     const bool same = slabs && slabs_key == wanted;
     if (same && (whole || moving)) return true;
@@ -63,7 +63,7 @@ bool VolumeCut::cut(const std::string& place, const store::ScalarField& planes, 
         places.push_back(made->first + (static_cast<double>(i) + 0.5) * made->thickness);
     std::vector<SlabMesh> cuts;
     if (!sweep(*planes.topology, planes.mesh, *planes.field, places, SlabSink{{*values, gradients, limits}}, cuts,
-               stop))
+               stop, extraction))
         return false;
     for (std::size_t i = stride / 2, k = 0; i < count; i += stride, ++k) made->slices[i] = std::move(cuts[k]);
     slabs = std::move(made);

@@ -36,7 +36,7 @@ struct VolumeCut {
     void use_property(const std::string& name, std::size_t step, store::LoadedDataset& loaded);
     // False when stopped; what was there before is kept then.
     bool cut(const std::string& place, const store::ScalarField& planes, Vec3d normal, std::size_t slices, bool moving,
-             const std::stop_token& stop);
+             Extraction extraction, const std::stop_token& stop);
     [[nodiscard]] std::size_t memory_bytes() const;
 };
 

@@ -2,6 +2,8 @@
 #include "allocations/counted_new.hpp"
 #include "ciel/extract.hpp"
 #include "ciel/parallel.hpp"
+#include "ciel/slab.hpp"
+#include "ciel/sweep.hpp"
 #include "support/fields.hpp"
 #include "support/meshes.hpp"
 #include "support/views.hpp"
@@ -64,6 +66,63 @@ TEST_P(SteadyState, AllocatesNothing) {
 
 INSTANTIATE_TEST_SUITE_P(meshes, SteadyState,
                          testing::Combine(testing::ValuesIn(all_meshes()), testing::ValuesIn(ways)),
+                         [](const auto& test) {
+                             return std::get<0>(test.param).name + std::string("_") + std::get<1>(test.param).name;
+                         });
+
+struct SweepWay {
+    const char* name;
+    Extraction extraction;
+};
+
+const std::vector<SweepWay> sweep_ways{
+    {"signatures", {}},
+    {"decided", {Engine::signatures, Decider::asymptotic}},
+    {"propagation", {Engine::propagation}},
+    {"naive", {Engine::naive}},
+};
+
+class SteadySweep : public testing::TestWithParam<std::tuple<NamedMesh, SweepWay>> {
+protected:
+    void SetUp() override { set_thread_count(1); }
+    void TearDown() override { set_thread_count(0); }
+
+    const Polyhedra input = std::get<0>(GetParam()).make();
+    const Assembled assembled = assemble(view(input));
+    const FaceMeshView mesh = assembled.mesh.view();
+    const Topology topology{mesh, {64}};
+    const std::vector<float> values = random_field(topology.counts().vertices, 3);
+    const std::vector<float> others = random_field(topology.counts().vertices, 4);
+
+    template <class Sink>
+    void expect_none(const Sink& sink) {
+        const Field first(topology, values, nullptr), second(topology, others, nullptr);
+        const std::vector<double> nus{0.5, 0.2, 0.9, 0.3};
+        SweepParts<Sink> scratch;
+        std::vector<typename Sink::Out> out;
+        const auto both = [&] {
+            for (const Field* field : {&first, &second})
+                (void)sweep(topology, mesh, *field, nus, sink, scratch, out, {}, std::get<1>(GetParam()).extraction);
+        };
+        both();
+        both();
+        const std::size_t before = allocations();
+        both();
+        EXPECT_EQ(allocations() - before, 0U);
+    }
+};
+
+TEST_P(SteadySweep, OfASoup) { expect_none(SoupSink{}); }
+TEST_P(SteadySweep, OfAnOutline) { expect_none(OutlineSink{}); }
+TEST_P(SteadySweep, OfASlice) { expect_none(SliceSink{others}); }
+TEST_P(SteadySweep, OfASlab) {
+    const std::vector<Vec3f> gradients = vertex_gradients(topology, mesh, others);
+    const std::vector<std::array<float, 2>> limits = cell_limits(mesh, others);
+    expect_none(SlabSink{{others, gradients, limits}});
+}
+
+INSTANTIATE_TEST_SUITE_P(meshes, SteadySweep,
+                         testing::Combine(testing::ValuesIn(all_meshes()), testing::ValuesIn(sweep_ways)),
                          [](const auto& test) {
                              return std::get<0>(test.param).name + std::string("_") + std::get<1>(test.param).name;
                          });

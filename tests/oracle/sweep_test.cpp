@@ -11,17 +11,33 @@
 namespace ciel::test {
 namespace {
 
-class Sweep : public testing::TestWithParam<NamedMesh> {
+struct How {
+    const char* name;
+    Extraction extraction;
+    friend std::ostream& operator<<(std::ostream& out, const How& how) { return out << how.name; }
+};
+
+const std::vector<How> ways{
+    {"signatures", {}},
+    {"propagation", {Engine::propagation}},
+    {"naive", {Engine::naive}},
+    {"decided", {Engine::signatures, Decider::asymptotic}},
+    {"propagation_decided", {Engine::propagation, Decider::asymptotic}},
+    {"naive_decided", {Engine::naive, Decider::asymptotic}},
+};
+
+class Sweep : public testing::TestWithParam<std::tuple<NamedMesh, How>> {
 protected:
-    Polyhedra input = GetParam().make();
+    Polyhedra input = std::get<0>(GetParam()).make();
+    Extraction how = std::get<1>(GetParam()).extraction;
     KernelMesh mesh{input, {32}};
     std::vector<float> stored = mesh.stored(random_field(input.vertex_count(), 3));
     Field field = make_field(mesh.topology, stored);
-    // In no order, twice the same, outside the range.
-    std::vector<double> values{0.5, 0.1, 0.9, 0.5, -1, 2, 0.3};
+    // In no order, twice the same, outside the range, no number.
+    std::vector<double> values{0.5, 0.1, 0.9, 0.5, -1, 2, std::numeric_limits<double>::quiet_NaN(), 0.3};
 
     Surface surface_at(double nu) {
-        Query query = mesh.query(Engine::signatures);
+        Query query(mesh.topology, mesh.mesh(), {Engine::signatures, how.decider});
         query.set_field(field);
         Surface surface;
         EXPECT_TRUE(query.extract(nu, false, surface));
@@ -43,7 +59,7 @@ protected:
 
 TEST_P(Sweep, ASoupIsTheSurfacesPolygonsAsFans) {
     std::vector<SoupSink::Out> out;
-    ASSERT_TRUE(sweep(mesh.topology, mesh.mesh(), field, values, SoupSink{}, out));
+    ASSERT_TRUE(sweep(mesh.topology, mesh.mesh(), field, values, SoupSink{}, out, {}, how));
     ASSERT_EQ(out.size(), values.size());
     for (std::size_t i = 0; i < values.size(); ++i) {
         const Surface surface = surface_at(values[i]);
@@ -58,7 +74,7 @@ TEST_P(Sweep, ASoupIsTheSurfacesPolygonsAsFans) {
 TEST_P(Sweep, ASliceHasTheSameTrianglesAndThePropertyAtTheirCorners) {
     const std::vector<float> property = mesh.stored(random_field(input.vertex_count(), 4));
     std::vector<SliceSink::Out> out;
-    ASSERT_TRUE(sweep(mesh.topology, mesh.mesh(), field, values, SliceSink{property}, out));
+    ASSERT_TRUE(sweep(mesh.topology, mesh.mesh(), field, values, SliceSink{property}, out, {}, how));
     for (std::size_t i = 0; i < values.size(); ++i) {
         const Surface surface = surface_at(values[i]);
         std::vector<float> at_points(surface.points.size());
@@ -77,7 +93,7 @@ TEST_P(Sweep, ASliceHasTheSameTrianglesAndThePropertyAtTheirCorners) {
 
 TEST_P(Sweep, AnOutlineIsThePolygonsEdges) {
     std::vector<OutlineSink::Out> out;
-    ASSERT_TRUE(sweep(mesh.topology, mesh.mesh(), field, values, OutlineSink{}, out));
+    ASSERT_TRUE(sweep(mesh.topology, mesh.mesh(), field, values, OutlineSink{}, out, {}, how));
     for (std::size_t i = 0; i < values.size(); ++i) {
         const Surface surface = surface_at(values[i]);
         std::vector<Vec3f> expected;
@@ -93,7 +109,47 @@ TEST_P(Sweep, AnOutlineIsThePolygonsEdges) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(All, Sweep, testing::ValuesIn(all_meshes()), [](const auto& test) { return test.param.name; });
+// Not only what is drawn, but every array; where vertices have no value, too, and with what another field has left.
+TEST_P(Sweep, MakesTheSameArraysAsAnyOther) {
+    std::vector<float> gaps = mesh.stored(random_field(input.vertex_count(), 7));
+    for (std::size_t v = 0; v < gaps.size(); v += 5) gaps[v] = std::numeric_limits<float>::quiet_NaN();
+    const Field other = make_field(mesh.topology, gaps);
+    const std::vector<float> property = mesh.stored(random_field(input.vertex_count(), 4));
+    SweepParts<SliceSink> scratch;
+    for (const Field* of : {&other, &std::as_const(field), &other}) {
+        std::vector<SliceSink::Out> out, expected;
+        ASSERT_TRUE(sweep(mesh.topology, mesh.mesh(), *of, values, SliceSink{property}, scratch, out, {}, how));
+        ASSERT_TRUE(sweep(mesh.topology, mesh.mesh(), *of, values, SliceSink{property}, expected, {},
+                          {Engine::naive, how.decider}));
+        for (std::size_t i = 0; i < values.size(); ++i) {
+            EXPECT_EQ(out[i].positions, expected[i].positions);
+            EXPECT_EQ(out[i].property, expected[i].property);
+            EXPECT_EQ(out[i].triangles, expected[i].triangles);
+        }
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(All, Sweep, testing::Combine(testing::ValuesIn(all_meshes()), testing::ValuesIn(ways)),
+                         [](const auto& test) {
+                             return std::get<0>(test.param).name + std::string("_") + std::get<1>(test.param).name;
+                         });
+
+// One buffer serves meshes of other sizes, as when time plays over a mesh that changes.
+TEST(SweepParts, ServeAnotherMesh) {
+    SweepParts<SoupSink> scratch;
+    for (const int edge : {4, 2, 5}) {
+        const Polyhedra input = hexahedra({{edge, edge, edge}});
+        const KernelMesh mesh(input, {8});
+        const Field field = make_field(mesh.topology, mesh.stored(random_field(input.vertex_count(), 3)));
+        std::vector<SoupSink::Out> out, expected;
+        const std::vector<double> values{0.4, 0.6};
+        ASSERT_TRUE(sweep(mesh.topology, mesh.mesh(), field, values, SoupSink{}, scratch, out, {},
+                          {Engine::propagation}));
+        ASSERT_TRUE(sweep(mesh.topology, mesh.mesh(), field, values, SoupSink{}, expected));
+        EXPECT_EQ(out, expected);
+        EXPECT_FALSE(out[0].empty());
+    }
+}
 
 TEST(SweepStopped, SaysSo) {
     const Polyhedra input = hexahedra({{4, 4, 4}});
@@ -103,7 +159,9 @@ TEST(SweepStopped, SaysSo) {
     std::stop_source stop;
     stop.request_stop();
     std::vector<SoupSink::Out> out;
-    EXPECT_FALSE(sweep(mesh.topology, mesh.mesh(), field, std::vector{0.5}, SoupSink{}, out, stop.get_token()));
+    for (const Engine engine : {Engine::signatures, Engine::propagation, Engine::naive})
+        EXPECT_FALSE(sweep(mesh.topology, mesh.mesh(), field, std::vector{0.5}, SoupSink{}, out, stop.get_token(),
+                           engine));
 }
 
 } // namespace
