@@ -1,12 +1,15 @@
 // The gradient of a scalar field in one cell (paper, section 3): least squares over the cell's vertices. Departures
 // from the paper: centred 3 x 3 normal equations in double instead of 4 x 4 in float, which lose everything far from
-// the origin. All of it inline: a tetrahedron costs less than a call with its samples.
+// the origin. All of it inline: a tetrahedron costs less than a call with its samples. Normal equations square what a
+// cell is stretched by, so cells that are stretched a lot (a boundary layer's) go another way: stretched_cells.cpp.
 #pragma once
 
 #include "ciel/standard_shapes.hpp"
 
+#include <array>
 #include <cmath>
 #include <cstring>
+#include <span>
 
 namespace ciel {
 
@@ -44,7 +47,12 @@ struct LeastSquares {
     bool good = false; // not flat, not a line, not a point, and every value is there
 };
 
-// `samples`: an array or a span. Leaves them relative to their mean.
+// For samples relative to their mean, which are sheared on the way: volumes stay what they are. False where the cell is
+// flat, a line or a point, but for rounding. Good to about 1e-16 times the stretch, which may be 1e10.
+[[nodiscard]] bool fit_stretched(std::span<Sample> samples, const Sample& mean, Vec3f& gradient);
+[[nodiscard]] CellGradient stretched_tetrahedron_gradient(std::array<Sample, 4> samples);
+
+// `samples`: an array or a span. Leaves them relative to their mean, and perhaps sheared.
 template <class Samples>
 [[nodiscard]] inline LeastSquares least_squares(Samples& samples) {
     LeastSquares out;
@@ -66,8 +74,12 @@ template <class Samples>
     const double cx = yy * zz - yz * yz, cy = xz * yz - xy * zz, cz = xy * yz - xz * yy;
     const double determinant = xx * cx + xy * cy + xz * cz;
     const double size = (xx + yy + zz) / 3;
-    out.good = std::isfinite(out.mean.value) && determinant > 1e-15 * size * size * size;
-    if (!out.good) return out;
+    if (!std::isfinite(out.mean.value)) return out;
+    if (!(determinant > 1e-9 * size * size * size)) {
+        out.good = fit_stretched(samples, out.mean, out.gradient);
+        return out;
+    }
+    out.good = true;
     const double dx = xx * zz - xz * xz, dy = xy * xz - xx * yz, dz = xx * yy - xy * xy;
     const double inverse = 1 / determinant;
     out.gradient = {static_cast<float>((cx * xv + cy * yv + cz * zv) * inverse),
@@ -101,7 +113,8 @@ template <const StandardShape& shape>
     for (std::size_t axis = 0; axis < 3; ++axis) size += a[axis] * a[axis] + b[axis] * b[axis] + c[axis] * c[axis];
     const double u = samples[1].value - samples[0].value, v = samples[2].value - samples[0].value,
                  w = samples[3].value - samples[0].value;
-    if (!std::isfinite(u + v + w) || !(six_volumes * six_volumes > 1e-16 * size * size * size)) return {};
+    if (!std::isfinite(u + v + w)) return {};
+    if (!(six_volumes * six_volumes > 1e-12 * size * size * size)) return stretched_tetrahedron_gradient(samples);
     const double share = 1 / six_volumes;
     return {{static_cast<float>((u * bc[0] + v * ca[0] + w * ab[0]) * share),
              static_cast<float>((u * bc[1] + v * ca[1] + w * ab[1]) * share),
