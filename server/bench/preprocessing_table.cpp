@@ -1,5 +1,8 @@
 #include "bench/case.hpp"
+#include "ciel/geometric_vertices.hpp"
 
+#include <cmath>
+#include <functional>
 #include <optional>
 
 namespace ciel::bench {
@@ -13,7 +16,8 @@ std::shared_ptr<const std::vector<float>> coordinate(const FaceMeshView& mesh, s
 }
 
 // Extrema are made once per field, so each run has a field of its own.
-Row minima_row(const Case& data, const std::string& what, const std::shared_ptr<const std::vector<float>>& values) {
+Row minima_row(const Case& data, const std::string& what, const std::shared_ptr<const std::vector<float>>& values,
+               const std::function<void(Field&)>& prepare = [](Field&) {}) {
     std::optional<Field> field;
     std::size_t found = 0;
     Row row = measure(
@@ -22,7 +26,10 @@ Row minima_row(const Case& data, const std::string& what, const std::shared_ptr<
             found = field->sorted_minima().size();
             return 0;
         },
-        [&] { field.emplace(field_of(data, values)); });
+        [&] {
+            field.emplace(field_of(data, values));
+            prepare(*field);
+        });
     row.note = std::to_string(found) + " minima";
     return row;
 }
@@ -51,6 +58,19 @@ Table preprocessing_table(const Case& data) {
             table.rows.push_back(
                 minima_row(data, std::string("minima of the geometry, ") + "XYZ"[axis] + (sign > 0 ? "+" : "-"),
                            coordinate(data.mesh, axis, sign)));
+    std::shared_ptr<const GeometricVertices> where;
+    Row& vertices = add("where slices may begin: boundary and reflex vertices", [&] {
+        where = std::make_shared<const GeometricVertices>(data.mesh, nullptr);
+        (void)where->find(*data.topology);
+    });
+    vertices.note = std::to_string(where->find(*data.topology).vertices.size()) + " vertices";
+    const double part = 1 / std::sqrt(3.0);
+    const Vec3d screen{part, part, part};
+    const auto distance =
+        std::make_shared<const std::vector<float>>(plane_distance(data.mesh, data.mesh.origin, screen));
+    table.rows.push_back(minima_row(data, "minima of a screen-aligned direction, all vertices", distance));
+    table.rows.push_back(minima_row(data, "minima of a screen-aligned direction, those vertices", distance,
+                                    [&](Field& field) { field.set_direction(where, screen); }));
     table.rows.push_back(minima_row(data, "minima of the property", data.values));
     return table;
 }

@@ -1,7 +1,8 @@
 // Sorted local minima (paper, section 2.2), and maxima for sweeping downwards. The order (value, id) leaves no ties: a
-// plateau has exactly the extrema that its rim needs.
+// plateau has exactly the extrema that its rim needs. Of a distance along a direction, only where it can have some.
 #include "ciel/blocks.hpp"
 #include "ciel/field_blocks.hpp"
+#include "ciel/geometric_vertices.hpp"
 #include "ciel/parallel.hpp"
 
 #include <algorithm>
@@ -53,10 +54,8 @@ private:
 
 } // namespace
 
-void Field::Blocks::make_extrema() const {
-    const Locked lock(extrema_mutex);
-    if (extrema_made) return;
-    extrema_made = true;
+// Everywhere: each edge rules two vertices out.
+void Field::Blocks::find_extrema() const {
     const Topology::Blocks& all = topology->blocks();
     std::vector<std::uint8_t> not_minimum(values.size(), 0), not_maximum(values.size(), 0);
     parallel_for(all.block.size(), 8, [&](std::size_t begin, std::size_t end) {
@@ -68,6 +67,42 @@ void Field::Blocks::make_extrema() const {
         if (!not_minimum[v]) minima.push_back(v);
         if (!not_maximum[v]) maxima.push_back(v);
     }
+}
+
+// On the boundary and at reflex corners, around each vertex. False where the distances are so large that a float may
+// take two of them for one: ties are broken by id, and then any vertex may be an extremum.
+bool Field::Blocks::find_geometric_extrema() const {
+    if (!where_extrema) return false;
+    const GeometricVertices::Found& where = where_extrema->find(*topology);
+    const double largest = std::max(std::abs(range[0]), std::abs(range[1]));
+    if (!(largest <= direction_length * where.largest_distance)) return false;
+    std::vector<std::uint8_t> sides(where.vertices.size(), 0); // 1: has a neighbour below, 2: above
+    parallel_for(sides.size(), 4096, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            const Index v = where.vertices[i];
+            const HalfEdge start = topology->half_edge_of_vertex(v);
+            if (start == none || !std::isfinite(values[v])) sides[i] = 3;
+            for (HalfEdge h = start; sides[i] != 3;) {
+                const Index other = topology->vertex(h);
+                if (std::isfinite(values[other]))
+                    sides[i] |= std::pair(values[other], other) < std::pair(values[v], v) ? 1 : 2;
+                h = topology->next_around_vertex(h);
+                if (h == start) break;
+            }
+        }
+    });
+    for (std::size_t i = 0; i < sides.size(); ++i) {
+        if ((sides[i] & 1) == 0) minima.push_back(where.vertices[i]);
+        if ((sides[i] & 2) == 0) maxima.push_back(where.vertices[i]);
+    }
+    return true;
+}
+
+void Field::Blocks::make_extrema() const {
+    const Locked lock(extrema_mutex);
+    if (extrema_made) return;
+    extrema_made = true;
+    if (!find_geometric_extrema()) find_extrema();
     const auto below = [this](Index a, Index b) { return values[a] != values[b] ? values[a] < values[b] : a < b; };
     std::ranges::sort(minima, below);
     std::ranges::sort(maxima, [&](Index a, Index b) { return below(b, a); });

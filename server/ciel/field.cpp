@@ -118,6 +118,11 @@ Field& Field::operator=(Field&&) noexcept = default;
 std::span<const float> Field::values() const { return blocks_->values; }
 std::array<float, 2> Field::range() const { return blocks_->range; }
 
+void Field::set_direction(std::shared_ptr<const GeometricVertices> where, Vec3d normal) {
+    blocks_->where_extrema = std::move(where);
+    blocks_->direction_length = std::sqrt(normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2]);
+}
+
 void Field::vertices_moved() { blocks_->gradients.forget(); }
 
 std::span<const Index> Field::sorted_minima() const {

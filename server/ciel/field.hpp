@@ -10,6 +10,8 @@
 
 namespace ciel {
 
+class GeometricVertices; // geometric_vertices.hpp
+
 // Shared by sessions; immutable but for what is made on demand under locks of its own: the sorted extrema and the
 // gradients (so a field is used with one set of positions at a time). Keeps the values alive through `keep_alive` and
 // the topology by reference: it must not outlive the topology. Any thread may use it.
@@ -28,6 +30,10 @@ public:
     // Strict local minima under the order (value, vertex id), sorted by it (paper, section 2.2). Vertices without a
     // value are neither minima nor neighbours.
     [[nodiscard]] std::span<const Index> sorted_minima() const;
+
+    // The values are plane_distance(mesh, ., normal) of the mesh that `where` is of: extrema are looked for only there.
+    // Before anybody else uses the field.
+    void set_direction(std::shared_ptr<const GeometricVertices> where, Vec3d normal);
 
     // Forgets the gradients, which belong to positions. Not while anybody extracts from it.
     void vertices_moved();

@@ -19,6 +19,8 @@ struct Field::Blocks {
     std::unique_ptr<float[]> local;
     std::unique_ptr<std::atomic<bool>[]> taken; // by block
     mutable std::array<Mutex, 16> take_in_mutex;
+    std::shared_ptr<const GeometricVertices> where_extrema; // null: anywhere
+    double direction_length = 0;                            // of the normal whose distance the values are
 
     mutable Mutex extrema_mutex;
     mutable bool extrema_made = false;
@@ -35,6 +37,8 @@ struct Field::Blocks {
 
 private:
     void take_in(Index block) const;
+    [[nodiscard]] bool find_geometric_extrema() const;
+    void find_extrema() const;
 };
 
 } // namespace ciel

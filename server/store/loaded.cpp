@@ -1,5 +1,6 @@
 #include "store/loaded.hpp"
 
+#include "ciel/geometric_vertices.hpp"
 #include "store/cache.hpp"
 
 #include <cmath>
@@ -55,6 +56,7 @@ struct LoadedDataset::State {
     struct MeshSlot {
         std::mutex making;
         std::shared_ptr<const Topology> topology;
+        std::map<std::size_t, std::shared_ptr<const GeometricVertices>> geometric; // by coordinates
     };
 
     [[nodiscard]] std::shared_ptr<Dataset> current() const {
@@ -108,10 +110,21 @@ struct LoadedDataset::State {
         return dataset.steps()[step];
     }
 
+    // Where slices in any direction may begin.
+    [[nodiscard]] std::shared_ptr<const GeometricVertices> geometric(const std::shared_ptr<Dataset>& of,
+                                                                     const Step& at) {
+        const auto kept = slot(at.mesh);
+        const std::lock_guard making(kept->making);
+        auto& found = kept->geometric[at.coordinates];
+        if (!found) found = std::make_shared<const GeometricVertices>(of->mesh(at.mesh, at.coordinates), of);
+        return found;
+    }
+
     [[nodiscard]] ScalarField field(const std::shared_ptr<Dataset>& of, std::size_t step, const std::string& key,
                                     const std::shared_ptr<const Topology>& topology,
                                     const std::function<std::shared_ptr<const std::vector<float>>()>& make_values,
-                                    std::span<const float> mapped) {
+                                    std::span<const float> mapped,
+                                    const std::function<void(Field&)>& prepare = [](Field&) {}) {
         const Step& at = of->steps()[step];
         const FaceMeshView mesh = of->mesh(at.mesh, at.coordinates);
         const auto kept = fields.get<KeptField>(key, [&]() -> Cache::Made {
@@ -119,7 +132,9 @@ struct LoadedDataset::State {
                 return {std::make_shared<KeptField>(KeptField{topology, Field(*topology, mapped, of)}),
                         field_bytes(mesh.vertex_count())};
             const auto made = make_values();
-            return {std::make_shared<KeptField>(KeptField{topology, Field(*topology, *made, made)}),
+            auto made_field = std::make_shared<KeptField>(KeptField{topology, Field(*topology, *made, made)});
+            prepare(made_field->field);
+            return {std::move(made_field),
                     field_bytes(mesh.vertex_count()) + made->size() * sizeof(float)};
         });
         of->check_intact();
@@ -186,7 +201,7 @@ ScalarField LoadedDataset::plane(std::size_t step, Vec3d origin, Vec3d normal) {
                              return std::make_shared<const std::vector<float>>(
                                  plane_distance(of->mesh(at.mesh, at.coordinates), origin, normal));
                          },
-                         {});
+                         {}, [&](Field& field) { field.set_direction(state_->geometric(of, at), normal); });
 }
 
 std::size_t LoadedDataset::memory_bytes() const {
