@@ -108,5 +108,6 @@ void interpolate(std::span<const EdgePoint> points, std::span<const float> value
 // 64 or so are tried), by clipped ears where every fan folds over. Zero-area and repeated-vertex triangles are left out:
 // three indices per triangle. Linear in the corners.
 [[nodiscard]] std::vector<Index> triangulate(const Surface& surface);
+void triangulate(const Surface& surface, std::vector<Index>& out); // its buffer is used again
 
 } // namespace ciel

@@ -12,7 +12,22 @@ namespace ciel {
 
 namespace {
 
-using Triangles = std::vector<Index>;
+// Of one chunk, one behind another. There is room for as many as its polygons may have.
+class Triangles {
+public:
+    explicit Triangles(Index* to) : to_(to) {}
+
+    void add(Index a, Index b, Index c) {
+        to_[0] = a;
+        to_[1] = b;
+        to_[2] = c;
+        to_ += 3;
+    }
+    void fill(Index* end) { to_ = std::fill_n(to_, end - to_, none); }
+
+private:
+    Index* to_;
+};
 
 double dot(const Vec3d& a, const Vec3d& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
@@ -57,7 +72,7 @@ Fan best_fan(const Surface& surface, std::span<const Index> loop, const Vec3d& n
 void append(const Surface& surface, Index a, Index b, Index c, Triangles& out) {
     const Vec3d area = triangle_area(surface, a, b, c);
     if (a == b || b == c || c == a || dot(area, area) == 0) return;
-    out.insert(out.end(), {a, b, c});
+    out.add(a, b, c);
 }
 
 // As the polygon looks along the axis that its normal is nearest to.
@@ -70,7 +85,7 @@ void append_ears(const Surface& surface, std::span<const Index> loop, const Vec3
     std::vector<std::array<double, 2>> flat;
     flat.reserve(loop.size());
     for (const Index p : loop) flat.push_back({surface.positions[p][right], surface.positions[p][up]});
-    Triangles places;
+    std::vector<Index> places;
     clip_ears(flat, places);
     for (std::size_t t = 0; t < places.size(); t += 3)
         append(surface, loop[places[t]], loop[places[t + 1]], loop[places[t + 2]], out);
@@ -86,22 +101,31 @@ void append_triangles(const Surface& surface, std::span<const Index> loop, Trian
         append(surface, loop[fan.corner], loop[(fan.corner + i) % n], loop[(fan.corner + i + 1) % n], out);
 }
 
+// Where a polygon's triangles are written: all of those before it have their place.
+std::size_t place_of(const Surface& surface, std::size_t polygon) {
+    return 3 * (std::size_t{surface.polygon_offset[polygon]} - 2 * polygon);
+}
+
 } // namespace
 
-Triangles triangulate(const Surface& surface) {
+void triangulate(const Surface& surface, std::vector<Index>& out) {
     constexpr std::size_t chunk = 4096;
-    const std::size_t polygons = surface.polygon_cell.size();
-    std::vector<Triangles> parts((polygons + chunk - 1) / chunk);
-    parallel_for(parts.size(), 1, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t part = begin; part < end; ++part)
-            for (std::size_t i = part * chunk; i < std::min(polygons, (part + 1) * chunk); ++i)
-                append_triangles(surface, polygon(surface, i), parts[part]);
+    const std::size_t polygons = surface.polygon_cell.size(), chunks = (polygons + chunk - 1) / chunk;
+    out.resize(place_of(surface, polygons));
+    parallel_for(chunks, 1, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t first = begin * chunk; first < std::min(polygons, end * chunk); first += chunk) {
+            const std::size_t last = std::min(polygons, first + chunk);
+            Triangles to(out.data() + place_of(surface, first));
+            for (std::size_t i = first; i < last; ++i) append_triangles(surface, polygon(surface, i), to);
+            to.fill(out.data() + place_of(surface, last));
+        }
     });
-    std::size_t size = 0;
-    for (const Triangles& part : parts) size += part.size();
-    Triangles out;
-    out.reserve(size);
-    for (const Triangles& part : parts) out.insert(out.end(), part.begin(), part.end());
+    std::erase(out, none); // where some have no area
+}
+
+std::vector<Index> triangulate(const Surface& surface) {
+    std::vector<Index> out;
+    triangulate(surface, out);
     return out;
 }
 

@@ -8,17 +8,6 @@
 #include <numeric>
 
 namespace ciel::session {
-namespace {
-
-std::size_t bytes_of(const Shape& shape) {
-    const Surface& s = shape.surface;
-    return (s.positions.size() + s.normals.size()) * sizeof(Vec3f) + s.points.size() * sizeof(EdgePoint) +
-           (s.polygon_offset.size() + s.polygon_vertex.size() + s.polygon_cell.size() + shape.indices.size()) *
-               sizeof(Index);
-}
-
-} // namespace
-
 std::uint64_t unique_number() {
     static std::atomic<std::uint64_t> last{0};
     return ++last;
@@ -92,9 +81,9 @@ void Cut::use_field(const std::string& name, store::ScalarField new_field, Extra
 bool Cut::extract(double new_nu, bool new_normals, const std::stop_token& stop) {
     if (shape && nu == new_nu && normals == new_normals) return true;
     shape = nullptr;
-    auto made = std::make_shared<Shape>();
+    auto made = shapes->take();
     if (!query->extract(new_nu, new_normals, made->surface, stop)) return false;
-    made->indices = triangulate(made->surface);
+    triangulate(made->surface, made->indices);
     nu = new_nu;
     normals = new_normals;
     shape = std::move(made);
@@ -102,8 +91,8 @@ bool Cut::extract(double new_nu, bool new_normals, const std::stop_token& stop) 
 }
 
 std::size_t Cut::memory_bytes() const {
-    return (query ? query->memory_bytes() : 0) + (shape ? bytes_of(*shape) : 0) + painted.memory_bytes() +
-           outlined.memory_bytes() + contoured.memory_bytes();
+    return (query ? query->memory_bytes() : 0) + (shape ? bytes_of(*shape) : 0) + shapes->memory_bytes() +
+           painted.memory_bytes() + outlined.memory_bytes() + contoured.memory_bytes();
 }
 
 std::size_t Boundary::memory_bytes() const {

@@ -1,7 +1,7 @@
 // The kept state behind one drawable: an iso-value or slice, or a boundary surface.
 #pragma once
 
-#include "session/scene_geometry.hpp"
+#include "session/shape_pool.hpp"
 
 #include <optional>
 
@@ -56,6 +56,7 @@ struct Cut {
     std::optional<Query> query;
     double nu = 0;
     bool normals = false;
+    std::shared_ptr<ShapePool> shapes = ShapePool::make();
     std::shared_ptr<const Shape> shape;
     Painted painted;
     Outlined outlined;
