@@ -29,7 +29,8 @@ struct CellFace { // a face as a side of one of its cells
     return face_surface(mesh, threshold_faces(mesh, kept));
 }
 
-// The polygons of kept cells, of a cut through the mesh.
+// The polygons of kept cells, of a cut through the mesh; `kept`: a flag per cell. Throws Error for a surface that was
+// clipped (clip_surface.hpp): its new vertices have no points to keep. So cells are chosen first.
 [[nodiscard]] Surface polygons_of_cells(const Surface& surface, std::span<const std::uint8_t> kept);
 
 } // namespace ciel

@@ -1,9 +1,11 @@
 // Thresholds against cells looked at one by one, without owners, neighbours or blocks.
+#include "ciel/clip_surface.hpp"
 #include "ciel/threshold_surface.hpp"
 #include "oracle/kernel_mesh.hpp"
 #include "support/fields.hpp"
 #include "support/meshes.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -114,6 +116,27 @@ TEST(Threshold, OfACutKeepsThePolygonsOfItsCells) {
     EXPECT_EQ(part.polygon_cell.size(), 8U) << "two of four columns";
     EXPECT_EQ(part.positions.size(), 15U);
     for (const Vec3f& at : part.positions) EXPECT_TRUE(at[0] >= 1 && at[0] <= 3);
+}
+
+TEST(Threshold, OfAClippedSurfaceIsRefused) {
+    const Polyhedra input = hexahedra({{4, 4, 4}});
+    const KernelMesh mesh(input);
+    const Field field = make_field(mesh.topology, mesh.stored(linear_field(input, {{0, 0, 1}})));
+    Query query = mesh.query();
+    query.set_field(field);
+    Surface cut;
+    ASSERT_TRUE(query.extract(1.5, false, cut));
+    const std::vector<std::uint8_t> all(64, 1);
+    const std::vector<HalfSpace> between{{{1, 0, 0}, -1.5}}, beside{{{1, 0, 0}, 1}};
+    try {
+        (void)polygons_of_cells(clip_surface(cut, {}, between, 0).surface, all);
+        FAIL() << "not refused";
+    } catch (const Error& error) {
+        EXPECT_THAT(error.what(), testing::HasSubstr("choose first and clip then"));
+    }
+    // Nothing was cut off: nothing is new.
+    EXPECT_EQ(polygons_of_cells(clip_surface(cut, {}, beside, 0).surface, all).polygon_cell.size(), 16U);
+    EXPECT_THROW((void)polygons_of_cells(cut, std::span(all).first(20)), Error);
 }
 
 } // namespace
