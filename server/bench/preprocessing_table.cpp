@@ -16,8 +16,9 @@ std::shared_ptr<const std::vector<float>> coordinate(const FaceMeshView& mesh, s
 }
 
 // Extrema are made once per field, so each run has a field of its own.
-Row minima_row(const Case& data, const std::string& what, const std::shared_ptr<const std::vector<float>>& values,
-               const std::function<void(Field&)>& prepare = [](Field&) {}) {
+Row minima_row(
+    const Case& data, const std::string& what, const std::shared_ptr<const std::vector<float>>& values,
+    const std::function<void(Field&)>& prepare = [](Field&) {}) {
     std::optional<Field> field;
     std::size_t found = 0;
     Row row = measure(

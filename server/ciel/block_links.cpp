@@ -171,8 +171,8 @@ std::vector<std::vector<std::pair<Index, Linker::SharedEdge>>> Linker::shared_ed
     return shared;
 }
 
-// Of the edges that one vertex is the lower end of, sorted by block. Short lists as they are; long ones, of a vertex that
-// many blocks meet at, by their upper ends.
+// Of the edges that one vertex is the lower end of, sorted by block. Short lists as they are; long ones, of a vertex
+// that many blocks meet at, by their upper ends.
 void Linker::give_to_first(std::span<SharedEdge> edges) {
     constexpr std::size_t short_list = 64;
     const auto give = [this](const SharedEdge& ghost, const SharedEdge& owner) {

@@ -57,8 +57,8 @@ private:
     Index edge_between(Index low, Index high); // a new one where there is none
 
     const CellFaces& faces_;
-    std::vector<Index> local_vertex_;          // mesh vertex -> local, none outside this block
-    std::vector<Index> edge_head_, edge_next_; // edges by their lower vertex: the first ones of each
+    std::vector<Index> local_vertex_;                       // mesh vertex -> local, none outside this block
+    std::vector<Index> edge_head_, edge_next_;              // edges by their lower vertex: the first ones of each
     std::unordered_map<std::uint64_t, Index> crowded_edge_; // the others: a vertex of thousands, say a fan's apex
 };
 

@@ -83,7 +83,8 @@ bool CellWinding::balanced_when_sorted() {
     std::int64_t balance = 0; // of one edge
     for (std::size_t i = 0; i < uses_.size(); ++i) {
         balance += uses_[i].upward ? 1 : -1;
-        const bool last = i + 1 == uses_.size() || uses_[i + 1].low != uses_[i].low || uses_[i + 1].high != uses_[i].high;
+        const bool last =
+            i + 1 == uses_.size() || uses_[i + 1].low != uses_[i].low || uses_[i + 1].high != uses_[i].high;
         if (last && balance != 0) return false;
     }
     return true;

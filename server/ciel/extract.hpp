@@ -104,9 +104,9 @@ bool extract_series(Query& query, std::span<const double> values, bool normals,
 void interpolate(std::span<const EdgePoint> points, std::span<const float> values, int components,
                  std::span<float> out);
 
-// Fan triangulation from the first good corner of each polygon (the best one where none is good; of more than 64 corners
-// 64 or so are tried), by clipped ears where every fan folds over. Zero-area and repeated-vertex triangles are left out:
-// three indices per triangle. Linear in the corners.
+// Fan triangulation from the first good corner of each polygon (the best one where none is good; of more than 64
+// corners 64 or so are tried), by clipped ears where every fan folds over. Zero-area and repeated-vertex triangles are
+// left out: three indices per triangle. Linear in the corners.
 [[nodiscard]] std::vector<Index> triangulate(const Surface& surface);
 void triangulate(const Surface& surface, std::vector<Index>& out); // its buffer is used again
 

@@ -284,9 +284,9 @@ std::vector<Index> Matcher::suspects() const {
 bool Matcher::leave_out_repeated_cells() {
     result_.repeated_cells = repeated_cells(input_, suspects());
     for (const Index cell : result_.repeated_cells)
-        std::ranges::fill(faces_.cell.subspan(input_.cell_offset[cell],
-                                              input_.cell_offset[cell + 1] - input_.cell_offset[cell]),
-                          none);
+        std::ranges::fill(
+            faces_.cell.subspan(input_.cell_offset[cell], input_.cell_offset[cell + 1] - input_.cell_offset[cell]),
+            none);
     return !result_.repeated_cells.empty();
 }
 

@@ -1,4 +1,5 @@
-// Cells that a mesh lists more than once: the copies' faces would be matched with each other, or claimed by three cells.
+// Cells that a mesh lists more than once: the copies' faces would be matched with each other, or claimed by three
+// cells.
 #pragma once
 
 #include "ciel/assemble.hpp"

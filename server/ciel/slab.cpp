@@ -49,8 +49,8 @@ private:
         return taken;
     }
 
-    // A corner from which no triangle turns over, of 64 or so where there are more: a fan that folds back would be blended twice. One that nobody has
-    // taken yet where there is a choice.
+    // A corner from which no triangle turns over, of 64 or so where there are more: a fan that folds back would be
+    // blended twice. One that nobody has taken yet where there is a choice.
     [[nodiscard]] std::size_t best_corner(std::span<const Index> loop) const {
         if (loop.size() == 3) return free_corner(loop);
         const Vec3d normal = area_of(loop);

@@ -154,8 +154,7 @@ struct Pass {
     const StopToken& stop;
 
     void write(Index b, std::size_t value, std::optional<std::span<const Index>> cells) {
-        const BlockCut cut =
-            block_sweep_of_this_thread().cut(mesh, field.blocks(), how, b, values[value], cells);
+        const BlockCut cut = block_sweep_of_this_thread().cut(mesh, field.blocks(), how, b, values[value], cells);
         if (cut.polygon_count() == 0) return;
         auto& made = scratch.block[b];
         if (made.count == made.part.size()) made.part.emplace_back();
@@ -237,7 +236,7 @@ bool sweep(const Topology& topology, const FaceMeshView& mesh, const Field& fiel
 
 #define CIEL_SWEEP(Sink)                                                                                               \
     template bool sweep(const Topology&, const FaceMeshView&, const Field&, std::span<const double>, const Sink&,      \
-                        SweepParts<Sink>&, std::vector<Sink::Out>&, const StopToken&, Extraction);                                 \
+                        SweepParts<Sink>&, std::vector<Sink::Out>&, const StopToken&, Extraction);                     \
     template bool sweep(const Topology&, const FaceMeshView&, const Field&, std::span<const double>, const Sink&,      \
                         std::vector<Sink::Out>&, const StopToken&, Extraction);
 

@@ -62,8 +62,8 @@ bool VolumeCut::cut(const std::string& place, const store::ScalarField& planes, 
     for (std::size_t i = stride / 2; i < count; i += stride)
         places.push_back(made->first + (static_cast<double>(i) + 0.5) * made->thickness);
     std::vector<SlabMesh> cuts;
-    if (!sweep(*planes.topology, planes.mesh, *planes.field, places, SlabSink{{*values, gradients, limits}}, cuts,
-               stop, extraction))
+    if (!sweep(*planes.topology, planes.mesh, *planes.field, places, SlabSink{{*values, gradients, limits}}, cuts, stop,
+               extraction))
         return false;
     for (std::size_t i = stride / 2, k = 0; i < count; i += stride, ++k) made->slices[i] = std::move(cuts[k]);
     slabs = std::move(made);

@@ -120,11 +120,11 @@ struct LoadedDataset::State {
         return found;
     }
 
-    [[nodiscard]] ScalarField field(const std::shared_ptr<Dataset>& of, std::size_t step, const std::string& key,
-                                    const std::shared_ptr<const Topology>& topology,
-                                    const std::function<std::shared_ptr<const std::vector<float>>()>& make_values,
-                                    std::span<const float> mapped,
-                                    const std::function<void(Field&)>& prepare = [](Field&) {}) {
+    [[nodiscard]] ScalarField field(
+        const std::shared_ptr<Dataset>& of, std::size_t step, const std::string& key,
+        const std::shared_ptr<const Topology>& topology,
+        const std::function<std::shared_ptr<const std::vector<float>>()>& make_values, std::span<const float> mapped,
+        const std::function<void(Field&)>& prepare = [](Field&) {}) {
         const Step& at = of->steps()[step];
         const FaceMeshView mesh = of->mesh(at.mesh, at.coordinates);
         const auto kept = fields.get<KeptField>(key, [&]() -> Cache::Made {
@@ -134,8 +134,7 @@ struct LoadedDataset::State {
             const auto made = make_values();
             auto made_field = std::make_shared<KeptField>(KeptField{topology, Field(*topology, *made, made)});
             prepare(made_field->field);
-            return {std::move(made_field),
-                    field_bytes(mesh.vertex_count()) + made->size() * sizeof(float)};
+            return {std::move(made_field), field_bytes(mesh.vertex_count()) + made->size() * sizeof(float)};
         });
         of->check_intact();
         // The field's own topology: a key may have been filled by an earlier refresh of the dataset.
@@ -196,12 +195,13 @@ ScalarField LoadedDataset::plane(std::size_t step, Vec3d origin, Vec3d normal) {
     std::ostringstream key; // the same plane at another step of the same mesh is the same field
     key << "plane/" << at.mesh << '/' << at.coordinates << std::hexfloat;
     for (const double x : {origin[0], origin[1], origin[2], normal[0], normal[1], normal[2]}) key << '/' << x;
-    return state_->field(of, step, key.str(), topology(at.mesh),
-                         [&] {
-                             return std::make_shared<const std::vector<float>>(
-                                 plane_distance(of->mesh(at.mesh, at.coordinates), origin, normal));
-                         },
-                         {}, [&](Field& field) { field.set_direction(state_->geometric(of, at), normal); });
+    return state_->field(
+        of, step, key.str(), topology(at.mesh),
+        [&] {
+            return std::make_shared<const std::vector<float>>(
+                plane_distance(of->mesh(at.mesh, at.coordinates), origin, normal));
+        },
+        {}, [&](Field& field) { field.set_direction(state_->geometric(of, at), normal); });
 }
 
 std::size_t LoadedDataset::memory_bytes() const {

@@ -136,7 +136,8 @@ INSTANTIATE_TEST_SUITE_P(All, StretchedCell, testing::Values(Stretch{"needle", t
 std::vector<NamedMesh> meshes() {
     std::vector<NamedMesh> out;
     std::ranges::copy_if(all_meshes(), std::back_inserter(out), [](const NamedMesh& mesh) {
-        for (const char* wanted : {"tetrahedra", "hexahedra", "wedges", "pyramids", "zoo", "voronoi", "hexagonal_prisms"})
+        for (const char* wanted :
+             {"tetrahedra", "hexahedra", "wedges", "pyramids", "zoo", "voronoi", "hexagonal_prisms"})
             if (mesh.name == wanted) return true;
         return false;
     });

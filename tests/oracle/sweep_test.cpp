@@ -143,8 +143,8 @@ TEST(SweepParts, ServeAnotherMesh) {
         const Field field = make_field(mesh.topology, mesh.stored(random_field(input.vertex_count(), 3)));
         std::vector<SoupSink::Out> out, expected;
         const std::vector<double> values{0.4, 0.6};
-        ASSERT_TRUE(sweep(mesh.topology, mesh.mesh(), field, values, SoupSink{}, scratch, out, {},
-                          {Engine::propagation}));
+        ASSERT_TRUE(
+            sweep(mesh.topology, mesh.mesh(), field, values, SoupSink{}, scratch, out, {}, {Engine::propagation}));
         ASSERT_TRUE(sweep(mesh.topology, mesh.mesh(), field, values, SoupSink{}, expected));
         EXPECT_EQ(out, expected);
         EXPECT_FALSE(out[0].empty());
@@ -160,8 +160,8 @@ TEST(SweepStopped, SaysSo) {
     stop.request_stop();
     std::vector<SoupSink::Out> out;
     for (const Engine engine : {Engine::signatures, Engine::propagation, Engine::naive})
-        EXPECT_FALSE(sweep(mesh.topology, mesh.mesh(), field, std::vector{0.5}, SoupSink{}, out, stop.get_token(),
-                           engine));
+        EXPECT_FALSE(
+            sweep(mesh.topology, mesh.mesh(), field, std::vector{0.5}, SoupSink{}, out, stop.get_token(), engine));
 }
 
 } // namespace
