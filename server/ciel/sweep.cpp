@@ -23,7 +23,7 @@ public:
                                std::optional<std::span<const Index>> cells) {
         const Block& block = field.topology->blocks().block[b];
         const std::span<const float> values = field.of_block(b);
-        BlockValues in{values, field.gaps[b] != 0, threshold_of(nu), nu, how.decider, {}};
+        BlockValues in{values, field.gaps[b] != 0, threshold_of(nu), nu, how.decider, {}, how.engine == Engine::naive};
         if (how.engine == Engine::signatures) in.ranges = field.ranges.of(block, b, values);
         CutScratch& scratch = scratch_of_this_thread();
         if (cells)
