@@ -1,36 +1,12 @@
 #include "wasm/extract_everywhere.hpp"
 
-#include "ciel/assemble.hpp"
-#include "ciel/extract.hpp"
 #include "support/views.hpp"
-#include "wasm/cases.hpp"
-
-#include <utility>
+#include "wasm/results.hpp"
 
 namespace ciel::test {
 namespace {
 
-constexpr std::array<std::pair<const char*, Engine>, 3> engines{
-    {{"signatures", Engine::signatures}, {"propagation", Engine::propagation}, {"naive", Engine::naive}}};
 constexpr Topology::Options small_blocks{16}; // so that small meshes have neighbours in other blocks too
-
-class Results {
-public:
-    explicit Results(Bytes& bytes) : writer_(bytes) {}
-
-    template <typename T>
-    void record(const std::string& where, const char* what, std::span<const T> values) {
-        writer_(where + " / " + what);
-        writer_(values);
-    }
-    template <typename T>
-    void record(const std::string& where, const char* what, const std::vector<T>& values) {
-        record(where, what, std::span<const T>(values));
-    }
-
-private:
-    Writer writer_;
-};
 
 void record_mesh(const std::string& where, const Assembled& assembled, Results& results) {
     results.record(where, "positions", assembled.mesh.positions);
@@ -54,12 +30,7 @@ void record_operators(const std::string& where, const Topology& topology, Result
 
 void record_surface(const std::string& where, const Surface& surface, std::span<const Vec3f> gradients,
                     Results& results) {
-    results.record(where, "points", surface.points);
-    results.record(where, "positions", surface.positions);
-    results.record(where, "normals", surface.normals);
-    results.record(where, "polygon_offset", surface.polygon_offset);
-    results.record(where, "polygon_vertex", surface.polygon_vertex);
-    results.record(where, "polygon_cell", surface.polygon_cell);
+    results.record(where, surface);
     results.record(where, "triangles", triangulate(surface));
     std::vector<Vec3f> colours(surface.points.size());
     interpolate(surface.points, {gradients.data()->data(), 3 * gradients.size()}, 3,
@@ -67,30 +38,26 @@ void record_surface(const std::string& where, const Surface& surface, std::span<
     results.record(where, "interpolated gradients", colours);
 }
 
-struct Meshes {
-    const Assembled& assembled;
-    const Topology& topology;
-    [[nodiscard]] FaceMeshView view() const { return assembled.mesh.view(); }
-};
-
-void record_field(const std::string& where, const Meshes& meshes, const std::vector<float>& values,
-                  const std::vector<double>& walk, Results& results) {
-    const Field field(meshes.topology, values, nullptr);
-    const std::vector<Vec3f> gradients = vertex_gradients(meshes.topology, meshes.view(), values);
-    results.record(where, "range", std::span<const float>(field.range()));
-    results.record(where, "minima", field.sorted_minima());
-    results.record(where, "gradients", gradients);
-    const std::array ambiguous{count_ambiguous_faces(meshes.view(), values)};
-    results.record(where, "ambiguous faces", std::span<const std::uint64_t>(ambiguous));
+void record_field(const Meshes& meshes, const FieldPair& fields, Results& results) {
+    const Field field(meshes.topology, fields.values, nullptr);
+    const std::vector<Vec3f> gradients = vertex_gradients(meshes.topology, meshes.view(), fields.values);
+    results.record(fields.where, "range", std::span<const float>(field.range()));
+    results.record(fields.where, "minima", field.sorted_minima());
+    results.record(fields.where, "gradients", gradients);
+    const std::array ambiguous{count_ambiguous_faces(meshes.view(), fields.values)};
+    results.record(fields.where, "ambiguous faces", std::span<const std::uint64_t>(ambiguous));
     for (const auto& [name, engine] : engines) {
         Query query(meshes.topology, meshes.view(), engine);
         query.set_field(field);
         Surface surface;
-        for (double nu : walk) {
+        for (double nu : fields.walk) {
             query.extract(nu, true, surface);
-            record_surface(where + " / " + name + " at " + std::to_string(nu), surface, gradients, results);
+            record_surface(fields.where + " / " + name + " at " + std::to_string(nu), surface, gradients, results);
         }
     }
+    record_changes(meshes, fields, results);
+    record_sweeps(meshes, fields, results);
+    record_selections(meshes, fields, results);
 }
 
 std::vector<float> stored(const Assembled& assembled, const std::vector<float>& input_values) {
@@ -105,15 +72,33 @@ void record_case(const Case& given, Results& results) {
     const Meshes meshes{assembled, topology};
     record_mesh(given.name, assembled, results);
     record_operators(given.name, topology, results);
-    for (const CaseField& field : given.fields) {
-        record_field(given.name + " / " + field.name, meshes, stored(assembled, field.values), field.walk, results);
+    for (std::size_t i = 0; i < given.fields.size(); ++i) {
+        const CaseField &field = given.fields[i], &other = given.fields[(i + 1) % given.fields.size()];
+        const std::vector<float> values = stored(assembled, field.values), others = stored(assembled, other.values);
+        record_field(meshes,
+                     {given.name + " / " + field.name, values, others, field.walk, other.walk, given.slice_origin,
+                      given.slice_normal},
+                     results);
     }
     const std::vector<float> distance = plane_distance(meshes.view(), given.slice_origin, given.slice_normal);
+    const std::vector<float> property = stored(assembled, given.fields[0].values);
     results.record(given.name, "plane distance", distance);
-    record_field(given.name + " / slice", meshes, distance, given.slice_walk, results);
+    record_field(meshes,
+                 {given.name + " / slice", distance, property, given.slice_walk, given.fields[0].walk,
+                  given.slice_origin, given.slice_normal},
+                 results);
 }
 
 } // namespace
+
+void Results::record(const std::string& where, const Surface& surface) {
+    record(where, "points", surface.points);
+    record(where, "positions", surface.positions);
+    record(where, "normals", surface.normals);
+    record(where, "polygon_offset", surface.polygon_offset);
+    record(where, "polygon_vertex", surface.polygon_vertex);
+    record(where, "polygon_cell", surface.polygon_cell);
+}
 
 Bytes extract_everywhere(std::span<const std::byte> cases) {
     Bytes bytes;

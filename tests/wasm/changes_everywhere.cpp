@@ -1,0 +1,66 @@
+#include "wasm/results.hpp"
+
+namespace ciel::test {
+namespace {
+
+// By a multiply and an add each, which round the same everywhere.
+std::vector<float> sheared(std::span<const float> positions) {
+    std::vector<float> moved(positions.begin(), positions.end());
+    for (std::size_t i = 0; i < moved.size(); i += 3) {
+        moved[i] += 0.25F * moved[i + 1];
+        moved[i + 2] *= 1.5F;
+    }
+    return moved;
+}
+
+class History {
+public:
+    History(const Meshes& meshes, const FieldPair& fields, Results& results)
+        : meshes_(meshes), fields_(fields), results_(results), moved_(sheared(meshes.assembled.mesh.positions)) {}
+
+    void run(const char* name, Engine engine) {
+        name_ = name;
+        Field field(meshes_.topology, fields_.values, nullptr), other(meshes_.topology, fields_.others, nullptr);
+        Query query(meshes_.topology, meshes_.view(), engine);
+        query.set_field(field);
+        query.set_decider(Decider::asymptotic);
+        query.set_normals(Normals::polygons);
+        walk(query, fields_.walk, "asymptotic");
+        query.set_field(other);
+        walk(query, fields_.other_walk, "another field");
+        query.set_decider(Decider::isolate_high);
+        FaceMeshView moved = meshes_.view();
+        moved.positions = moved_;
+        query.set_mesh(moved);
+        other.vertices_moved();
+        walk(query, fields_.other_walk, "moved");
+        query.set_normals(Normals::gradient);
+        query.set_field(field);
+        field.vertices_moved();
+        walk(query, fields_.walk, "moved, gradients");
+    }
+
+private:
+    void walk(Query& query, const std::vector<double>& values, const char* what) {
+        for (double nu : values) {
+            query.extract(nu, true, surface_);
+            results_.record(fields_.where + " / " + what + " / " + name_ + " at " + std::to_string(nu), surface_);
+        }
+    }
+
+    const Meshes& meshes_;
+    const FieldPair& fields_;
+    Results& results_;
+    std::vector<float> moved_;
+    std::string name_;
+    Surface surface_;
+};
+
+} // namespace
+
+void record_changes(const Meshes& meshes, const FieldPair& fields, Results& results) {
+    History history(meshes, fields, results);
+    for (const auto& [name, engine] : engines) history.run(name, engine);
+}
+
+} // namespace ciel::test
