@@ -1,8 +1,10 @@
 // The vertices move under a query, as in a crash: it goes on with the topology and what it knows of the field.
+#include "ciel/sweep.hpp"
 #include "oracle/kernel_mesh.hpp"
 #include "support/fields.hpp"
 #include "support/meshes.hpp"
 
+#include <algorithm>
 #include <gtest/gtest.h>
 
 namespace ciel::test {
@@ -19,28 +21,113 @@ std::vector<float> sheared(std::span<const float> positions, float by) {
     return moved;
 }
 
+// Each place once: at the border of two blocks both have a point.
+std::vector<Vec3f> in_order(std::vector<Vec3f> positions) {
+    std::ranges::sort(positions);
+    const auto repeated = std::ranges::unique(positions);
+    positions.erase(repeated.begin(), repeated.end());
+    return positions;
+}
+
+constexpr float shears[]{0.0F, 0.3F, -0.2F, 0.0F};
+
+struct Choice {
+    Engine engine;
+    Decider decider;
+    ciel::Normals normals;
+};
+constexpr Choice choices[]{{Engine::signatures, Decider::isolate_high, ciel::Normals::gradient},
+                           {Engine::signatures, Decider::asymptotic, ciel::Normals::polygons},
+                           {Engine::propagation, Decider::isolate_high, ciel::Normals::polygons},
+                           {Engine::propagation, Decider::asymptotic, ciel::Normals::gradient},
+                           {Engine::naive, Decider::isolate_high, ciel::Normals::gradient},
+                           {Engine::naive, Decider::asymptotic, ciel::Normals::polygons}};
+
 TEST_P(Moved, GivesWhatANewQueryGives) {
     const Polyhedra input = GetParam().make();
     const KernelMesh mesh(input, {32});
     const std::vector<float> stored = mesh.stored(random_field(input.vertex_count(), 6));
+    for (const auto& [engine, decider, normals] : choices) {
+        Field field = make_field(mesh.topology, stored);
+        Query query(mesh.topology, mesh.mesh(), {engine, decider});
+        query.set_normals(normals);
+        query.set_field(field);
+        for (const float by : shears)
+            for (const double nu : {0.5, 0.6}) {
+                const std::vector<float> positions = sheared(mesh.mesh().positions, by);
+                FaceMeshView moved = mesh.mesh();
+                moved.positions = positions;
+                query.set_mesh(moved);
+                field.vertices_moved();
+                Surface surface, expected;
+                ASSERT_TRUE(query.extract(nu, true, surface));
+                const Field fresh = make_field(mesh.topology, stored);
+                Query other(mesh.topology, moved, {Engine::signatures, decider});
+                other.set_normals(normals);
+                other.set_field(fresh);
+                ASSERT_TRUE(other.extract(nu, true, expected));
+                ASSERT_EQ(bit_difference(expected, surface), "")
+                    << by << ' ' << nu << ", engine " << static_cast<int>(engine);
+            }
+    }
+}
+
+// A field that has been extracted from serves a sweep of the moved mesh: what a new field gives, and the new positions.
+TEST_P(Moved, IsSweptWhereItIsNow) {
+    const Polyhedra input = GetParam().make();
+    const KernelMesh mesh(input, {32});
+    const std::vector<float> stored = mesh.stored(random_field(input.vertex_count(), 6));
+    const std::vector<float> property = mesh.stored(random_field(input.vertex_count(), 7));
+    const std::vector<double> values{0.6, 0.5};
     Field field = make_field(mesh.topology, stored);
-    Query query = mesh.query();
-    query.set_field(field);
-    for (const float by : {0.0F, 0.3F, -0.2F, 0.0F})
-        for (const double nu : {0.5, 0.6}) {
-            const std::vector<float> positions = sheared(mesh.mesh().positions, by);
-            FaceMeshView moved = mesh.mesh();
-            moved.positions = positions;
-            query.set_mesh(moved);
-            field.vertices_moved();
-            Surface surface, expected;
-            ASSERT_TRUE(query.extract(nu, true, surface));
-            const Field fresh = make_field(mesh.topology, stored);
-            Query other(mesh.topology, moved);
-            other.set_field(fresh);
-            ASSERT_TRUE(other.extract(nu, true, expected));
-            EXPECT_EQ(bit_difference(expected, surface), "") << by << ' ' << nu;
+    const auto swept = [&](const FaceMeshView& at, const Field& of, const auto& sink) {
+        std::vector<typename std::decay_t<decltype(sink)>::Out> out;
+        EXPECT_TRUE(sweep(mesh.topology, at, of, values, sink, out));
+        return out;
+    };
+    for (const float by : shears) {
+        const std::vector<float> positions = sheared(mesh.mesh().positions, by);
+        FaceMeshView moved = mesh.mesh();
+        moved.positions = positions;
+        field.vertices_moved();
+        const Field fresh = make_field(mesh.topology, stored);
+        EXPECT_EQ(swept(moved, field, SoupSink{}), swept(moved, fresh, SoupSink{})) << by;
+        EXPECT_EQ(swept(moved, field, OutlineSink{}), swept(moved, fresh, OutlineSink{})) << by;
+        const auto slices = swept(moved, field, SliceSink{property});
+        Query query(mesh.topology, moved);
+        query.set_field(fresh);
+        for (std::size_t i = 0; i < values.size(); ++i) {
+            Surface surface;
+            ASSERT_TRUE(query.extract(values[i], false, surface));
+            EXPECT_EQ(in_order(slices[i].positions), in_order(surface.positions)) << by;
         }
+    }
+}
+
+// Slices of a mesh that moves are of other values: of the distance where the vertices are now.
+TEST_P(Moved, IsSlicedWhereItIsNow) {
+    const Polyhedra input = GetParam().make();
+    const KernelMesh mesh(input, {32});
+    Query query = mesh.query();
+    std::vector<float> distance;
+    for (const float by : shears) {
+        const std::vector<float> positions = sheared(mesh.mesh().positions, by);
+        FaceMeshView moved = mesh.mesh();
+        moved.positions = positions;
+        query.set_mesh(moved);
+        const Vec3d normal{0.6, -0.48, 0.64};
+        const std::vector<float> next = plane_distance(moved, {0.4, 0.5, 0.6}, normal);
+        const Field field = make_field(mesh.topology, next);
+        query.set_field(field);
+        Surface surface;
+        ASSERT_TRUE(query.extract(0, true, surface));
+        for (const Vec3f& p : surface.positions) {
+            double from_plane = 0;
+            for (std::size_t d = 0; d < 3; ++d)
+                from_plane += normal[d] * (p[d] + moved.origin[d] - std::array{0.4, 0.5, 0.6}[d]);
+            ASSERT_NEAR(from_plane, 0, 1e-5) << by;
+        }
+    }
 }
 
 TEST_P(Moved, ThatIsAnotherMeshIsRefused) {

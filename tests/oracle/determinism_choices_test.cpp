@@ -1,0 +1,243 @@
+// The same bits for any block size, number of threads and engine, whatever is chosen: decider, normals, sinks of a
+// sweep, thresholds and what is made of surfaces.
+#include "ciel/clip_surface.hpp"
+#include "ciel/contour_lines.hpp"
+#include "ciel/feature_edges.hpp"
+#include "ciel/polygon_edges.hpp"
+#include "ciel/slab.hpp"
+#include "ciel/threshold_surface.hpp"
+#include "oracle/kernel_mesh.hpp"
+#include "support/fields.hpp"
+#include "support/meshes.hpp"
+#include "support/thread_count.hpp"
+
+#include <algorithm>
+#include <cstring>
+#include <gtest/gtest.h>
+
+namespace ciel::test {
+namespace {
+
+constexpr std::array engines{Engine::signatures, Engine::propagation, Engine::naive};
+
+struct Way { // of working that must not show
+    unsigned threads;
+    Index cells_per_block;
+};
+constexpr Way ways[]{{1, 4096}, {2, 1}, {5, 7}, {3, 64}, {1, 16}};
+
+std::ostream& operator<<(std::ostream& out, const Way& way) {
+    return out << way.threads << " threads, " << way.cells_per_block << " cells per block";
+}
+
+template <typename T>
+bool same_bits(const std::vector<T>& a, const std::vector<T>& b) {
+    static_assert(std::is_trivially_copyable_v<T>);
+    return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0);
+}
+
+class DeterminismOfChoices : public testing::TestWithParam<NamedMesh> {
+protected:
+    Polyhedra input = GetParam().make();
+    std::vector<float> values = random_field(input.vertex_count(), 201);
+    std::vector<float> others = bumps_field(input, 202);
+    std::vector<double> walk = walk_through(values, 6, 203);
+
+    // Calls f(mesh, way) for each way; the kernel mesh is made under it too.
+    template <class F>
+    void in_every_way(F&& f) {
+        for (const Way& way : ways) {
+            const ThreadCount count(way.threads);
+            f(KernelMesh(input, {way.cells_per_block}), way);
+        }
+    }
+};
+
+TEST_P(DeterminismOfChoices, DecidersAndNormals) {
+    for (const Decider decider : {Decider::isolate_high, Decider::asymptotic})
+        for (const Normals normals : {Normals::gradient, Normals::polygons}) {
+            std::vector<Surface> expected;
+            in_every_way([&](const KernelMesh& mesh, const Way& way) {
+                const Field field = make_field(mesh.topology, mesh.stored(values));
+                for (const Engine engine : engines) {
+                    Query query(mesh.topology, mesh.mesh(), {engine, decider});
+                    query.set_normals(normals);
+                    query.set_field(field);
+                    for (std::size_t i = 0; i < walk.size(); ++i) {
+                        Surface found;
+                        ASSERT_TRUE(query.extract(walk[i], true, found));
+                        if (expected.size() == i) expected.push_back(found);
+                        ASSERT_EQ(bit_difference(expected[i], found, Chunks::ignore), "")
+                            << walk[i] << ", " << way << ", engine " << static_cast<int>(engine);
+                    }
+                }
+            });
+        }
+}
+
+TEST_P(DeterminismOfChoices, SoupsAndOutlines) {
+    std::vector<SoupSink::Out> soup;
+    std::vector<OutlineSink::Out> outline;
+    in_every_way([&](const KernelMesh& mesh, const Way& way) {
+        const Field field = make_field(mesh.topology, mesh.stored(values));
+        std::vector<SoupSink::Out> found;
+        ASSERT_TRUE(sweep(mesh.topology, mesh.mesh(), field, walk, SoupSink{}, found));
+        if (soup.empty()) soup = found;
+        for (std::size_t i = 0; i < walk.size(); ++i)
+            ASSERT_TRUE(same_bits(soup[i], found[i])) << walk[i] << ", " << way;
+        ASSERT_TRUE(sweep(mesh.topology, mesh.mesh(), field, walk, OutlineSink{}, found));
+        if (outline.empty()) outline = found;
+        for (std::size_t i = 0; i < walk.size(); ++i)
+            ASSERT_TRUE(same_bits(outline[i], found[i])) << walk[i] << ", " << way;
+    });
+}
+
+struct SliceCorner {
+    Vec3f position;
+    float property;
+    bool operator==(const SliceCorner&) const = default;
+};
+
+// Points at the border of two blocks are in both; the triangles are the same.
+TEST_P(DeterminismOfChoices, TrianglesOfSlices) {
+    std::vector<std::vector<SliceCorner>> expected;
+    in_every_way([&](const KernelMesh& mesh, const Way& way) {
+        const Field field = make_field(mesh.topology, mesh.stored(values));
+        const std::vector<float> property = mesh.stored(others);
+        std::vector<SliceSink::Out> found;
+        ASSERT_TRUE(sweep(mesh.topology, mesh.mesh(), field, walk, SliceSink{property}, found));
+        for (std::size_t i = 0; i < walk.size(); ++i) {
+            std::vector<SliceCorner> corners;
+            for (const Index p : found[i].triangles)
+                corners.push_back({found[i].positions.at(p), found[i].property.at(p)});
+            if (expected.size() == i) expected.push_back(corners);
+            ASSERT_TRUE(same_bits(expected[i], corners)) << walk[i] << ", " << way;
+        }
+    });
+}
+
+struct SlabCorner {
+    Vec3f position;
+    float value;
+    Vec3f gradient;
+    auto operator<=>(const SlabCorner&) const = default;
+};
+using SlabPolygon = std::pair<std::array<float, 2>, std::vector<SlabCorner>>; // limits, corners in order of size
+
+// A fan's first vertex is one that no other polygon of the block has taken, so it may be another one in other blocks.
+std::vector<SlabPolygon> polygons_of(const SlabMesh& mesh) {
+    std::vector<SlabPolygon> out;
+    Index apex = none;
+    for (std::size_t i = 0; i < mesh.triangles.size(); i += 3) {
+        const SlabVertex& first = mesh.vertices.at(mesh.triangles[i]);
+        if (mesh.triangles[i] != apex) out.push_back({first.limits, {}});
+        apex = mesh.triangles[i];
+        for (std::size_t k = 0; k < 3; ++k) {
+            const SlabVertex& v = mesh.vertices.at(mesh.triangles[i + k]);
+            out.back().second.push_back({v.position, v.value, v.gradient});
+        }
+    }
+    for (auto& [limits, corners] : out) {
+        std::ranges::sort(corners);
+        const auto repeated = std::ranges::unique(corners);
+        corners.erase(repeated.begin(), repeated.end());
+    }
+    return out;
+}
+
+TEST_P(DeterminismOfChoices, PolygonsOfSlabs) {
+    std::vector<std::vector<SlabPolygon>> expected;
+    in_every_way([&](const KernelMesh& mesh, const Way& way) {
+        const Field field = make_field(mesh.topology, mesh.stored(values));
+        const std::vector<float> property = mesh.stored(others);
+        const std::vector<Vec3f> gradient = vertex_gradients(mesh.topology, mesh.mesh(), property);
+        const std::vector<std::array<float, 2>> limits = cell_limits(mesh.mesh(), property);
+        std::vector<SlabSink::Out> found;
+        ASSERT_TRUE(sweep(mesh.topology, mesh.mesh(), field, walk, SlabSink{{property, gradient, limits}}, found));
+        for (std::size_t i = 0; i < walk.size(); ++i) {
+            std::vector<SlabPolygon> polygons = polygons_of(found[i]);
+            if (expected.size() == i) expected.push_back(polygons);
+            ASSERT_EQ(expected[i], polygons) << walk[i] << ", " << way;
+        }
+    });
+}
+
+// The same number of threads and size of the blocks give the same bits twice, apexes too.
+TEST_P(DeterminismOfChoices, SlabsWhateverTheThreads) {
+    std::vector<SlabSink::Out> expected;
+    for (const unsigned threads : {1U, 2U, 5U}) {
+        const ThreadCount count(threads);
+        const KernelMesh mesh(input, {8});
+        const Field field = make_field(mesh.topology, mesh.stored(values));
+        const std::vector<float> property = mesh.stored(others);
+        const std::vector<Vec3f> gradient = vertex_gradients(mesh.topology, mesh.mesh(), property);
+        const std::vector<std::array<float, 2>> limits = cell_limits(mesh.mesh(), property);
+        std::vector<SlabSink::Out> found;
+        ASSERT_TRUE(sweep(mesh.topology, mesh.mesh(), field, walk, SlabSink{{property, gradient, limits}}, found));
+        if (expected.empty()) expected = found;
+        for (std::size_t i = 0; i < walk.size(); ++i) {
+            ASSERT_TRUE(same_bits(expected[i].vertices, found[i].vertices)) << walk[i] << ", " << threads;
+            ASSERT_TRUE(same_bits(expected[i].triangles, found[i].triangles)) << walk[i] << ", " << threads;
+        }
+    }
+}
+
+TEST_P(DeterminismOfChoices, Thresholds) {
+    std::vector<Surface> expected;
+    in_every_way([&](const KernelMesh& mesh, const Way& way) {
+        const std::vector<float> property = mesh.stored(others);
+        const Field field = make_field(mesh.topology, mesh.stored(values));
+        Query query = mesh.query();
+        query.set_field(field);
+        Surface cut;
+        ASSERT_TRUE(query.extract(0.5, true, cut));
+        std::vector<Surface> found;
+        for (const InRange vertices : {InRange::all, InRange::any}) {
+            const auto kept = cells_in_range(mesh.mesh(), property, {0.2, 0.6}, vertices);
+            found.push_back(threshold_surface(mesh.mesh(), kept));
+            found.push_back(polygons_of_cells(cut, kept));
+        }
+        if (expected.empty()) expected = found;
+        for (std::size_t i = 0; i < found.size(); ++i)
+            ASSERT_EQ(bit_difference(expected[i], found[i], Chunks::ignore), "") << i << ", " << way;
+    });
+}
+
+struct MadeOfSurface {
+    std::vector<Index> edges, bends;
+    std::vector<Vec3f> lines;
+    ClippedSurface clipped;
+};
+
+TEST_P(DeterminismOfChoices, WhatIsMadeOfSurfaces) {
+    std::vector<MadeOfSurface> expected;
+    in_every_way([&](const KernelMesh& mesh, const Way& way) {
+        const std::vector<float> property = mesh.stored(others);
+        const Field field = make_field(mesh.topology, mesh.stored(values));
+        Query query = mesh.query();
+        query.set_field(field);
+        for (std::size_t i = 0; i < walk.size(); ++i) {
+            Surface surface;
+            ASSERT_TRUE(query.extract(walk[i], true, surface));
+            std::vector<float> at(surface.points.size());
+            interpolate(surface.points, property, 1, at);
+            const HalfSpace planes[]{{{0.6, -0.48, 0.64}, -0.4}, {{-1, 0.5, 0}, 0.3}};
+            MadeOfSurface found{polygon_edges(surface), feature_edges(surface, 30),
+                                contour_lines(surface, at, std::vector{0.3, 0.7}),
+                                clip_surface(surface, at, planes, 1e-6)};
+            if (expected.size() == i) expected.push_back(found);
+            ASSERT_EQ(expected[i].edges, found.edges) << walk[i] << ", " << way;
+            ASSERT_EQ(expected[i].bends, found.bends) << walk[i] << ", " << way;
+            ASSERT_TRUE(same_bits(expected[i].lines, found.lines)) << walk[i] << ", " << way;
+            ASSERT_TRUE(same_bits(expected[i].clipped.values, found.clipped.values)) << walk[i] << ", " << way;
+            ASSERT_EQ(bit_difference(expected[i].clipped.surface, found.clipped.surface, Chunks::ignore), "")
+                << walk[i] << ", " << way;
+        }
+    });
+}
+
+INSTANTIATE_TEST_SUITE_P(All, DeterminismOfChoices, testing::ValuesIn(all_meshes()),
+                         [](const auto& test) { return test.param.name; });
+
+} // namespace
+} // namespace ciel::test
