@@ -1,51 +1,20 @@
 // Bytes as a small mesh of arbitrary faces, through assemble, Topology and extract: no crash, and whatever is accepted
 // keeps the operators' identities, gives the same surface from both engines, and that surface is closed.
 #include "ciel/extract.hpp"
+#include "fuzz/bytes.hpp"
 #include "oracle/twin/twin.hpp"
 #include "support/views.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
-#include <cstring>
-#include <iterator>
-#include <limits>
 
 namespace {
 
 using namespace ciel;
-
-void require(bool holds, const char* what) {
-    if (holds) return;
-    std::fprintf(stderr, "broken: %s\n", what);
-    std::abort();
-}
-
-// Zeros when the bytes have run out.
-class Bytes {
-public:
-    Bytes(const std::uint8_t* data, std::size_t size) : data_(data), size_(size) {}
-    std::uint8_t next() { return at_ < size_ ? data_[at_++] : std::uint8_t{0}; }
-    [[nodiscard]] bool empty() const { return at_ >= size_; }
-
-private:
-    const std::uint8_t* data_;
-    std::size_t size_, at_ = 0;
-};
-
-float number(std::uint8_t byte) {
-    switch (byte) {
-    case 255:
-        return std::numeric_limits<float>::quiet_NaN();
-    case 254:
-        return std::numeric_limits<float>::infinity();
-    case 253:
-        return -std::numeric_limits<float>::max();
-    default:
-        return static_cast<float>(byte) / 8;
-    }
-}
+using test::Bytes;
+using test::number;
+using test::require;
+using test::same_bits;
 
 // Most bytes name a vertex; a few name none, so that ids out of range stay rare enough for cells to be accepted.
 Index vertex_id(std::uint8_t byte, Index vertices) { return byte < 252 ? byte % vertices : vertices + byte - 252; }
@@ -154,11 +123,6 @@ void check_closed(const Surface& surface, const FaceMeshView& mesh, std::span<co
     }
     const std::string open = test::open_segment(test::polygon_segments(polygons), boundary);
     require(open.empty(), open.c_str());
-}
-
-template <typename T>
-bool same_bits(const std::vector<T>& a, const std::vector<T>& b) {
-    return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0);
 }
 
 void cut(const Topology& topology, const FaceMeshView& mesh, Bytes& bytes) {

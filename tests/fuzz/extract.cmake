@@ -1,0 +1,1 @@
+ciel_fuzz(extract LINKS ciel PACKAGES test_support)
