@@ -29,6 +29,7 @@ public:
         own_vertices();
         ring_vertices();
         own_edges();
+        number_edges();
         for_blocks(built_.size(), [&](Index b) { renumber_edges(b); });
         join_twins();
         for (BuiltBlock& b : built_) out_.block.push_back(std::move(b.block));
@@ -38,13 +39,19 @@ private:
     struct SharedEdge {
         Index high, block, edge;
     };
+    struct SharedLists {
+        std::vector<std::uint64_t> begin; // by mesh vertex, and one more
+        std::vector<SharedEdge> edge;
+    };
 
     void number_half_edges();
     void own_vertices();
     void ring_vertices();
     void link_border(Block& block, std::span<const Index> next);
+    [[nodiscard]] SharedLists list_by_lower_vertex() const;
     void own_edges();
     void give_to_first(std::span<SharedEdge> edges);
+    void number_edges();
     [[nodiscard]] std::vector<std::vector<std::pair<Index, SharedEdge>>> shared_edges() const;
     void renumber_edges(Index b);
     void join_twins();
@@ -193,23 +200,31 @@ void Linker::give_to_first(std::span<SharedEdge> edges) {
     }
 }
 
-// Equal edges meet in the list of their lower vertex; the first block owns them. Lists are filled block by block, so
-// they are sorted by block.
-void Linker::own_edges() {
+// By lower vertex, and there block by block.
+Linker::SharedLists Linker::list_by_lower_vertex() const {
     const auto shared = shared_edges();
-    std::vector<std::uint64_t> begin(std::size_t{mesh_.vertex_count()} + 1, 0);
+    SharedLists lists;
+    lists.begin.assign(std::size_t{mesh_.vertex_count()} + 1, 0);
     for (const auto& edges : shared)
-        for (const auto& [low, edge] : edges) ++begin[low + 1];
-    for (std::size_t v = 1; v < begin.size(); ++v) begin[v] += begin[v - 1];
-    std::vector<SharedEdge> list(begin.back());
-    std::vector<std::uint64_t> cursor(begin.begin(), begin.end() - 1);
+        for (const auto& [low, edge] : edges) ++lists.begin[low + 1];
+    for (std::size_t v = 1; v < lists.begin.size(); ++v) lists.begin[v] += lists.begin[v - 1];
+    lists.edge.resize(lists.begin.back());
+    std::vector<std::uint64_t> cursor(lists.begin.begin(), lists.begin.end() - 1);
     for (const auto& edges : shared)
-        for (const auto& [low, edge] : edges) list[cursor[low]++] = edge;
+        for (const auto& [low, edge] : edges) lists.edge[cursor[low]++] = edge;
+    return lists;
+}
 
+// Equal edges meet in the list of their lower vertex; the first block owns them.
+void Linker::own_edges() {
+    SharedLists lists = list_by_lower_vertex();
     ghosts_.resize(built_.size());
-    for (std::size_t v = 0; v + 1 < begin.size(); ++v)
-        give_to_first(std::span(list).subspan(begin[v], begin[v + 1] - begin[v]));
+    for (std::size_t v = 0; v + 1 < lists.begin.size(); ++v)
+        give_to_first(std::span(lists.edge).subspan(lists.begin[v], lists.begin[v + 1] - lists.begin[v]));
+}
 
+// Ids through the mesh: a block's own edges one after another, ghosts have their owner's.
+void Linker::number_edges() {
     new_edge_.resize(built_.size());
     std::uint64_t edges = 0;
     for (Index b = 0; b < built_.size(); ++b) {

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "ciel/standard_shapes.hpp"
+#include "ciel/vectors.hpp"
 
 #include <array>
 #include <cmath>
@@ -36,10 +37,6 @@ using Four = double __attribute__((vector_size(32)));
 [[nodiscard]] inline Vec3d arm(const Sample& from, const Sample& to) {
     return {to.x - from.x, to.y - from.y, to.z - from.z};
 }
-[[nodiscard]] inline Vec3d vector_product(const Vec3d& a, const Vec3d& b) {
-    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-[[nodiscard]] inline double dot(const Sample& a, const Vec3d& b) { return a.x * b[0] + a.y * b[1] + a.z * b[2]; }
 
 struct LeastSquares {
     Vec3f gradient{};
@@ -97,9 +94,9 @@ template <const StandardShape& shape>
         const std::size_t h = shape.face_begin[face];
         const Sample &a = samples[shape.origin[h]], &b = samples[shape.origin[h + 1]],
                      &c = samples[shape.origin[h + 2]];
-        const Vec3d area = shape.face_size(face) == 3 ? vector_product(arm(a, b), arm(a, c))
-                                                      : vector_product(arm(a, c), arm(b, samples[shape.origin[h + 3]]));
-        six_volumes += dot(a, area);
+        const Vec3d area = shape.face_size(face) == 3 ? cross(arm(a, b), arm(a, c))
+                                                      : cross(arm(a, c), arm(b, samples[shape.origin[h + 3]]));
+        six_volumes += dot(Vec3d{a.x, a.y, a.z}, area);
     }
     return std::abs(six_volumes) / 6;
 }
@@ -107,8 +104,8 @@ template <const StandardShape& shape>
 // The gradient of the linear interpolation.
 [[nodiscard]] inline CellGradient tetrahedron_gradient(const std::array<Sample, 4>& samples) {
     const Vec3d a = arm(samples[0], samples[1]), b = arm(samples[0], samples[2]), c = arm(samples[0], samples[3]);
-    const Vec3d bc = vector_product(b, c), ca = vector_product(c, a), ab = vector_product(a, b);
-    const double six_volumes = a[0] * bc[0] + a[1] * bc[1] + a[2] * bc[2];
+    const Vec3d bc = cross(b, c), ca = cross(c, a), ab = cross(a, b);
+    const double six_volumes = dot(a, bc);
     double size = 0;
     for (std::size_t axis = 0; axis < 3; ++axis) size += a[axis] * a[axis] + b[axis] * b[axis] + c[axis] * c[axis];
     const double u = samples[1].value - samples[0].value, v = samples[2].value - samples[0].value,

@@ -15,11 +15,7 @@ struct Side { // of an edge
     }
 };
 
-bool bends(const Vec3f& a, const Vec3f& b, double cosine) {
-    const double dot =
-        static_cast<double>(a[0]) * b[0] + static_cast<double>(a[1]) * b[1] + static_cast<double>(a[2]) * b[2];
-    return a != Vec3f{} && b != Vec3f{} && dot < cosine;
-}
+bool bends(const Vec3f& a, const Vec3f& b, double cosine) { return a != Vec3f{} && b != Vec3f{} && dot(a, b) < cosine; }
 
 } // namespace
 

@@ -53,17 +53,6 @@ struct AddSolved {
     }
 };
 
-struct AddStored {
-    std::span<const std::unique_ptr<CellGradient[]>> cell;
-    GradientSum sum;
-
-    template <const StandardShape& shape>
-    void standard(Index b, const StandardSection&, Index, Index place) {
-        sum.add(cell[b][place]);
-    }
-    void polyhedron(Index b, Index, Index place) { sum.add(cell[b][place]); }
-};
-
 // The vertices that are wanted now. Where they are many, the blocks around them solve each of their cells once; then
 // the vertices that several blocks share are summed up.
 class Pass {
@@ -241,7 +230,7 @@ void Pass::sum_at_border(Index b) {
             const Index v = arrays.border_vertex[place];
             if ((state[v] & wanted) == 0) continue;
             list_ring(blocks_, {b, place}, scratch.ring);
-            AddStored add{cell_, {}};
+            AddStored add([this](Index other) { return cell_[other].get(); });
             for_cells_around(blocks_, scratch.ring, scratch.cells, add);
             gradient_[b][v] = add.sum.mean();
         }

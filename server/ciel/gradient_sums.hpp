@@ -106,4 +106,23 @@ void for_cells_around(const Topology::Blocks& blocks, std::span<const BlockVerte
     }
 }
 
+// A visitor for it where cells are solved already: `stored(block)` is where those of a block begin, in the order of
+// `place`.
+template <class Stored>
+class AddStored {
+public:
+    explicit AddStored(Stored stored) : stored_(stored) {}
+
+    template <const StandardShape& shape>
+    void standard(Index b, const StandardSection&, Index, Index place) {
+        sum.add(stored_(b)[place]);
+    }
+    void polyhedron(Index b, Index, Index place) { sum.add(stored_(b)[place]); }
+
+    GradientSum sum;
+
+private:
+    Stored stored_;
+};
+
 } // namespace ciel

@@ -71,18 +71,6 @@ void Everywhere::sum_inside(Index b) {
     for (Index v = ghosts; v < block.vertex_count; ++v) out_[block.vertex(v)] = sum[v].mean();
 }
 
-struct AddStored {
-    const Topology::Blocks& blocks;
-    const CellGradient* cell;
-    GradientSum sum;
-
-    template <const StandardShape& shape>
-    void standard(Index b, const StandardSection&, Index, Index place) {
-        sum.add(cell[blocks.block[b].cell_begin + place]);
-    }
-    void polyhedron(Index b, Index, Index place) { sum.add(cell[blocks.block[b].cell_begin + place]); }
-};
-
 void Everywhere::sum_at_border(Index b) {
     const Block& block = blocks_.block[b];
     std::vector<BlockVertex> ring;
@@ -91,7 +79,7 @@ void Everywhere::sum_at_border(Index b) {
         const auto first_own = std::ranges::lower_bound(arrays.border_vertex, block.ghost_vertex.size());
         for (auto v = first_own; v != arrays.border_vertex.end(); ++v) {
             list_ring(blocks_, {b, static_cast<Index>(v - arrays.border_vertex.begin())}, ring);
-            AddStored add{blocks_, cell_.get(), {}};
+            AddStored add([this](Index other) { return &cell_[blocks_.block[other].cell_begin]; });
             for_cells_around(blocks_, ring, scratch, add);
             out_[block.vertex(*v)] = add.sum.mean();
         }

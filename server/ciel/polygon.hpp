@@ -1,32 +1,14 @@
-// Polygons of a surface: their corners, directions and area.
+// Polygons of a surface: their corners and area. Borrowed from the surface; any thread.
 #pragma once
 
 #include "ciel/extract.hpp"
-
-#include <cmath>
+#include "ciel/vectors.hpp"
 
 namespace ciel {
 
 [[nodiscard]] inline std::span<const Index> polygon(const Surface& surface, std::size_t i) {
     const Index begin = surface.polygon_offset[i];
     return std::span(surface.polygon_vertex).subspan(begin, surface.polygon_offset[i + 1] - begin);
-}
-
-[[nodiscard]] inline Vec3d arm(const Vec3f& from, const Vec3f& to) {
-    return {static_cast<double>(to[0]) - from[0], static_cast<double>(to[1]) - from[1],
-            static_cast<double>(to[2]) - from[2]};
-}
-
-[[nodiscard]] inline Vec3d cross(const Vec3d& a, const Vec3d& b) {
-    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
-// Zero stays zero. In double: the squares of small vectors vanish in float.
-[[nodiscard]] inline Vec3f unit(const Vec3d& v) {
-    const double length = std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
-    if (!(length > 0) || !std::isfinite(length)) return {};
-    const double scale = 1 / length;
-    return {static_cast<float>(v[0] * scale), static_cast<float>(v[1] * scale), static_cast<float>(v[2] * scale)};
 }
 
 // Twice the area, along the right-hand normal; taken about the first corner, so it does not suffer far from the origin.

@@ -62,7 +62,7 @@ private:
                 area_[face] = area(section, face, apex);
                 area_known_[face] = 1;
             }
-            const double cones = dot({apex.x - mean.x, apex.y - mean.y, apex.z - mean.z, 0}, area_[face]);
+            const double cones = dot(arm(mean, apex), area_[face]);
             six_volumes += ref % 2 == 0 ? cones : -cones;
         }
         return std::abs(six_volumes) / 6;
@@ -75,7 +75,7 @@ private:
         Vec3d before = arm(apex, vertex_[section.vertex[begin + 1]].sample);
         for (Index k = begin + 2; k < end; ++k) {
             const Vec3d here = arm(apex, vertex_[section.vertex[k]].sample);
-            const Vec3d part = vector_product(before, here);
+            const Vec3d part = cross(before, here);
             for (std::size_t axis = 0; axis < 3; ++axis) sum[axis] += part[axis];
             before = here;
         }

@@ -1,5 +1,6 @@
 #include "ciel/slab.hpp"
 
+#include "ciel/join_parts.hpp"
 #include "ciel/polygon.hpp"
 
 #include <algorithm>
@@ -9,8 +10,6 @@
 namespace ciel {
 
 namespace {
-
-double dot(const Vec3d& a, const Vec3d& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
 // Adds polygons to a SlabMesh whose first vertices are the points that they join.
 class FanWriter {
@@ -141,20 +140,8 @@ void SlabSink::write(const BlockCut& cut, Part& part) const {
 }
 
 void SlabSink::join(std::span<const Part* const> parts, Out& out) const {
-    std::size_t vertices = 0, corners = 0;
-    for (const Part* part : parts) {
-        vertices += part->vertices.size();
-        corners += part->triangles.size();
-    }
-    out.vertices.clear();
-    out.vertices.reserve(vertices);
-    out.triangles.resize(corners);
-    Index* to = out.triangles.data();
-    for (const Part* part : parts) {
-        const auto first = static_cast<Index>(out.vertices.size());
-        to = std::ranges::transform(part->triangles, to, [first](Index p) { return first + p; }).out;
-        out.vertices.insert(out.vertices.end(), part->vertices.begin(), part->vertices.end());
-    }
+    join_arrays(parts, &Part::vertices, out);
+    join_triangles(parts, &Part::vertices, out);
 }
 
 SlabMesh slab_boundary(const FaceMeshView& mesh, const SlabProperty& property) {

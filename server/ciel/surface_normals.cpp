@@ -12,8 +12,6 @@ namespace {
 
 bool is_zero(const Vec3f& v) { return v == Vec3f{}; }
 
-double dot(const Vec3f& a, const Vec3d& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-
 // Points whose gradient vanishes, or points against a polygon around them: in flat cells at a wall the least squares of
 // a cell and the surface in it may disagree.
 void mark_doubtful(const Surface& surface, std::vector<std::uint8_t>& doubtful) {

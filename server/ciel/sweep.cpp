@@ -3,6 +3,7 @@
 #include "ciel/cut_block.hpp"
 #include "ciel/edge_points.hpp"
 #include "ciel/field_blocks.hpp"
+#include "ciel/join_parts.hpp"
 #include "ciel/parallel.hpp"
 #include "ciel/propagation.hpp"
 #include "ciel/slab.hpp"
@@ -63,15 +64,6 @@ void for_triangles(const BlockCut& cut, F&& f) {
     }
 }
 
-template <class T>
-void append_all(std::span<const std::vector<T>* const> parts, std::vector<T>& out) {
-    std::size_t size = 0;
-    for (const auto* part : parts) size += part->size();
-    out.clear();
-    out.reserve(size);
-    for (const auto* part : parts) out.insert(out.end(), part->begin(), part->end());
-}
-
 } // namespace
 
 void SliceSink::write(const BlockCut& cut, Part& part) const {
@@ -91,23 +83,9 @@ void SliceSink::write(const BlockCut& cut, Part& part) const {
 }
 
 void SliceSink::join(std::span<const Part* const> parts, Out& out) const {
-    std::size_t points = 0, corners = 0;
-    for (const Part* part : parts) {
-        points += part->positions.size();
-        corners += part->triangles.size();
-    }
-    out.positions.clear();
-    out.positions.reserve(points);
-    out.property.clear();
-    out.property.reserve(points);
-    out.triangles.resize(corners);
-    Index* to = out.triangles.data();
-    for (const Part* part : parts) {
-        const auto first = static_cast<Index>(out.positions.size());
-        to = std::ranges::transform(part->triangles, to, [first](Index p) { return first + p; }).out;
-        out.positions.insert(out.positions.end(), part->positions.begin(), part->positions.end());
-        out.property.insert(out.property.end(), part->property.begin(), part->property.end());
-    }
+    join_arrays(parts, &Part::positions, out);
+    join_arrays(parts, &Part::property, out);
+    join_triangles(parts, &Part::positions, out);
 }
 
 void SoupSink::write(const BlockCut& cut, Part& part) const {
@@ -122,7 +100,7 @@ void SoupSink::write(const BlockCut& cut, Part& part) const {
     });
 }
 
-void SoupSink::join(std::span<const Part* const> parts, Out& out) const { append_all(parts, out); }
+void SoupSink::join(std::span<const Part* const> parts, Out& out) const { join_arrays(parts, std::identity(), out); }
 
 void OutlineSink::write(const BlockCut& cut, Part& part) const {
     part.clear();
@@ -137,7 +115,7 @@ void OutlineSink::write(const BlockCut& cut, Part& part) const {
     }
 }
 
-void OutlineSink::join(std::span<const Part* const> parts, Out& out) const { append_all(parts, out); }
+void OutlineSink::join(std::span<const Part* const> parts, Out& out) const { join_arrays(parts, std::identity(), out); }
 
 namespace {
 

@@ -29,8 +29,6 @@ private:
     Index* to_;
 };
 
-double dot(const Vec3d& a, const Vec3d& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-
 Vec3d triangle_area(const Surface& surface, Index a, Index b, Index c) {
     return cross(arm(surface.positions[a], surface.positions[b]), arm(surface.positions[a], surface.positions[c]));
 }
