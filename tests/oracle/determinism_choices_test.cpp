@@ -12,6 +12,7 @@
 #include "support/thread_count.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <gtest/gtest.h>
 
@@ -234,6 +235,43 @@ TEST_P(DeterminismOfChoices, WhatIsMadeOfSurfaces) {
                 << walk[i] << ", " << way;
         }
     });
+}
+
+// Folded in the middle, a surface has polygons that cancel around the points in the fold: what is left of their sum is
+// all rounding, and so tells in which order it was made.
+TEST(DeterminismOfSums, PolygonsThatCancel) {
+    const Polyhedra input = hexahedra({{6, 5, 5}});
+    const std::vector<float> half = random_field(input.vertex_count(), 204);
+    std::vector<Surface> expected;
+    std::size_t cancelled = 0;
+    for (const Way& way : ways) {
+        const ThreadCount count(way.threads);
+        const KernelMesh mesh(input, {way.cells_per_block});
+        std::vector<float> positions(mesh.mesh().positions.begin(), mesh.mesh().positions.end()), values;
+        for (std::size_t v = 0; v < positions.size(); v += 3) {
+            float* p = &positions[v];
+            p[0] = 3 - std::abs(p[0] - 3);
+            const auto place = static_cast<std::size_t>(p[0] + 7 * (p[1] + 6 * p[2])); // the same on both sides
+            values.push_back(half[place]);
+            for (std::size_t d = 0; d < 3; ++d)
+                p[d] = std::ldexp(p[d] + 0.3F * half[(place * (d + 3) + 11) % half.size()],
+                                  static_cast<int>(place * (d + 5) % 24)); // so that sums are not exact
+        }
+        FaceMeshView folded = mesh.mesh();
+        folded.positions = positions;
+        const Field field = make_field(mesh.topology, values);
+        Query query(mesh.topology, folded);
+        query.set_normals(Normals::polygons);
+        query.set_field(field);
+        for (std::size_t i = 0; i < 9; ++i) {
+            Surface found;
+            ASSERT_TRUE(query.extract(0.1 + 0.1 * static_cast<double>(i), true, found));
+            if (expected.size() == i) expected.push_back(found);
+            for (const Vec3f& normal : found.normals) cancelled += normal == Vec3f{} ? 1 : 0;
+            ASSERT_EQ(bit_difference(expected[i], found, Chunks::ignore), "") << i << ", " << way;
+        }
+    }
+    EXPECT_GT(cancelled, 50U);
 }
 
 INSTANTIATE_TEST_SUITE_P(All, DeterminismOfChoices, testing::ValuesIn(all_meshes()),
