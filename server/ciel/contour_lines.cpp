@@ -5,6 +5,7 @@
 #include "ciel/polygon.hpp"
 
 #include <algorithm>
+#include <limits>
 
 namespace ciel {
 
@@ -55,7 +56,11 @@ std::vector<Vec3f> contour_lines(const Surface& surface, std::span<const float> 
     if (values.size() != surface.positions.size()) fail("contour lines need one value per point of their surface");
     if (at.empty()) return {};
     constexpr std::size_t chunk = 4096;
-    const double lowest = *std::min_element(at.begin(), at.end()), highest = *std::max_element(at.begin(), at.end());
+    double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
+    for (const double nu : at) { // one that is not a number changes neither
+        lowest = std::min(lowest, nu);
+        highest = std::max(highest, nu);
+    }
     const PolygonContours contours(surface, values);
     const std::size_t polygons = surface.polygon_cell.size(), chunks = (polygons + chunk - 1) / chunk;
     std::vector<std::vector<Vec3f>> parts(chunks * at.size());

@@ -9,7 +9,7 @@ namespace ciel {
 // `values`: one per point of the surface; throws Error on another number. They are interpolated along the polygons'
 // own sides, so two polygons agree on their side to the last bit, and no line bends at a triangulation. High means
 // value >= nu, and a polygon with several high runs gets one segment each, as faces of cells do (extract.hpp). A
-// polygon with a point without a finite value has no lines.
+// polygon with a point without a finite value has no lines, nor has a value that is not a number.
 [[nodiscard]] std::vector<Vec3f> contour_lines(const Surface& surface, std::span<const float> values,
                                                std::span<const double> at);
 

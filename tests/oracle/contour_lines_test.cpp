@@ -55,6 +55,21 @@ TEST_P(ContourLines, GoOnInTheNextPolygon) {
 INSTANTIATE_TEST_SUITE_P(meshes, ContourLines, testing::ValuesIn(all_meshes()),
                          [](const auto& mesh) { return mesh.param.name; });
 
+TEST(ContourLinesOfAPolygon, OfNoNumberAreNone) {
+    Surface square;
+    square.positions = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+    square.polygon_offset = {0, 4};
+    square.polygon_vertex = {0, 1, 2, 3};
+    square.polygon_cell = {0};
+    const std::vector<float> values{0, 1, 1, 0};
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+    const std::vector<Vec3f> expected = contour_lines(square, values, std::vector{0.5});
+    EXPECT_EQ(expected.size(), 2U);
+    EXPECT_EQ(contour_lines(square, values, std::vector{nan, 0.5}), expected) << "the others are there all the same";
+    EXPECT_EQ(contour_lines(square, values, std::vector{0.5, nan}), expected);
+    EXPECT_TRUE(contour_lines(square, values, std::vector{nan}).empty());
+}
+
 TEST(ContourLinesOfAPolygon, CutOffEachHighRunAndLeaveOutWhatHasNoValue) {
     Surface square;
     square.positions = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
