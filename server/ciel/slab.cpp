@@ -29,7 +29,7 @@ public:
 
 private:
     [[nodiscard]] bool has_values(std::span<const Index> loop) const {
-        return std::ranges::none_of(loop, [&](Index p) { return std::isnan(out_.vertices[p].value); });
+        return std::ranges::all_of(loop, [&](Index p) { return std::isfinite(out_.vertices[p].value); });
     }
 
     // A vertex is the first of one polygon's triangles only, for it has the limits of one cell.
@@ -112,9 +112,10 @@ std::vector<std::array<float, 2>> cell_limits(const FaceMeshView& mesh, std::spa
     };
     for (Index face = 0; face < mesh.face_count(); ++face) {
         float low = infinity, high = -infinity;
-        for (const Index vertex : mesh.loop(face)) { // a comparison with NaN is false, which leaves it out
-            low = values[vertex] < low ? values[vertex] : low;
-            high = values[vertex] > high ? values[vertex] : high;
+        for (const Index vertex : mesh.loop(face)) {
+            if (!std::isfinite(values[vertex])) continue;
+            low = std::min(low, values[vertex]);
+            high = std::max(high, values[vertex]);
         }
         widen(mesh.owner[face], low, high);
         if (mesh.neighbour[face] != none) widen(mesh.neighbour[face], low, high);

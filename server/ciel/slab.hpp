@@ -25,14 +25,15 @@ struct SlabMesh {
     }
 };
 
-// [min, max] of the values at each cell's vertices; NaN counts for nothing.
+// [min, max] of the values at each cell's vertices: NaN and infinities count for nothing, low > high where there are no
+// others.
 [[nodiscard]] std::vector<std::array<float, 2>> cell_limits(const FaceMeshView& mesh, std::span<const float> values);
 
-// The property at the mesh's vertices and cells. Borrowed.
+// The property at the mesh's V vertices and C cells. Borrowed, and must have these sizes.
 struct SlabProperty {
-    std::span<const float> value;
-    std::span<const Vec3f> gradient;
-    std::span<const std::array<float, 2>> limits; // by cell
+    std::span<const float> value;                 // V
+    std::span<const Vec3f> gradient;              // V, per length
+    std::span<const std::array<float, 2>> limits; // C
 };
 
 // For sweep. Polygons with a point that has no value are left out.

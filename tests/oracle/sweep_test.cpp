@@ -1,11 +1,13 @@
 // Several values in one pass give, value by value, what a query gives.
+#include "ciel/slab.hpp"
 #include "ciel/sweep.hpp"
 #include "oracle/kernel_mesh.hpp"
 #include "support/fields.hpp"
 #include "support/meshes.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <gtest/gtest.h>
-
 #include <limits>
 
 namespace ciel::test {
@@ -125,6 +127,35 @@ TEST_P(Sweep, MakesTheSameArraysAsAnyOther) {
             EXPECT_EQ(out[i].positions, expected[i].positions);
             EXPECT_EQ(out[i].property, expected[i].property);
             EXPECT_EQ(out[i].triangles, expected[i].triangles);
+        }
+    }
+}
+
+// NaN and infinities are no values: what is left is finite, and is there wherever all of a polygon's ends have some.
+TEST_P(Sweep, ASlabLeavesOutWhatHasNoValue) {
+    constexpr float infinity = std::numeric_limits<float>::infinity();
+    std::vector<float> property = mesh.stored(random_field(input.vertex_count(), 5));
+    for (std::size_t v = 3; v < property.size(); v += 17) property[v] = std::numeric_limits<float>::quiet_NaN();
+    for (std::size_t v = 7; v < property.size(); v += 29) property[v] = infinity;
+    for (std::size_t v = 9; v < property.size(); v += 31) property[v] = -infinity;
+    const std::vector<Vec3f> gradient = vertex_gradients(mesh.topology, mesh.mesh(), property);
+    const std::vector<std::array<float, 2>> limits = cell_limits(mesh.mesh(), property);
+    std::vector<SlabSink::Out> out;
+    ASSERT_TRUE(sweep(mesh.topology, mesh.mesh(), field, values, SlabSink{{property, gradient, limits}}, out, {}, how));
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        const Surface surface = surface_at(values[i]);
+        std::size_t expected = 0;
+        const auto has_value = [&](Index p) {
+            const EdgePoint& point = surface.points[p];
+            return std::isfinite(property[point.a]) && std::isfinite(property[point.b]);
+        };
+        for (std::size_t k = 0; k < surface.polygon_cell.size(); ++k)
+            if (std::ranges::all_of(polygon(surface, k), has_value)) expected += polygon(surface, k).size() - 2;
+        EXPECT_EQ(out[i].triangles.size(), 3 * expected);
+        for (std::size_t k = 0; k < out[i].triangles.size(); ++k) {
+            const SlabVertex& vertex = out[i].vertices.at(out[i].triangles[k]);
+            ASSERT_TRUE(std::isfinite(vertex.value));
+            ASSERT_TRUE(k % 3 != 0 || (std::isfinite(vertex.limits[0]) && vertex.limits[0] <= vertex.limits[1]));
         }
     }
 }
