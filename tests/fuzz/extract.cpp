@@ -124,9 +124,15 @@ private:
         const std::vector<float>& property = values_[1 - current_];
         const auto limits = cell_limits(mesh_, property);
         const SlabProperty of_slab{property, gradient_[1 - current_], limits};
-        require(sweep(topology_, mesh_, field, asked_, SoupSink{}, soup) &&
+        // What is kept of a sweep through the other field must not show.
+        SweepParts<SoupSink> kept;
+        SweepParts<SliceSink> kept_slices;
+        require(sweep(topology_, mesh_, *field_[1 - current_], asked_, SoupSink{}, kept, soup) &&
+                    sweep(topology_, mesh_, *field_[1 - current_], asked_, SliceSink{property}, kept_slices, slices),
+                "nothing asked sweep to stop");
+        require(sweep(topology_, mesh_, field, asked_, SoupSink{}, kept, soup) &&
                     sweep(topology_, mesh_, field, asked_, OutlineSink{}, outline) &&
-                    sweep(topology_, mesh_, field, asked_, SliceSink{property}, slices) &&
+                    sweep(topology_, mesh_, field, asked_, SliceSink{property}, kept_slices, slices) &&
                     sweep(topology_, mesh_, field, asked_, SlabSink{of_slab}, slabs),
                 "nothing asked sweep to stop");
         for (Query& query : query_) query.set_decider(Decider::isolate_high);

@@ -140,8 +140,9 @@ inline void check_slab(const SlabMesh& slab) {
     for (std::size_t i = 0; i < slab.triangles.size(); ++i) {
         require(slab.triangles[i] < slab.vertices.size(), "a slab's triangle without a vertex");
         const SlabVertex& v = slab.vertices[slab.triangles[i]];
-        require(!std::isnan(v.value), "a slab's triangle without a value");
-        require(i % 3 != 0 || v.limits[0] <= v.limits[1], "limits the wrong way round");
+        require(std::isfinite(v.value), "a slab's triangle without a value");
+        require(i % 3 != 0 || (v.limits[0] <= v.limits[1] && std::isfinite(v.limits[0]) && std::isfinite(v.limits[1])),
+                "limits the wrong way round, or not finite");
     }
 }
 
