@@ -58,7 +58,8 @@ struct Assembled {
     AssembleReport report;
 };
 
-// Throws Error when an array has a wrong size. Bad cells never throw; they are reported.
+// Owns all that it returns. Uses all threads of the parallel loop. Throws Error when an array has a wrong size. Bad
+// cells never throw; they are reported.
 [[nodiscard]] Assembled assemble(const PolyhedraView& input);
 
 // Appends the faces of one standard cell (corners in VTK order) as loops wound outwards. `corners` has the number of

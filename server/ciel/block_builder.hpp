@@ -22,7 +22,7 @@ struct BuiltBlock {
     std::vector<Tail> tails; // by index into Block::twin
 };
 
-// Scratch for many blocks, one per thread.
+// Scratch for many blocks, one per thread; borrows the mesh and its cells' faces.
 class BlockBuilder {
 public:
     BlockBuilder(const FaceMeshView& mesh, const CellFaces& faces) : loops_(mesh, faces) {}

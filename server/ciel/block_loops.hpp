@@ -10,8 +10,8 @@ namespace ciel {
 // A face seen from one of its cells: 2 * loop + side, side 1 against the stored direction.
 using LoopRef = Index;
 
-// Scratch for many blocks, one per thread. Loops lack the repeats of collapsed cells; one that collapsed to a point is
-// empty and in no cell's list.
+// Scratch for many blocks, one per thread; borrows the mesh and its cells' faces. Loops lack the repeats of collapsed
+// cells; one that collapsed to a point is empty and in no cell's list.
 class BlockLoops {
 public:
     BlockLoops(const FaceMeshView& mesh, const CellFaces& faces);

@@ -1,4 +1,6 @@
-// The layout behind Topology, for the kernel's own files: consecutive cells in blocks with local ids of 16 bits.
+// The layout behind Topology, for the kernel's own files: the paper's half-edges (section 2.2, figure 3) without
+// pointers, consecutive cells in blocks with local ids of 16 bits. Owns its arrays; nothing changes after the build, so
+// any thread may read.
 //
 // A block's cells of one standard type make a StandardSection: what half-edges of a type have in common is in its
 // StandardShape, a cell stores its vertices, its edges and one reference per face. All other cells make the block's

@@ -1,4 +1,4 @@
-// Cell -> its faces, the inverse of owner and neighbour.
+// Cell -> its faces, the inverse of owner and neighbour. C cells.
 #pragma once
 
 #include "ciel/face_mesh.hpp"

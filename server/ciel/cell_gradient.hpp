@@ -15,9 +15,9 @@
 namespace ciel {
 
 struct CellGradient {
-    Vec3f gradient{};
-    // 0: the cell spans nothing, or lacks a value, and does not count. In double: lengths that a float holds have
-    // cubes that it does not.
+    Vec3f gradient{}; // of the value, per length
+    // Length cubed. 0: the cell spans nothing, or lacks a value, and does not count. In double: lengths that a float
+    // holds have cubes that it does not.
     double volume = 0;
 };
 

@@ -8,7 +8,8 @@
 
 namespace ciel {
 
-// Scratch for many cells, one per thread.
+// Scratch for many cells, one per thread; borrows the input, whose arrays have the right sizes. Throws nothing: what is
+// bad is told.
 class CellWinding {
 public:
     explicit CellWinding(const PolyhedraView& input);

@@ -1,4 +1,4 @@
-// The engines behind Query: each finds out which blocks a surface crosses and cuts them.
+// The engines behind Query (paper, algorithms 1 and 2): each finds out which blocks a surface crosses and cuts them.
 #pragma once
 
 #include "ciel/cut_block.hpp"
@@ -6,6 +6,8 @@
 
 namespace ciel {
 
+// One caller at a time, whose update uses all threads of the parallel loop. Borrows the topology, and the field until
+// the next one.
 class Cutter {
 public:
     explicit Cutter(const Topology& topology) : topology_(topology), cut_(topology.block_count()) {}

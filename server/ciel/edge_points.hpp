@@ -1,4 +1,4 @@
-// Where nu cuts an edge.
+// Where nu cuts an edge: linear between its ends (paper, section 2.2: "compute intersection").
 #pragma once
 
 #include "ciel/blocks.hpp"

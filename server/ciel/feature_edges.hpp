@@ -1,4 +1,5 @@
-// The edges at which a surface bends, ends or branches.
+// The edges at which a surface bends, ends or branches. Not in the paper: its "mesh" of a surface shows all edges
+// (polygon_edges.hpp), which are too many to see a shape by.
 #pragma once
 
 #include "ciel/extract.hpp"

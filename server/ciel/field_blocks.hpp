@@ -1,4 +1,5 @@
-// The layout behind Field, for the kernel's own files.
+// The layout behind Field, for the kernel's own files. What is mutable is made on demand, under the lock beside it or
+// of its own.
 #pragma once
 
 #include "ciel/cell_ranges.hpp"

@@ -1,4 +1,5 @@
-// The gradient in polyhedra: their distinct vertices are found on the way. Scratch for many blocks, one per thread.
+// The gradient in polyhedra (paper, section 3): their distinct vertices are found on the way. Scratch for many blocks,
+// one per thread.
 #pragma once
 
 #include "ciel/blocks.hpp"

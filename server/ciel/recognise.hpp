@@ -1,4 +1,5 @@
-// Finds a cell's corners, in the order of its standard type, from its faces.
+// Finds a cell's corners, in the order of its standard type, from its faces, so that what the paper stores with each
+// half-edge (section 2.2) is the type's. Any thread.
 #pragma once
 
 #include "ciel/block_loops.hpp"

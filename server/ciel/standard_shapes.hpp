@@ -1,4 +1,5 @@
-// The half-edges of the four standard cell types, as tables made when compiled: what all cells of a type have in common
+// The half-edges (paper, section 2.2) of the four standard cell types, as tables made when compiled: what all cells of
+// a type have in common
 // need not be stored with each of them.
 #pragma once
 

@@ -1,4 +1,5 @@
-// From the cut blocks to one indexed surface: ids by prefix sums, points in the mesh-wide order of their edges.
+// From the cut blocks to one indexed surface (paper, algorithm 3: intersections, then polygons): ids by prefix sums,
+// points in the mesh-wide order of their edges. Uses all threads of the parallel loop.
 #pragma once
 
 #include "ciel/cutter.hpp"

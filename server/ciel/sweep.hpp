@@ -32,7 +32,8 @@ struct BlockCut {
 //     void write(const BlockCut& cut, Part& part) const;
 //     void join(std::span<const Part* const> parts, Out& out) const;
 // and a line at the end of sweep.cpp, where the loop is. Points at the border of two blocks are in both, so indexed
-// parts (SliceSink, SlabSink) have other points with other blocks, though the same triangles.
+// parts (SliceSink, SlabSink) have other points with other blocks, though the same polygons: SliceSink the same
+// triangles, too, while a SlabSink's fan may begin at another corner.
 
 // Indexed triangles, each polygon a fan, with a property at the points: slices to blend.
 struct SliceSink {
@@ -82,7 +83,8 @@ struct SweepParts {
 // through all values that lie in its range; by propagation, the active edges go from the least value to the greatest,
 // from the field's minima (algorithm 1 as it is printed), and the cells around them are cut value by value; the naive
 // engine looks at each cell for each value. Points, polygons and ambiguous faces are those of a Query with the same
-// decider.
+// decider. Uses all threads of the parallel loop, `scratch` by one call at a time; throws Error when the field belongs
+// to another topology.
 template <class Sink>
 bool sweep(const Topology& topology, const FaceMeshView& mesh, const Field& field, std::span<const double> values,
            const Sink& sink, SweepParts<Sink>& scratch, std::vector<typename Sink::Out>& out,

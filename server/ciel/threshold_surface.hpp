@@ -1,4 +1,5 @@
-// Cells whose values lie in a range, kept whole, and the surface around them: a threshold.
+// Cells whose values lie in a range, kept whole, and the surface around them: a threshold. Not in the paper, but by its
+// mate_polyhedron (section 2.2). Any thread; all results own what they have.
 #pragma once
 
 #include "ciel/extract.hpp"
