@@ -86,8 +86,9 @@ private:
 
     void pass_over() {
         const std::span active = std::span(scratch_.cell).first(scratch_.cells);
-        const auto left = std::ranges::remove_if(active, [this](const auto& cell) { return passed_over(cell); });
-        scratch_.cells -= static_cast<Index>(left.size());
+        const auto end =
+            std::remove_if(active.begin(), active.end(), [this](const auto& cell) { return passed_over(cell); });
+        scratch_.cells -= static_cast<Index>(active.end() - end);
     }
 
     // The edges that have values at both ends stay active: a neighbour in another block may cut them.
