@@ -15,6 +15,7 @@
 #include <cmath>
 #include <cstring>
 #include <gtest/gtest.h>
+#include <tuple>
 
 namespace ciel::test {
 namespace {
@@ -121,7 +122,10 @@ struct SlabCorner {
     Vec3f position;
     float value;
     Vec3f gradient;
-    auto operator<=>(const SlabCorner&) const = default;
+    bool operator==(const SlabCorner&) const = default;
+    bool operator<(const SlabCorner& other) const {
+        return std::tie(position, value, gradient) < std::tie(other.position, other.value, other.gradient);
+    }
 };
 using SlabPolygon = std::pair<std::array<float, 2>, std::vector<SlabCorner>>; // limits, corners in order of size
 
@@ -139,9 +143,8 @@ std::vector<SlabPolygon> polygons_of(const SlabMesh& mesh) {
         }
     }
     for (auto& [limits, corners] : out) {
-        std::ranges::sort(corners);
-        const auto repeated = std::ranges::unique(corners);
-        corners.erase(repeated.begin(), repeated.end());
+        std::sort(corners.begin(), corners.end());
+        corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
     }
     return out;
 }

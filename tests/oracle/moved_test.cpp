@@ -24,8 +24,7 @@ std::vector<float> sheared(std::span<const float> positions, float by) {
 // Each place once: at the border of two blocks both have a point.
 std::vector<Vec3f> in_order(std::vector<Vec3f> positions) {
     std::ranges::sort(positions);
-    const auto repeated = std::ranges::unique(positions);
-    positions.erase(repeated.begin(), repeated.end());
+    positions.erase(std::unique(positions.begin(), positions.end()), positions.end());
     return positions;
 }
 
