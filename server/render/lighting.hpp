@@ -1,4 +1,4 @@
-// The lights of a frame, and the one place that says how they light a surface.
+// The lights of a frame; protocol/lighting.glsl says how they light a surface.
 #pragma once
 
 namespace ciel::render {
@@ -17,7 +17,7 @@ struct Occlusion {
 };
 
 // GLSL, for a fragment shader: `lights` to be set to the three strengths, and lit_surface() and lit_ball(), which
-// brighten a colour. The page draws with the same (webclient/src/display/shaders.ts).
+// brighten a colour. The page is built from the same.
 extern const char* const lighting_glsl;
 
 } // namespace ciel::render

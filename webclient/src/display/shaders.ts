@@ -1,4 +1,5 @@
 // The server's shading (render/) in GLSL ES 3.00, so that both streams show the same picture.
+import LIGHTING from "../../../protocol/lighting.glsl?raw";
 
 export const SURFACE_VERTEX = `#version 300 es
 layout(location = 0) in vec3 position;
@@ -56,24 +57,9 @@ vec3 base_color() {
 }
 `;
 
-// The server's too (server/render/lighting.cpp).
 const LIT = `
 uniform bool lit;
-uniform vec3 lights; // strengths of the ambient light, the headlight and the key light
-
-vec3 lit_surface(vec3 base, vec3 n, vec3 viewer) {
-  vec3 key = normalize(vec3(-0.45, 0.65, 0.6)); // over the viewer's left shoulder
-  float head = dot(n, viewer);
-  float wrapped = 0.5 + 0.5 * dot(n, key);
-  float shine = pow(max(dot(n, normalize(key + viewer)), 0.0), 40.0);
-  return base * (0.30 * lights.x + 0.38 * lights.y * head + 0.40 * lights.z * wrapped * wrapped) +
-    vec3(0.10 * lights.z * shine);
-}
-
-vec3 lit_ball(vec3 base, vec2 side) {
-  return base * (0.55 * lights.x + 0.45 * lights.y * sqrt(max(1.0 - dot(side, side), 0.0)));
-}
-`;
+${LIGHTING}`;
 
 export const SURFACE_FRAGMENT = `${COLORED}${LIT}
 in vec3 place;

@@ -1,0 +1,27 @@
+// How a surface is lit, by the server and by the page: GLSL that desktop 3.30 and ES 3.00 both take, built into both.
+
+uniform vec3 lights; // strengths of the ambient light, the headlight and the key light
+
+// Either side of a surface; n and viewer have length 1. The highlight's exponent is 40, by multiplications: in software
+// a power costs as much as all the rest.
+vec3 lit_surface(vec3 base, vec3 n, vec3 viewer) {
+    vec3 key = normalize(vec3(-0.45, 0.65, 0.6)); // over the viewer's left shoulder
+    float head = dot(n, viewer);
+    float turned = head < 0.0 ? -1.0 : 1.0;
+    float to_key = dot(n, key) * turned;
+    head *= turned;
+    float wrapped = 0.5 + 0.5 * to_key;
+    float halfway = max((head + to_key) * inversesqrt(2.0 + 2.0 * dot(key, viewer)), 0.0);
+    float to_2 = halfway * halfway;
+    float to_4 = to_2 * to_2;
+    float to_8 = to_4 * to_4;
+    float to_16 = to_8 * to_8;
+    float shine = to_16 * to_16 * to_8;
+    return base * (0.30 * lights.x + 0.38 * lights.y * head + 0.40 * lights.z * wrapped * wrapped) +
+           vec3(0.10 * lights.z * shine);
+}
+
+// A ball seen from the front: `side` from its middle, of length 1 at its rim.
+vec3 lit_ball(vec3 base, vec2 side) {
+    return base * (0.55 * lights.x + 0.45 * lights.y * sqrt(max(1.0 - dot(side, side), 0.0)));
+}
