@@ -10,7 +10,6 @@ namespace ciel::bench {
 namespace {
 
 constexpr double turn_degrees = 3;
-const std::size_t preview_stride = session::moving_stride(VolumePictures::slice_count);
 
 const char* style(bool shaded) { return shaded ? "shaded" : "unshaded"; }
 
@@ -29,6 +28,7 @@ void add_figures(Table& table, const VolumePictures& pictures, const std::string
 Table volume_table(const Case& data) {
     Table table{"volume", {}, {}};
     VolumePictures pictures(data);
+    const std::size_t preview_stride = session::moving_stride(VolumePictures::slice_count, data.values->size());
     const Vec3d box{0, 1, 0};
     table.rows.push_back(measure("cut box-aligned", [&] { return pictures.cut(box); }));
     for (const bool shaded : {true, false}) {

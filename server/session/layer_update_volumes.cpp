@@ -29,7 +29,7 @@ VolumeDrawable LayerUpdate::drawable_of(const scene::Layer& layer, const scene::
     VolumeDrawable drawable;
     drawable.layer = layer.id;
     drawable.slabs = kept.slabs;
-    drawable.stride = moving ? moving_stride(volume.slices) : 1;
+    drawable.stride = moving ? moving_stride(volume.slices, kept.values->size()) : 1;
     drawable.array = volume.array;
     drawable.units = dataset->find(store::parse_scalar(*dataset, volume.array).array)->units;
     drawable.scale = color_scale_of(volume.color, range_of(*dataset, volume.array, out.step));

@@ -8,7 +8,15 @@
 namespace ciel::session {
 namespace {
 
-constexpr std::size_t moving_slices = 24; // about as many as software draws ten times a second
+// About as many as software draws ten times a second of a mesh whose slices have a few thousand triangles. Those of
+// larger ones have more, by two thirds of an order for each order of vertices; fewer are drawn then, though not so much
+// fewer that a thick slab loses what the mesh shows.
+constexpr double most_moving_slices = 24, least_moving_slices = 8, usual_vertices = 200'000;
+
+std::size_t moving_slices(std::size_t vertices) {
+    const double fitting = most_moving_slices * std::cbrt(usual_vertices / static_cast<double>(vertices + 1));
+    return static_cast<std::size_t>(std::clamp(fitting, least_moving_slices, most_moving_slices));
+}
 
 Vec3d unit_vector(const Vec3d& v) {
     const double length = std::hypot(v[0], v[1], v[2]);
@@ -23,8 +31,9 @@ std::size_t Slabs::memory_bytes() const {
     return bytes;
 }
 
-std::size_t moving_stride(std::size_t slices) {
-    const std::size_t stride = (slices + moving_slices - 1) / moving_slices;
+std::size_t moving_stride(std::size_t slices, std::size_t vertices) {
+    const std::size_t most = moving_slices(vertices);
+    const std::size_t stride = (slices + most - 1) / most;
     return stride % 2 == 0 ? stride + 1 : stride;
 }
 
@@ -57,7 +66,7 @@ bool VolumeCut::cut(const std::string& place, const store::ScalarField& planes, 
     made->boundary = boundary;
     made->slices.resize(count);
 
-    const std::size_t stride = moving ? moving_stride(count) : 1;
+    const std::size_t stride = moving ? moving_stride(count, values->size()) : 1;
     std::vector<double> places;
     for (std::size_t i = stride / 2; i < count; i += stride)
         places.push_back(made->first + (static_cast<double>(i) + 0.5) * made->thickness);

@@ -19,7 +19,8 @@ struct Slabs {
 
 // While something moves, one slice in so many is drawn, each for a slab so many times as thick. Odd, so that the
 // slices of a still serve: the middle plane of the thick slab is that of one of the thin ones.
-[[nodiscard]] std::size_t moving_stride(std::size_t slices);
+// Larger for a mesh of more vertices, so that it can be turned as well.
+[[nodiscard]] std::size_t moving_stride(std::size_t slices, std::size_t vertices);
 
 struct VolumeCut {
     std::string key; // of the property: array, step

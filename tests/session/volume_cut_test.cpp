@@ -40,11 +40,19 @@ protected:
 
 TEST_F(volume_cut, strides_are_odd_so_that_the_middle_slices_are_those_of_the_still) {
     for (std::size_t slices = 1; slices <= 1000; ++slices) {
-        const std::size_t stride = moving_stride(slices);
-        EXPECT_EQ(stride % 2, 1U);
-        EXPECT_LE((slices + stride - 1) / stride, 24U);
+        for (const std::size_t vertices : {1U, 200'000U, 900'000U, 2'000'000'000U}) {
+            const std::size_t stride = moving_stride(slices, vertices);
+            EXPECT_EQ(stride % 2, 1U);
+            EXPECT_LE((slices + stride - 1) / stride, 24U);
+        }
     }
-    EXPECT_EQ(moving_stride(24), 1U);
+    EXPECT_EQ(moving_stride(24, 100), 1U);
+}
+
+TEST_F(volume_cut, slices_of_a_large_mesh_are_fewer_while_something_moves_but_never_next_to_none) {
+    EXPECT_EQ(moving_stride(100, 110'000), 5U);
+    EXPECT_EQ(moving_stride(100, 900'000), 9U);
+    EXPECT_EQ(moving_stride(100, 2'000'000'000), 13U);
 }
 
 TEST_F(volume_cut, only_what_is_drawn_while_something_moves_is_cut_and_the_rest_for_the_still) {
