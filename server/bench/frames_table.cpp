@@ -123,9 +123,9 @@ private:
         if (laps != nullptr) laps->lap();
         render::AfterStage after;
         if (laps != nullptr) after = [laps](render::DrawStage) { laps->lap(); };
-        renderer_.draw(drawn, image_, after);
+        const render::Image& image = renderer_.draw(drawn, after);
         png_.clear();
-        wire::encode_png(image_.width, image_.height, image_.rgb,
+        wire::encode_png(image.width, image.height, image.rgb,
                          still_ ? wire::PngEffort::still : wire::PngEffort::interactive, png_);
         if (laps != nullptr) laps->lap();
         triangles_ = geometry->triangles;
@@ -135,7 +135,6 @@ private:
     scene::Scene scene_;
     session::SceneGeometry geometry_{Extraction{}};
     render::Renderer renderer_{render::Backend::automatic};
-    render::Image image_;
     std::vector<std::uint8_t> png_;
     std::uint64_t triangles_ = 0; // of the last frame
     bool still_ = false;

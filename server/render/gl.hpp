@@ -66,6 +66,7 @@ namespace ciel::render {
     X(ProvokingVertex, PFNGLPROVOKINGVERTEXPROC)                                                                       \
     X(ReadPixels, PFNGLREADPIXELSPROC)                                                                                 \
     X(RenderbufferStorageMultisample, PFNGLRENDERBUFFERSTORAGEMULTISAMPLEPROC)                                         \
+    X(Scissor, PFNGLSCISSORPROC)                                                                                       \
     X(ShaderSource, PFNGLSHADERSOURCEPROC)                                                                             \
     X(TexImage2D, PFNGLTEXIMAGE2DPROC)                                                                                 \
     X(TexParameteri, PFNGLTEXPARAMETERIPROC)                                                                           \
@@ -74,6 +75,7 @@ namespace ciel::render {
     X(Uniform1i, PFNGLUNIFORM1IPROC)                                                                                   \
     X(Uniform2f, PFNGLUNIFORM2FPROC)                                                                                   \
     X(Uniform3f, PFNGLUNIFORM3FPROC)                                                                                   \
+    X(Uniform4f, PFNGLUNIFORM4FPROC)                                                                                   \
     X(Uniform4fv, PFNGLUNIFORM4FVPROC)                                                                                 \
     X(UniformMatrix4fv, PFNGLUNIFORMMATRIX4FVPROC)                                                                     \
     X(UseProgram, PFNGLUSEPROGRAMPROC)                                                                                 \

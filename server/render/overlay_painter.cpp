@@ -3,6 +3,7 @@
 #include "render/page.hpp"
 #include "render/shaders.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 
@@ -151,9 +152,22 @@ void OverlayPainter::build(const Overlay& overlay) {
     }
 }
 
+void OverlayPainter::prepare(const Frame& frame) {
+    vertices_.clear();
+    if (!frame.annotations.empty()) build(lay_out(frame, font_));
+}
+
+void OverlayPainter::touch(TouchedTiles& touched, int height) const {
+    const auto from_top = static_cast<float>(height);
+    for (std::size_t i = 0; i + 3 <= vertices_.size(); i += 3) {
+        const auto [left, right] = std::minmax({vertices_[i].x, vertices_[i + 1].x, vertices_[i + 2].x});
+        const auto [top, bottom] = std::minmax({vertices_[i].y, vertices_[i + 1].y, vertices_[i + 2].y});
+        touched.touch(left - 1, from_top - bottom - 1, right + 1, from_top - top + 1);
+    }
+}
+
 void OverlayPainter::draw(const Frame& frame) {
     if (frame.annotations.empty()) return;
-    build(lay_out(frame, font_));
     gl_.BindVertexArray(array_);
     gl_.BindBuffer(GL_ARRAY_BUFFER, buffer_);
     if (vertices_ != uploaded_) {

@@ -4,6 +4,7 @@
 #include "render/glyph_atlas.hpp"
 #include "render/overlay.hpp"
 #include "render/renderer.hpp"
+#include "render/touched_tiles.hpp"
 
 namespace ciel::render {
 
@@ -13,8 +14,10 @@ public:
     OverlayPainter(const OverlayPainter&) = delete;
     OverlayPainter& operator=(const OverlayPainter&) = delete;
 
-    // Into the bound target, of which it leaves the depth alone. Nothing without annotations. Throws Error when the
-    // font is not installed.
+    // Lays the annotations out. Throws Error when the font is not installed.
+    void prepare(const Frame& frame);
+    void touch(TouchedTiles& touched, int height) const; // those of what was prepared
+    // What was prepared, into the bound target, of which it leaves the depth alone. Nothing without annotations.
     void draw(const Frame& frame);
 
 private:

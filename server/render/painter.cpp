@@ -44,17 +44,16 @@ bool is_plain(const Mesh& mesh, const Frame& frame) {
 
 Painter::Painter(const Gl& gl)
     : gl_(gl), renderer_name_(text_of(gl_, GL_RENDERER)), version_(text_of(gl_, GL_VERSION)),
-      background_(make_background_program(gl_)), triangles_(make_triangle_program(gl_)),
-      plain_(make_plain_program(gl_)), normals_(make_normals_program(gl_)), occluded_(make_occluded_program(gl_)),
-      lines_(make_line_program(gl_)), points_(make_point_program(gl_)), scales_(gl_), target_(gl_), opaque_depth_(gl_),
-      occlusion_(gl_), transparent_(gl_), peeling_(gl_), volumes_(gl_), overlay_(gl_) {
-    gl_.GenVertexArrays(1, &no_array_);
+      triangles_(make_triangle_program(gl_)), plain_(make_plain_program(gl_)), normals_(make_normals_program(gl_)),
+      occluded_(make_occluded_program(gl_)), lines_(make_line_program(gl_)), points_(make_point_program(gl_)),
+      scales_(gl_), target_(gl_), picture_(gl_, target_), opaque_depth_(gl_), occlusion_(gl_), transparent_(gl_),
+      peeling_(gl_), volumes_(gl_), overlay_(gl_) {
     gl_.DepthFunc(GL_LEQUAL);
     gl_.Enable(GL_PROGRAM_POINT_SIZE);
     gl_.BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
 }
 
-void Painter::draw(const Frame& frame, Image& image, const AfterStage& after) {
+const Image& Painter::draw(const Frame& frame, const AfterStage& after) {
     const auto finished = [&](DrawStage stage) {
         if (!after) return;
         gl_.Finish();
@@ -69,8 +68,9 @@ void Painter::draw(const Frame& frame, Image& image, const AfterStage& after) {
     load_scales(frame);
     upload(frame);
     finished(DrawStage::upload);
-    target_.begin(frame.width, frame.height, frame.samples);
-    draw_background(frame);
+    overlay_.prepare(frame);
+    picture_.begin({frame.width, frame.height, frame.samples, frame.background_top, frame.background_bottom},
+                   touched_by(frame));
     enable_clip_planes(true);
     draw_opaque(frame);
     gl_.Enable(GL_BLEND);
@@ -81,10 +81,11 @@ void Painter::draw(const Frame& frame, Image& image, const AfterStage& after) {
     enable_clip_planes(false);
     overlay_.draw(frame);
     finished(DrawStage::draw);
-    target_.read_color(image);
+    const Image& image = picture_.read();
     finished(DrawStage::read);
     width_ = frame.width;
     height_ = frame.height;
+    return image;
 }
 
 // Not for the background: its shader has no distances to the planes.
@@ -144,22 +145,17 @@ void Painter::assign_buffers(const Frame& frame) {
     }
 }
 
-void Painter::draw_background(const Frame& frame) {
-    const auto& top = frame.background_top;
-    const auto& bottom = frame.background_bottom;
-    gl_.DepthMask(GL_TRUE);
-    gl_.ClearColor(bottom[0], bottom[1], bottom[2], 1);
-    gl_.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-    if (top != bottom) {
-        gl_.Disable(GL_DEPTH_TEST);
-        gl_.UseProgram(background_.id);
-        gl_.Uniform3f(background_.top, top[0], top[1], top[2]);
-        gl_.Uniform3f(background_.bottom, bottom[0], bottom[1], bottom[2]);
-        gl_.Uniform1f(background_.height, static_cast<float>(frame.height));
-        gl_.BindVertexArray(no_array_);
-        gl_.DrawArrays(GL_TRIANGLES, 0, 3);
+// A volume's pixels, and those of several samples, take so much longer than the rest that all are drawn anew.
+TouchedTiles Painter::touched_by(const Frame& frame) const {
+    TouchedTiles touched(frame.width, frame.height);
+    if (frame.samples > 1 || !frame.volumes.empty()) {
+        touched.touch_all();
+        return touched;
     }
-    gl_.Enable(GL_DEPTH_TEST);
+    for (const Mesh& mesh : frame.meshes)
+        if (!mesh.indices.empty() && mesh.color[3] > 0) touched.touch(mesh, transform_);
+    overlay_.touch(touched, frame.height);
+    return touched;
 }
 
 void Painter::use(const Program& program, const Frame& frame) {
@@ -180,6 +176,17 @@ void Painter::use(const Program& program, const Frame& frame) {
     gl_.Uniform1i(program.scale_rules, 1);
     gl_.Uniform2f(program.viewport, static_cast<float>(frame.width), static_cast<float>(frame.height));
     scales_.bind();
+}
+
+// Of the plain program, which has no attribute but the normal.
+void Painter::use_look(const Frame& frame, const Mesh& mesh) {
+    const glm::dmat4& projection = transform_.projection;
+    const bool parallel = frame.camera.parallel;
+    const double right = parallel ? 0 : 1 / projection[0][0], up = parallel ? 0 : 1 / projection[1][1];
+    gl_.Uniform4f(plain_.look, static_cast<float>(2 * right / frame.width), static_cast<float>(2 * up / frame.height),
+                  static_cast<float>(-right), static_cast<float>(-up));
+    gl_.Uniform4f(plain_.solid, mesh.color[0], mesh.color[1], mesh.color[2], mesh.color[3]);
+    gl_.Uniform1f(plain_.lit, mesh.lit ? 1.0F : 0.0F);
 }
 
 void Painter::draw_meshes(const Frame& frame, const Program& program, bool before_volume) {
@@ -208,6 +215,7 @@ void Painter::draw_meshes(const Frame& frame, const Program& program, bool befor
             use(fitting, frame);
             in_use = &fitting;
         }
+        if (in_use == &plain_) use_look(frame, mesh);
         buffers(i).draw(mesh, scale_rows_[i]);
     }
     gl_.Disable(GL_POLYGON_OFFSET_FILL);

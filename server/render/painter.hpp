@@ -5,6 +5,7 @@
 #include "render/camera.hpp"
 #include "render/color_scales.hpp"
 #include "render/depth_peeling.hpp"
+#include "render/kept_picture.hpp"
 #include "render/mesh_buffers.hpp"
 #include "render/opaque_depth.hpp"
 #include "render/overlay_painter.hpp"
@@ -23,7 +24,7 @@ public:
     Painter(const Painter&) = delete;
     Painter& operator=(const Painter&) = delete;
 
-    void draw(const Frame& frame, Image& image, const AfterStage& after);
+    const Image& draw(const Frame& frame, const AfterStage& after); // until the next
     bool pick(int x, int y, Vec3d& position);
     [[nodiscard]] const std::string& renderer_name() const { return renderer_name_; }
     [[nodiscard]] const std::string& version() const { return version_; }
@@ -32,7 +33,7 @@ private:
     void enable_clip_planes(bool on);
     void load_scales(const Frame& frame);
     void upload(const Frame& frame);
-    void draw_background(const Frame& frame);
+    [[nodiscard]] TouchedTiles touched_by(const Frame& frame) const;
     void draw_meshes(const Frame& frame, const Program& program, bool before_volume = false);
     void draw_opaque(const Frame& frame);
     void draw_opaque_depth(const Frame& frame, bool with_normals);
@@ -42,16 +43,17 @@ private:
     void draw_transparent(const Frame& frame);
     void peel_transparent(const Frame& frame);
     void use(const Program& program, const Frame& frame);
+    void use_look(const Frame& frame, const Mesh& mesh);
     void assign_buffers(const Frame& frame);
     [[nodiscard]] MeshBuffers& buffers(std::size_t mesh) { return *slots_[mesh]; }
 
     Gl gl_;
     std::string renderer_name_, version_;
-    Program background_, triangles_, plain_, normals_, occluded_, lines_, points_;
-    GLuint no_array_ = 0;
+    Program triangles_, plain_, normals_, occluded_, lines_, points_;
     ColorScales scales_;
     std::vector<float> scale_rows_; // of the frame's meshes
     Target target_;
+    KeptPicture picture_;
     OpaqueDepth opaque_depth_;
     AmbientOcclusion occlusion_;
     std::list<MeshBuffers> buffers_;  // one per mesh of the largest frame so far

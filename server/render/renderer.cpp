@@ -59,14 +59,15 @@ Renderer::Renderer(Backend backend) : state_(std::make_unique<State>(backend)) {
 Renderer::~Renderer() = default;
 Renderer::Renderer(Renderer&&) noexcept = default;
 
-void Renderer::draw(const Frame& frame, Image& image, const AfterStage& after) {
+void Renderer::draw(const Frame& frame, Image& image, const AfterStage& after) { image = draw(frame, after); }
+
+const Image& Renderer::draw(const Frame& frame, const AfterStage& after) {
     if (state_->is_lost() || state_->is_much_larger_than(frame)) state_->rebuild();
     state_->drawn_pixels = pixels_of(frame);
-    state_->painter->draw(frame, image, after);
-    if (state_->is_lost()) { // while drawing: what was read is no picture
-        state_->rebuild();
-        state_->painter->draw(frame, image, after);
-    }
+    const Image& image = state_->painter->draw(frame, after);
+    if (!state_->is_lost()) return image;
+    state_->rebuild(); // while drawing: what was read is no picture
+    return state_->painter->draw(frame, after);
 }
 
 bool Renderer::pick(int x, int y, Vec3d& position) {

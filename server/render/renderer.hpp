@@ -82,6 +82,8 @@ public:
     // the size is more than the GL can do; the next draw is not affected. `after` is for who measures: each stage is
     // finished before it is called, which costs what the GL would have done side by side.
     void draw(const Frame& frame, Image& image, const AfterStage& after = {});
+    // The same without a copy: the picture is the renderer's, until its next draw.
+    const Image& draw(const Frame& frame, const AfterStage& after = {});
     // World position under a pixel of the last drawn frame; false where there is only background.
     bool pick(int x, int y, Vec3d& position);
     [[nodiscard]] const std::string& gl_renderer() const; // GL_RENDERER

@@ -8,14 +8,6 @@
 namespace ciel::render {
 namespace {
 
-constexpr const char* background_fragment = R"(#version 330 core
-uniform vec3 top;
-uniform vec3 bottom;
-uniform float height;
-out vec4 picture;
-void main() { picture = vec4(mix(bottom, top, gl_FragCoord.y / height), 1.0); }
-)";
-
 // What the vertices tell lines, triangles and points.
 const std::string surface_block = R"( Surface {
     vec3 place; // in the eye's axes, in units of the bounds' diagonal: derivatives of small scenes must not underflow
@@ -26,7 +18,7 @@ const std::string surface_block = R"( Surface {
     vec3 position; // for the lines' clip distances
 } surface)";
 
-const std::string surface_vertex = R"(
+const std::string surface_vertex = R"(#version 330 core
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
 layout(location = 2) in float scalar;
@@ -36,17 +28,13 @@ uniform mat4 view;
 uniform mat4 projection;
 uniform float scale;
 uniform float point_size;
-#ifndef PLAIN
 uniform vec4 clip[6]; // counts only where the painter has enabled it
 out float gl_ClipDistance[6];
-#endif
 out)" + surface_block + R"(;
 void main() {
     vec4 place = view * vec4(position, 1.0);
     gl_Position = projection * place;
-#ifndef PLAIN
     for (int i = 0; i < 6; ++i) gl_ClipDistance[i] = dot(clip[i].xyz, position) + clip[i].w;
-#endif
     gl_PointSize = point_size + 1.0; // room for a soft edge; counts for points only
     surface.place = place.xyz * scale;
     surface.normal = mat3(view) * normal;
@@ -54,6 +42,37 @@ void main() {
     surface.color = color;
     surface.style = style;
     surface.position = position;
+}
+)";
+
+// The most common mesh: one colour, normals of its own, no clip plane. A software rasteriser pays for each number that
+// is carried from the vertices to the pixels, so only the normal is; where a pixel looks, it knows itself.
+const std::string plain_vertex = R"(#version 330 core
+layout(location = 0) in vec3 position;
+layout(location = 1) in vec3 normal;
+uniform mat4 view;
+uniform mat4 projection;
+out vec3 eye_normal;
+void main() {
+    gl_Position = projection * (view * vec4(position, 1.0));
+    eye_normal = mat3(view) * normal;
+}
+)";
+
+const std::string plain_fragment = R"(
+uniform vec4 look; // a pixel's ray is (xy of the pixel * look.xy + look.zw, -1)
+uniform vec4 solid;
+uniform float lit;
+in vec3 eye_normal;
+out vec4 picture;
+void main() {
+    picture = solid;
+    if (lit > 0.5) {
+        vec3 viewer = normalize(vec3(-(gl_FragCoord.xy * look.xy + look.zw), 1.0));
+        float square = dot(eye_normal, eye_normal);
+        vec3 n = square > 1e-12 ? eye_normal * inversesqrt(square) : viewer;
+        picture.rgb = lit_surface(solid.rgb, n, viewer);
+    }
 }
 )";
 
@@ -68,13 +87,6 @@ uniform sampler2D nearer;
 uniform float occlusion_scale; // bounds' diagonal in units of the radius
 #endif
 
-#ifdef PLAIN
-vec3 facing_normal(vec3 viewer) {
-    float square = dot(surface.normal, surface.normal);
-    vec3 n = square > 1e-12 ? surface.normal * inversesqrt(square) : viewer;
-    return dot(n, viewer) < 0.0 ? -n : n;
-}
-#else
 vec3 facing_normal(vec3 viewer) {
     vec3 plane = cross(dFdx(surface.place), dFdy(surface.place));
     float plane_length = length(plane);
@@ -84,7 +96,6 @@ vec3 facing_normal(vec3 viewer) {
     if (normal_length > 1e-6) n = surface.normal / normal_length;
     return dot(n, viewer) < 0.0 ? -n : n;
 }
-#endif
 
 void main() {
 #ifdef PEELED
@@ -95,11 +106,7 @@ void main() {
     picture = vec4(facing_normal(viewer), 1.0);
     return;
 #endif
-#ifdef PLAIN
-    vec3 base = surface.color.rgb;
-#else
     vec3 base = base_color(surface.value, surface.color.rgb, surface.style.x);
-#endif
     if (surface.style.y > 0.5) {
         base = lit_surface(base, facing_normal(viewer), viewer);
 #ifdef OCCLUDED
@@ -235,11 +242,13 @@ Program link(const Gl& gl, const std::vector<Stage>& stages) {
     program.scale_colors = uniform("scale_colors");
     program.scale_rules = uniform("scale_rules");
     program.lights = uniform("lights");
+    program.look = uniform("look");
+    program.solid = uniform("solid");
+    program.lit = uniform("lit");
     program.clip = uniform("clip");
     program.point_size = uniform("point_size");
     program.viewport = uniform("viewport");
     program.half_width = uniform("half_width");
-    program.top = uniform("top");
     program.before_volume = uniform("before_volume");
     program.volume_limits = uniform("volume_limits");
     program.nearer = uniform("nearer");
@@ -247,13 +256,7 @@ Program link(const Gl& gl, const std::vector<Stage>& stages) {
     program.occlusion_stride = uniform("occlusion_stride");
     program.occlusion_strength = uniform("occlusion_strength");
     program.occlusion_scale = uniform("occlusion_scale");
-    program.bottom = uniform("bottom");
-    program.height = uniform("height");
     return program;
-}
-
-std::string surface_vertex_of(const char* defines = "") {
-    return std::string("#version 330 core\n") + defines + surface_vertex;
 }
 
 std::string with_color_scale(const std::string& body, const char* defines = "") {
@@ -283,43 +286,37 @@ GLuint link_stages(const Gl& gl, const std::vector<Stage>& stages) {
     return program;
 }
 
-Program make_background_program(const Gl& gl) {
-    return link(gl, {{GL_VERTEX_SHADER, cover_vertex}, {GL_FRAGMENT_SHADER, background_fragment}});
-}
-
 Program make_triangle_program(const Gl& gl) {
-    return link(gl,
-                {{GL_VERTEX_SHADER, surface_vertex_of()}, {GL_FRAGMENT_SHADER, with_color_scale(triangle_fragment)}});
+    return link(gl, {{GL_VERTEX_SHADER, surface_vertex}, {GL_FRAGMENT_SHADER, with_color_scale(triangle_fragment)}});
 }
 
 Program make_plain_program(const Gl& gl) {
-    constexpr const char* plain = "#define PLAIN\n";
-    return link(gl, {{GL_VERTEX_SHADER, surface_vertex_of(plain)},
-                     {GL_FRAGMENT_SHADER, with_color_scale(triangle_fragment, plain)}});
+    return link(gl, {{GL_VERTEX_SHADER, plain_vertex},
+                     {GL_FRAGMENT_SHADER, std::string("#version 330 core\n") + lighting_glsl + plain_fragment}});
 }
 
 Program make_point_program(const Gl& gl) {
-    return link(gl, {{GL_VERTEX_SHADER, surface_vertex_of()}, {GL_FRAGMENT_SHADER, with_color_scale(point_fragment)}});
+    return link(gl, {{GL_VERTEX_SHADER, surface_vertex}, {GL_FRAGMENT_SHADER, with_color_scale(point_fragment)}});
 }
 
 Program make_peeling_program(const Gl& gl) {
-    return link(gl, {{GL_VERTEX_SHADER, surface_vertex_of()},
+    return link(gl, {{GL_VERTEX_SHADER, surface_vertex},
                      {GL_FRAGMENT_SHADER, with_color_scale(triangle_fragment, "#define PEELED\n")}});
 }
 
 Program make_normals_program(const Gl& gl) {
-    return link(gl, {{GL_VERTEX_SHADER, surface_vertex_of()},
+    return link(gl, {{GL_VERTEX_SHADER, surface_vertex},
                      {GL_FRAGMENT_SHADER, with_color_scale(triangle_fragment, "#define NORMALS\n")}});
 }
 
 Program make_occluded_program(const Gl& gl) {
     const std::string defines = std::string("#define OCCLUDED\n") + occluded_glsl;
-    return link(gl, {{GL_VERTEX_SHADER, surface_vertex_of()},
+    return link(gl, {{GL_VERTEX_SHADER, surface_vertex},
                      {GL_FRAGMENT_SHADER, with_color_scale(triangle_fragment, defines.c_str())}});
 }
 
 Program make_line_program(const Gl& gl) {
-    return link(gl, {{GL_VERTEX_SHADER, surface_vertex_of()},
+    return link(gl, {{GL_VERTEX_SHADER, surface_vertex},
                      {GL_GEOMETRY_SHADER, line_geometry},
                      {GL_FRAGMENT_SHADER, with_color_scale(line_fragment)}});
 }

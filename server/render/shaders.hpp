@@ -1,4 +1,4 @@
-// The four programs: background, triangles, lines, points.
+// The programs of surfaces: triangles, lines, points.
 #pragma once
 
 #include "render/gl.hpp"
@@ -26,13 +26,13 @@ struct Program {
     GLint view = -1, projection = -1, scale = -1, parallel = -1, clip = -1; // triangles, lines and points
     GLint scale_colors = -1, scale_rules = -1;                              // likewise
     GLint lights = -1;                                                      // triangles and points
+    GLint look = -1, solid = -1, lit = -1;                                  // plain triangles
     GLint point_size = -1;                                                  // points
     GLint viewport = -1, before_volume = -1, volume_limits = -1;            // lines and points
     GLint half_width = -1;                                                  // lines
     GLint nearer = -1;                                                      // triangles that are peeled
     GLint occlusion = -1, occlusion_stride = -1;                            // triangles with ambient occlusion
     GLint occlusion_strength = -1, occlusion_scale = -1;                    // likewise
-    GLint top = -1, bottom = -1, height = -1;                               // background
 };
 
 // One triangle that covers the picture.
@@ -43,7 +43,6 @@ using Stage = std::pair<GLenum, std::string>; // kind and source of a shader
 [[nodiscard]] GLuint link_stages(const Gl& gl, const std::vector<Stage>& stages);
 
 // Each throws Error with the compiler's words.
-[[nodiscard]] Program make_background_program(const Gl& gl);
 [[nodiscard]] Program make_triangle_program(const Gl& gl);
 // The same for the most common mesh: one colour, normals of its own, no clip plane.
 [[nodiscard]] Program make_plain_program(const Gl& gl);

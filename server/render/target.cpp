@@ -102,21 +102,24 @@ Target::Layer& Target::resolved(GLbitfield what) {
     return single_;
 }
 
-void Target::read_color(Image& image) {
+void Target::read(const PixelBox& box, Image& image) {
     const Layer& layer = resolved(GL_COLOR_BUFFER_BIT);
-    const auto width = static_cast<std::size_t>(layer.width);
-    rgba_.resize(4 * width * band_rows);
+    const auto stride = 3 * static_cast<std::size_t>(layer.width);
+    const auto width = static_cast<std::size_t>(box.width);
+    rgba_.resize(std::max(rgba_.size(), 4 * width * band_rows));
     gl_.BindFramebuffer(GL_READ_FRAMEBUFFER, layer.framebuffer);
     gl_.PixelStorei(GL_PACK_ALIGNMENT, 4);
     image.width = layer.width;
     image.height = layer.height;
-    image.rgb.resize(3 * width * static_cast<std::size_t>(layer.height));
-    for (int bottom = 0; bottom < layer.height; bottom += band_rows) { // GL's rows run from the bottom up
-        const int rows = std::min(band_rows, layer.height - bottom);
-        gl_.ReadPixels(0, bottom, layer.width, rows, GL_RGBA, GL_UNSIGNED_BYTE, rgba_.data());
+    image.rgb.resize(stride * static_cast<std::size_t>(layer.height));
+    const int top = box.bottom + box.height;
+    for (int bottom = box.bottom; bottom < top; bottom += band_rows) { // GL's rows run from the bottom up
+        const int rows = std::min(band_rows, top - bottom);
+        gl_.ReadPixels(box.left, bottom, box.width, rows, GL_RGBA, GL_UNSIGNED_BYTE, rgba_.data());
         for (int row = 0; row < rows; ++row)
-            drop_alpha(rgba_.data() + 4 * width * static_cast<std::size_t>(row), layer.width,
-                       image.rgb.data() + 3 * width * static_cast<std::size_t>(layer.height - 1 - bottom - row));
+            drop_alpha(rgba_.data() + 4 * width * static_cast<std::size_t>(row), box.width,
+                       image.rgb.data() + stride * static_cast<std::size_t>(layer.height - 1 - bottom - row) +
+                           3 * static_cast<std::size_t>(box.left));
     }
 }
 

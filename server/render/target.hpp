@@ -3,6 +3,7 @@
 
 #include "render/gl.hpp"
 #include "render/renderer.hpp"
+#include "render/touched_tiles.hpp"
 
 namespace ciel::render {
 
@@ -13,7 +14,8 @@ public:
 
     // Binds it for drawing. Throws Error when the size is more than the GL can do.
     void begin(int width, int height, int samples);
-    void read_color(Image& image);
+    // Only these pixels; the image gets the size of the whole.
+    void read(const PixelBox& box, Image& image);
     // Depth at a pixel counted from the top left, 1 where nothing was drawn.
     [[nodiscard]] float read_depth(int x, int y);
     void bind_again();

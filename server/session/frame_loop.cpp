@@ -48,7 +48,7 @@ void show_frame(View& view, Worker& worker, bool still) {
         const auto drawing = Clock::now();
         std::vector<std::vector<std::uint8_t>> messages;
         if (request->stream == Stream::image) {
-            const auto image = draw(*geometry, request->version->scene, request->size, request->still, worker);
+            const auto& image = draw(*geometry, request->version->scene, request->size, request->still, worker);
             header.draw_ms = elapsed_ms(drawing);
             if (request->still && request->stop.stop_requested()) return view.give_up();
             messages.push_back(image_message(header, image, request->still));

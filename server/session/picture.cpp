@@ -19,15 +19,13 @@ void check_picture_size(const Limits& limits, std::int64_t width, std::int64_t h
         throw LimitReached("a picture may have " + std::to_string(limits.image_pixels) + " pixels");
 }
 
-render::Image draw(const Geometry& geometry, const scene::Scene& scene, ViewSize size, bool still, Worker& worker) {
+const render::Image& draw(const Geometry& geometry, const scene::Scene& scene, ViewSize size, bool still, Worker& worker) {
     double scale = 1;
     const double pixels = static_cast<double>(size.width) * size.height;
     if (!still && pixels > interactive_pixels) scale = std::sqrt(interactive_pixels / pixels);
     const int width = std::max(1, static_cast<int>(size.width * scale));
     const int height = std::max(1, static_cast<int>(size.height * scale));
-    render::Image image;
-    worker.renderer().draw(frame_of(geometry, scene, width, height, still ? still_samples : 1), image);
-    return image;
+    return worker.renderer().draw(frame_of(geometry, scene, width, height, still ? still_samples : 1));
 }
 
 render::Frame picture_of(const Geometry& geometry, const scene::Scene& scene, ViewSize size) {

@@ -14,8 +14,9 @@ void check_picture_size(const Limits& limits, std::int64_t width, std::int64_t h
 // A still has the asked size and four samples a pixel; an interactive picture has at most 1280 x 720 pixels of the same
 // shape and one sample. Neither is written on: who shows a view's frames draws the scene's annotations over them, at
 // the screen's resolution and without waiting for a frame.
-[[nodiscard]] render::Image draw(const Geometry& geometry, const scene::Scene& scene, ViewSize size, bool still,
-                                 Worker& worker);
+// The picture is the worker's, until its next.
+[[nodiscard]] const render::Image& draw(const Geometry& geometry, const scene::Scene& scene, ViewSize size, bool still,
+                                        Worker& worker);
 // A picture that stands for itself, as a file does: a still with the scene's annotations.
 [[nodiscard]] render::Frame picture_of(const Geometry& geometry, const scene::Scene& scene, ViewSize size);
 // Header and PNG; fills in the header's encoding time, sizes and flags.

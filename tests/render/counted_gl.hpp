@@ -13,6 +13,7 @@ struct GlCounts {
     int storage = 0;       // memory of textures and renderbuffers that was asked for
     std::size_t bytes = 0; // sent to buffers
     int texture_updates = 0;
+    std::size_t pixels_read = 0;
 };
 
 namespace counted {
@@ -53,6 +54,10 @@ inline void tex_sub_image(GLenum target, GLint level, GLint x, GLint y, GLsizei 
     ++counts.texture_updates;
     real.TexSubImage2D(target, level, x, y, width, height, layout, type, texels);
 }
+inline void read_pixels(GLint x, GLint y, GLsizei width, GLsizei height, GLenum layout, GLenum type, void* pixels) {
+    counts.pixels_read += static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+    real.ReadPixels(x, y, width, height, layout, type, pixels);
+}
 inline void renderbuffer(GLenum target, GLsizei samples, GLenum format, GLsizei width, GLsizei height) {
     ++counts.storage;
     real.RenderbufferStorageMultisample(target, samples, format, width, height);
@@ -75,6 +80,7 @@ inline Gl counted_gl(const Context& context) {
     gl.CreateShader = create_shader;
     gl.BufferData = buffer_data;
     gl.BufferSubData = buffer_sub_data;
+    gl.ReadPixels = read_pixels;
     gl.TexImage2D = tex_image;
     gl.TexSubImage2D = tex_sub_image;
     gl.RenderbufferStorageMultisample = renderbuffer;

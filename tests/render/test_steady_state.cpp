@@ -26,7 +26,7 @@ protected:
 
     GlCounts draw() {
         (void)take_counts();
-        painter->draw(frame, image, {});
+        (void)painter->draw(frame, {});
         return take_counts();
     }
     void turn() {
@@ -61,7 +61,6 @@ protected:
     ChosenContext chosen;
     std::optional<Painter> painter;
     Frame frame = front_view();
-    Image image;
     double angle = 0;
     std::uint64_t identity = 0, revision = 0;
 };

@@ -43,14 +43,15 @@ public:
         const render::Frame frame = session::frame_of(*geometry, scene_, width, height, 1);
         camera_ = frame.camera;
         origin_ = frame.origin;
-        renderer.draw(frame, image_);
-        encode_jpeg_of_rgb(width, height, image_.rgb, jpeg_);
+        const render::Image& image = renderer.draw(frame);
+        encode_jpeg_of_rgb(width, height, image.rgb, jpeg_);
+        image_ = &image;
         return geometry->triangles;
     }
 
     [[nodiscard]] const render::Camera& camera() const { return camera_; }
     [[nodiscard]] const Vec3d& origin() const { return origin_; }
-    [[nodiscard]] double covered_share() const { return bench::covered_share(image_.rgb); }
+    [[nodiscard]] double covered_share() const { return bench::covered_share(image_->rgb); }
     [[nodiscard]] std::size_t bytes() const { return jpeg_.size(); }
 
 private:
@@ -59,7 +60,7 @@ private:
     session::SceneGeometry geometry_{Extraction{}};
     render::Camera camera_;
     Vec3d origin_{};
-    render::Image image_;
+    const render::Image* image_ = nullptr; // the renderer's, of the last draw
     std::vector<std::uint8_t> jpeg_;
 };
 
