@@ -34,6 +34,7 @@ void append(const PolyhedralSection<Local>& section, std::span<const float> valu
         CellRanges::Range range = nothing;
         for (Index k = section.face_begin[face]; k < section.face_begin[face + 1]; ++k)
             widen(range, values[section.vertex[k]]);
+        if (!(range[0] <= range[1])) continue; // no value on it
         for (const Local cell : section.face_cell[face]) {
             widen(out[begin + cell], range[0]);
             widen(out[begin + cell], range[1]);

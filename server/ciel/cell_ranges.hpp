@@ -11,7 +11,8 @@ namespace ciel {
 // Made for a block the second time that it is cut: a field that is looked at once would pay for nothing. Any thread.
 class CellRanges {
 public:
-    // Of a group of cells of a standard section, or of a polyhedron. Finite values only; low > high where there are none.
+    // Of a group of cells of a standard section, or of a polyhedron. Finite values only; low > high where there are
+    // none.
     using Range = std::array<float, 2>;
 
     // Room for so many blocks; nothing is made.

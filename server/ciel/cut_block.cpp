@@ -279,7 +279,8 @@ void begin_cut_alone(const Block& block, const BlockValues& in, CutScratch& scra
     begin_cut(block, scratch, cut);
     grow(scratch.met, block.edge_count);
     (void)mark(in.values, in.threshold, scratch);
-    scratch.met_before += scratch.met_count;
+    scratch.met_before += scratch.met_most; // all that may have been given out, should the cut before have failed
+    scratch.met_most = block.edge_count;
     scratch.met_count = 0;
     if (scratch.met_before > none - block.edge_count) {
         std::ranges::fill(scratch.met, Index{0});

@@ -50,7 +50,7 @@ struct CutScratch {
     std::vector<std::array<Index, 2>> ends;      // per local edge, good where active; or by point (cut_block_alone)
     // Of cut_block_alone, per local edge: its point + met_before; less where this cut has not met it.
     std::vector<Index> met;
-    Index met_before = 1, met_count = 0;
+    Index met_before = 1, met_count = 0, met_most = 0;
     std::vector<std::uint8_t> face_kinds; // per face of the polyhedra: 1 has low corners, 2 has high ones
     // Of one polyhedron: the faces that nu crosses. A bit per corner of the stored loop, where the edge that begins
     // there climbs or descends; of a face with more than 64 all are set.

@@ -243,9 +243,9 @@ void PolyhedronCutter<Edges, Local>::walk_all(Index cell) {
         for (Index k = section_.face_begin[face]; k < section_.face_begin[face + 1]; ++k)
             if (is_active(k, face) && is_high(k) == (side == 1)) entries.push_back(section_.half_edge(k, side));
     }
+    for (const Index h : entries) scratch_.walked[h] = 0;
     for (const Index h : entries)
         if (scratch_.walked[h] == 0) walk(cell, h);
-    for (const Index h : entries) scratch_.walked[h] = 0;
 }
 
 template <class Edges, class Local>

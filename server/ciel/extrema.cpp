@@ -101,11 +101,13 @@ bool Field::Blocks::find_geometric_extrema() const {
 void Field::Blocks::make_extrema() const {
     const Locked lock(extrema_mutex);
     if (extrema_made) return;
-    extrema_made = true;
+    minima.clear();
+    maxima.clear();
     if (!find_geometric_extrema()) find_extrema();
     const auto below = [this](Index a, Index b) { return values[a] != values[b] ? values[a] < values[b] : a < b; };
     std::ranges::sort(minima, below);
     std::ranges::sort(maxima, [&](Index a, Index b) { return below(b, a); });
+    extrema_made = true;
 }
 
 } // namespace ciel

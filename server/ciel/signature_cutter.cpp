@@ -37,6 +37,7 @@ void SignatureCutter::update_block(Index b, float threshold, double nu) {
     const std::span<const float> values = field_->of_block(b);
     const bool gaps = field_->gaps[b] != 0;
     if (classify(values, threshold, scratch, cut) && !gaps) return;
+    cut.known = false; // should there be no memory for it
     cut_block(block, {values, gaps, threshold, nu, decider_, field_->ranges.of(block, b, values)}, scratch, cut);
     cut.known = !gaps && !cut.decided;
 }

@@ -119,6 +119,24 @@ void OutlineSink::join(std::span<const Part* const> parts, Out& out) const { joi
 
 namespace {
 
+void require(std::size_t found, std::size_t wanted, const char* what) {
+    if (found != wanted)
+        fail("a sweep needs " + std::to_string(wanted) + " " + what + ", not " + std::to_string(found));
+}
+
+void check(const SliceSink& sink, const FaceMeshView& mesh) {
+    require(sink.property.size(), mesh.vertex_count(), "values, one per vertex");
+}
+
+void check(const SlabSink& sink, const FaceMeshView& mesh) {
+    require(sink.property.value.size(), mesh.vertex_count(), "values, one per vertex");
+    require(sink.property.gradient.size(), mesh.vertex_count(), "gradients, one per vertex");
+    require(sink.property.limits.size(), mesh.cell_count(), "limits, one per cell");
+}
+
+template <class Sink>
+void check(const Sink&, const FaceMeshView&) {} // has nothing of its own
+
 // What one sweep does, with the scratch that is kept.
 template <class Sink>
 struct Pass {
@@ -184,6 +202,9 @@ bool sweep(const Topology& topology, const FaceMeshView& mesh, const Field& fiel
            const Sink& sink, SweepParts<Sink>& scratch, std::vector<typename Sink::Out>& out, const StopToken& stop,
            Extraction extraction) {
     if (field.blocks().topology != &topology) fail("the field belongs to another topology");
+    if (mesh.vertex_count() != topology.counts().vertices || mesh.cell_count() != topology.counts().cells)
+        fail("the mesh is not the one that the topology was built from");
+    check(sink, mesh);
     scratch.block.resize(topology.block_count());
     for (auto& made : scratch.block) made.count = 0;
     Pass<Sink> pass{topology, mesh, field, values, sink, extraction, scratch, stop};

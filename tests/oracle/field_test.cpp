@@ -1,4 +1,6 @@
 // Fields: ranges, minima, ambiguous faces, gradients, slices.
+#include "ciel/blocks.hpp"
+#include "ciel/field_blocks.hpp"
 #include "oracle/kernel_mesh.hpp"
 #include "support/fields.hpp"
 #include "support/meshes.hpp"
@@ -247,6 +249,23 @@ TEST_P(FarAway, SlicesKeepTheirArea) {
 
 INSTANTIATE_TEST_SUITE_P(Origin, FarAway, testing::Bool(),
                          [](const auto& test) { return test.param ? "in_double" : "in_the_floats"; });
+
+// A range that a cell without values had would bring the cell into each cut.
+TEST(CellRanges, AreEmptyWhereThereIsNoValue) {
+    for (const NamedMesh& named : all_meshes()) {
+        const Polyhedra input = named.make();
+        const KernelMesh mesh(input, {32});
+        const std::vector<float> none_at_all(mesh.topology.counts().vertices, std::numeric_limits<float>::quiet_NaN());
+        const Field field = make_field(mesh.topology, none_at_all);
+        const Field::Blocks& blocks = field.blocks();
+        for (Index b = 0; b < mesh.topology.block_count(); ++b) {
+            const Block& block = mesh.topology.blocks().block[b];
+            (void)blocks.ranges.of(block, b, blocks.of_block(b)); // the first time nothing is made
+            for (const CellRanges::Range& range : blocks.ranges.of(block, b, blocks.of_block(b)))
+                EXPECT_GT(range[0], range[1]) << named.name;
+        }
+    }
+}
 
 } // namespace
 } // namespace ciel::test

@@ -195,5 +195,26 @@ TEST(SweepStopped, SaysSo) {
             sweep(mesh.topology, mesh.mesh(), field, std::vector{0.5}, SoupSink{}, out, stop.get_token(), engine));
 }
 
+TEST_P(Sweep, PassesOverCellsWithoutAllTheirValues) {
+    for (std::size_t v = 0; v < stored.size(); v += 7) stored[v] = std::numeric_limits<float>::quiet_NaN();
+    field = make_field(mesh.topology, stored);
+    std::vector<SoupSink::Out> out;
+    ASSERT_TRUE(sweep(mesh.topology, mesh.mesh(), field, values, SoupSink{}, out, {}, how));
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        const Surface surface = surface_at(values[i]);
+        std::vector<Vec3f> expected;
+        for_fans(surface, [&](Index a, Index b, Index c) {
+            for (const Index p : {a, b, c}) expected.push_back(surface.positions[p]);
+        });
+        EXPECT_EQ(out[i], expected) << values[i];
+    }
+}
+
+TEST_P(Sweep, WantsAPropertyPerVertex) {
+    const std::vector<float> more(stored.size() + 1);
+    std::vector<SliceSink::Out> out;
+    EXPECT_THROW(sweep(mesh.topology, mesh.mesh(), field, values, SliceSink{more}, out, {}, how), Error);
+}
+
 } // namespace
 } // namespace ciel::test

@@ -17,7 +17,7 @@ def test_every_table(box, tmp_path):
     result = ciel("bench", box, "--array", "r", "--json", tmp_path / "bench.json")
     assert result.returncode == 0, result.stderr
     told = json.loads((tmp_path / "bench.json").read_text())
-    assert [table["name"] for table in told["tables"]] == ["memory", "preprocessing", "slices", "surfaces", "frames", "volume"]
+    assert [table["name"] for table in told["tables"]] == ["memory", "preprocessing", "slices", "surfaces"]
     figures = {figure["what"]: figure["value"] for figure in told["tables"][0]["figures"]}
     info = json.loads(ciel("info", box, "--json").stdout)
     assert figures["half-edges"] == info["mesh"]["half_edges"] and figures["topology"] == info["memory"]["topology_bytes"]
