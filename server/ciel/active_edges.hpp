@@ -10,7 +10,7 @@ namespace ciel {
 // For surfaces, whose points are in the order of edges and shared between blocks: a bit per edge.
 class SharedEdges {
 public:
-    SharedEdges(CutScratch& scratch, CutBlock& cut) : active_(cut.active.data()), ends_(scratch.ends.data()) {}
+    SharedEdges(CutScratch& scratch, ActiveBlock& cut) : active_(cut.active.data()), ends_(scratch.ends.data()) {}
 
     // Returns what a polygon keeps.
     Index activate(Index edge, Index a, Index b) {
@@ -29,7 +29,7 @@ private:
 // For a block's own points: numbered as they are met, so that nothing is done per edge that is not active.
 class MetEdges {
 public:
-    MetEdges(CutScratch& scratch, CutBlock&)
+    MetEdges(CutScratch& scratch, ActiveBlock&)
         : met_(scratch.met.data()), ends_(scratch.ends.data()), before_(scratch.met_before), count_(&scratch.met_count),
           next_(scratch.met_before + scratch.met_count) {}
 

@@ -49,7 +49,7 @@ std::uint64_t bits_of(const std::uint8_t* bytes) {
 
 } // namespace
 
-bool classify(std::span<const float> values, float threshold, CutScratch& scratch, CutBlock& cut) {
+bool classify(std::span<const float> values, float threshold, CutScratch& scratch, ActiveBlock& cut) {
     const std::uint8_t* high = mark(values, threshold, scratch);
     const std::size_t words = (values.size() + 63) / 64;
     bool same = cut.known;
@@ -172,7 +172,7 @@ void find_active(const PolyhedralSection<Local>& section, const BlockValues& in,
 }
 
 // One more than there are: what is not active is written beyond the last that is.
-void begin_cut(const Block& block, CutScratch& scratch, CutBlock& cut) {
+void begin_cut(const Block& block, CutScratch& scratch, ActiveBlock& cut) {
     grow(scratch.ends, block.edge_count + std::size_t{1});
     grow(scratch.cell, block.cell_count + std::size_t{1});
     cut.polygon_cell.clear();
@@ -183,7 +183,7 @@ void begin_cut(const Block& block, CutScratch& scratch, CutBlock& cut) {
 }
 
 // The sections' polygons into the order of their cells.
-void sort_polygons(CutScratch& scratch, CutBlock& cut) {
+void sort_polygons(CutScratch& scratch, ActiveBlock& cut) {
     auto& [order, cell, end, edge] = scratch.sorted;
     order.resize(cut.polygon_cell.size());
     std::iota(order.begin(), order.end(), Index{0});
@@ -213,7 +213,7 @@ CIEL_FOR_ALL_VECTOR_UNITS Index rank_active(const std::uint64_t* active, std::si
     return count;
 }
 
-void list_edges(const Block& block, CutScratch& scratch, CutBlock& cut) {
+void list_edges(const Block& block, CutScratch& scratch, ActiveBlock& cut) {
     cut.rank.resize(cut.active.size());
     cut.ends.resize(rank_active(cut.active.data(), cut.active.size(), cut.rank.data()));
     std::array<Index, 2>* to = cut.ends.data();
@@ -227,7 +227,7 @@ void list_edges(const Block& block, CutScratch& scratch, CutBlock& cut) {
 }
 
 template <class Edges>
-void cut_sections(const Block& block, const BlockValues& in, CutScratch& scratch, CutBlock& cut) {
+void cut_sections(const Block& block, const BlockValues& in, CutScratch& scratch, ActiveBlock& cut) {
     if (in.naive)
         scratch.low_parts = scratch.high_parts = ~std::uint64_t{0};
     else if (in.ranges.empty())
@@ -249,7 +249,7 @@ void cut_sections(const Block& block, const BlockValues& in, CutScratch& scratch
 // The same where it is known which cells may be active.
 template <class Edges>
 void cut_listed(const Block& block, const BlockValues& in, std::span<const Index> cells, CutScratch& scratch,
-                CutBlock& cut) {
+                ActiveBlock& cut) {
     // Calls found(index in the section) for those of the cells that are in it.
     const auto for_each_in = [&](const auto& section, auto&& found) {
         scratch.cells = 0;
@@ -275,7 +275,7 @@ void cut_listed(const Block& block, const BlockValues& in, std::span<const Index
     if (!std::ranges::is_sorted(cut.polygon_cell)) sort_polygons(scratch, cut);
 }
 
-void begin_cut_alone(const Block& block, const BlockValues& in, CutScratch& scratch, CutBlock& cut) {
+void begin_cut_alone(const Block& block, const BlockValues& in, CutScratch& scratch, ActiveBlock& cut) {
     begin_cut(block, scratch, cut);
     grow(scratch.met, block.edge_count);
     (void)mark(in.values, in.threshold, scratch);
@@ -290,7 +290,7 @@ void begin_cut_alone(const Block& block, const BlockValues& in, CutScratch& scra
 
 } // namespace
 
-void cut_block(const Block& block, const BlockValues& in, CutScratch& scratch, CutBlock& cut) {
+void cut_block(const Block& block, const BlockValues& in, CutScratch& scratch, ActiveBlock& cut) {
     begin_cut(block, scratch, cut);
     cut.active.assign((block.edge_count + 63) / 64, 0);
     cut_sections<SharedEdges>(block, in, scratch, cut);
@@ -298,20 +298,20 @@ void cut_block(const Block& block, const BlockValues& in, CutScratch& scratch, C
 }
 
 void cut_cells(const Block& block, const BlockValues& in, std::span<const Index> cells, CutScratch& scratch,
-               CutBlock& cut) {
+               ActiveBlock& cut) {
     begin_cut(block, scratch, cut);
     cut.active.assign((block.edge_count + 63) / 64, 0);
     cut_listed<SharedEdges>(block, in, cells, scratch, cut);
     list_edges(block, scratch, cut);
 }
 
-void cut_block_alone(const Block& block, const BlockValues& in, CutScratch& scratch, CutBlock& cut) {
+void cut_block_alone(const Block& block, const BlockValues& in, CutScratch& scratch, ActiveBlock& cut) {
     begin_cut_alone(block, in, scratch, cut);
     cut_sections<MetEdges>(block, in, scratch, cut);
 }
 
 void cut_cells_alone(const Block& block, const BlockValues& in, std::span<const Index> cells, CutScratch& scratch,
-                     CutBlock& cut) {
+                     ActiveBlock& cut) {
     begin_cut_alone(block, in, scratch, cut);
     cut_listed<MetEdges>(block, in, cells, scratch, cut);
 }

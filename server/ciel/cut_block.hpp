@@ -13,7 +13,7 @@ namespace ciel {
 
 // The cut of one block at one nu. It depends on which vertices are high, not on nu, so it is kept while those are the
 // same. Buffers are kept for the next cut.
-struct CutBlock {
+struct ActiveBlock {
     std::vector<std::uint64_t> signature;   // one bit per local vertex: high
     bool known = false;                     // the rest belongs to the signature
     std::vector<std::uint64_t> active;      // one bit per local edge
@@ -84,7 +84,7 @@ struct CutScratch {
 void mark_high(const float* values, std::size_t count, float threshold, std::uint8_t* high);
 // Classifies the block's vertices into scratch.high and the signature; true when it is the one the cut was made for.
 // (It does not tell a vertex without a value from a low one: the caller never trusts it where there are such.)
-bool classify(std::span<const float> values, float threshold, CutScratch& scratch, CutBlock& cut);
+bool classify(std::span<const float> values, float threshold, CutScratch& scratch, ActiveBlock& cut);
 
 struct BlockValues {
     std::span<const float> values; // NaN where there is none
@@ -97,21 +97,22 @@ struct BlockValues {
 };
 
 // After `classify` with the same scratch.
-void cut_block(const Block& block, const BlockValues& in, CutScratch& scratch, CutBlock& cut);
+void cut_block(const Block& block, const BlockValues& in, CutScratch& scratch, ActiveBlock& cut);
 // For one value after another, none of which is kept or joined with other blocks': classifies by itself. The polygons'
 // edges are points, which scratch.ends tells the edges of, scratch.met_count of them. Of `cut` only the polygons are
 // made.
-void cut_block_alone(const Block& block, const BlockValues& in, CutScratch& scratch, CutBlock& cut);
+void cut_block_alone(const Block& block, const BlockValues& in, CutScratch& scratch, ActiveBlock& cut);
 // The same two where it is known which cells may be active: local cells, ascending.
 void cut_cells(const Block& block, const BlockValues& in, std::span<const Index> cells, CutScratch& scratch,
-               CutBlock& cut);
+               ActiveBlock& cut);
 void cut_cells_alone(const Block& block, const BlockValues& in, std::span<const Index> cells, CutScratch& scratch,
-                     CutBlock& cut);
+                     ActiveBlock& cut);
 
 // Of one section, for those above. The active cells are in scratch.cell; Edges: see active_edges.hpp.
 template <class Edges>
-void cut_standard(const StandardSection& section, const BlockValues& in, CutScratch& scratch, CutBlock& cut);
+void cut_standard(const StandardSection& section, const BlockValues& in, CutScratch& scratch, ActiveBlock& cut);
 template <class Edges, class Local>
-void cut_polyhedra(const PolyhedralSection<Local>& section, const BlockValues& in, CutScratch& scratch, CutBlock& cut);
+void cut_polyhedra(const PolyhedralSection<Local>& section, const BlockValues& in, CutScratch& scratch,
+                   ActiveBlock& cut);
 
 } // namespace ciel

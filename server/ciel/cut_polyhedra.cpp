@@ -27,7 +27,8 @@ Index next_stamp(Index& stamp, std::vector<Marks>& marks) {
 template <class Edges, class Local>
 class PolyhedronCutter {
 public:
-    PolyhedronCutter(const PolyhedralSection<Local>& section, const BlockValues& in, CutScratch& scratch, CutBlock& cut)
+    PolyhedronCutter(const PolyhedralSection<Local>& section, const BlockValues& in, CutScratch& scratch,
+                     ActiveBlock& cut)
         : section_(section), vertex_(section.vertex.data()), edge_(section.edge.data()), high_(scratch.high.data()),
           in_(in), scratch_(scratch), cut_(cut), edges_(scratch, cut) {}
 
@@ -74,7 +75,7 @@ private:
     const std::uint8_t* high_;
     const BlockValues& in_;
     CutScratch& scratch_;
-    CutBlock& cut_;
+    ActiveBlock& cut_;
     Edges edges_;
 };
 
@@ -303,17 +304,18 @@ void PolyhedronCutter<Edges, Local>::finish(Index cell, std::size_t begin) {
 } // namespace
 
 template <class Edges, class Local>
-void cut_polyhedra(const PolyhedralSection<Local>& section, const BlockValues& in, CutScratch& scratch, CutBlock& cut) {
+void cut_polyhedra(const PolyhedralSection<Local>& section, const BlockValues& in, CutScratch& scratch,
+                   ActiveBlock& cut) {
     PolyhedronCutter<Edges, Local>(section, in, scratch, cut).run();
 }
 
 template void cut_polyhedra<SharedEdges>(const PolyhedralSection<std::uint16_t>&, const BlockValues&, CutScratch&,
-                                         CutBlock&);
+                                         ActiveBlock&);
 template void cut_polyhedra<SharedEdges>(const PolyhedralSection<std::uint32_t>&, const BlockValues&, CutScratch&,
-                                         CutBlock&);
+                                         ActiveBlock&);
 template void cut_polyhedra<MetEdges>(const PolyhedralSection<std::uint16_t>&, const BlockValues&, CutScratch&,
-                                      CutBlock&);
+                                      ActiveBlock&);
 template void cut_polyhedra<MetEdges>(const PolyhedralSection<std::uint32_t>&, const BlockValues&, CutScratch&,
-                                      CutBlock&);
+                                      ActiveBlock&);
 
 } // namespace ciel

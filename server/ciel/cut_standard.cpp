@@ -12,7 +12,7 @@ namespace {
 template <const StandardShape& shape, class Edges>
 class StandardCutter {
 public:
-    StandardCutter(const StandardSection& section, const BlockValues& in, CutScratch& scratch, CutBlock& cut)
+    StandardCutter(const StandardSection& section, const BlockValues& in, CutScratch& scratch, ActiveBlock& cut)
         : section_(section), in_(in), scratch_(scratch), cut_(cut), edges_(scratch, cut),
           cases_(standard_cases<shape>().data()) {}
 
@@ -110,7 +110,7 @@ private:
     const StandardSection& section_;
     const BlockValues& in_;
     CutScratch& scratch_;
-    CutBlock& cut_;
+    ActiveBlock& cut_;
     Edges edges_;
     const StandardCase* cases_;
     Index *polygon_cell_ = nullptr, *polygon_end_ = nullptr, *polygon_edge_ = nullptr;
@@ -120,12 +120,12 @@ private:
 } // namespace
 
 template <class Edges>
-void cut_standard(const StandardSection& section, const BlockValues& in, CutScratch& scratch, CutBlock& cut) {
+void cut_standard(const StandardSection& section, const BlockValues& in, CutScratch& scratch, ActiveBlock& cut) {
     with_shape(section.shape->type,
                [&]<const StandardShape & shape>() { StandardCutter<shape, Edges>(section, in, scratch, cut).run(); });
 }
 
-template void cut_standard<SharedEdges>(const StandardSection&, const BlockValues&, CutScratch&, CutBlock&);
-template void cut_standard<MetEdges>(const StandardSection&, const BlockValues&, CutScratch&, CutBlock&);
+template void cut_standard<SharedEdges>(const StandardSection&, const BlockValues&, CutScratch&, ActiveBlock&);
+template void cut_standard<MetEdges>(const StandardSection&, const BlockValues&, CutScratch&, ActiveBlock&);
 
 } // namespace ciel

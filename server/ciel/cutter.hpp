@@ -16,19 +16,19 @@ public:
     virtual void set_field(const Field& field) = 0;
     void set_decider(Decider decider) {
         decider_ = decider;
-        for (CutBlock& cut : cut_) cut.known = false;
+        for (ActiveBlock& cut : cut_) cut.known = false;
     }
     // Brings `active` and their cuts to nu. False when stopped; the next update starts from what is known.
     virtual bool update(double nu, const StopToken& stop) = 0;
 
     [[nodiscard]] std::span<const Index> active() const { return active_; } // crossed blocks, ascending
-    [[nodiscard]] std::span<CutBlock> cut() { return cut_; }                // by block
+    [[nodiscard]] std::span<ActiveBlock> cut() { return cut_; }             // by block
     [[nodiscard]] virtual std::size_t memory_bytes() const;
 
 protected:
     const Topology& topology_;
     Decider decider_ = Decider::isolate_high;
-    std::vector<CutBlock> cut_;
+    std::vector<ActiveBlock> cut_;
     std::vector<Index> active_;
 };
 

@@ -12,9 +12,10 @@ namespace ciel {
 
 class GeometricVertices; // geometric_vertices.hpp
 
-// Shared by sessions; immutable but for what is made on demand under locks of its own: the sorted extrema and the
-// gradients (so a field is used with one set of positions at a time). Keeps the values alive through `keep_alive` and
-// the topology by reference: it must not outlive the topology. Any thread may use it.
+// Shared by sessions; immutable but for what is made on demand under locks of its own: values in block order, ranges of
+// cells, the sorted extrema and the gradients (so a field is used with one set of positions at a time). Keeps the
+// values alive through `keep_alive`, which must not change while it lives, and the topology by reference: it must not
+// outlive the topology. Any thread may use it.
 class Field {
 public:
     // values: one per stored vertex; throws Error on another length. NaN and infinities mean "no value here": a cell

@@ -62,7 +62,7 @@ public:
         : mesh_(mesh), field_(field), blocks_(field.topology->blocks()), state_(state), busy_(busy),
           gradient_(gradient) {}
 
-    void run(std::span<const Index> active, std::span<const CutBlock> cut) {
+    void run(std::span<const Index> active, std::span<const ActiveBlock> cut) {
         for_each(active, [&](Index b) { want(b, cut[b]); });
         std::vector<Index> busy;
         for (Index b = 0; b < busy_.size(); ++b)
@@ -86,7 +86,7 @@ private:
     }
     void mark_busy(Index b) { std::atomic_ref(busy_[b]).store(1, std::memory_order_relaxed); }
 
-    void want(Index b, const CutBlock& cut);
+    void want(Index b, const ActiveBlock& cut);
     void solve_one_by_one(Index b, std::span<const Index> vertices);
     void ask_neighbours(Index b);
     void sum_inside(Index b);
@@ -107,7 +107,7 @@ private:
     std::vector<std::unique_ptr<CellGradient[]>> cell_; // by block; sections one after another
 };
 
-void Pass::want(Index b, const CutBlock& cut) {
+void Pass::want(Index b, const ActiveBlock& cut) {
     const Block& block = blocks_.block[b];
     if (gradient_[b] == nullptr) gradient_[b] = std::make_unique_for_overwrite<Vec3f[]>(block.vertex_count);
     const std::span<std::uint8_t> state = states(block);
@@ -245,7 +245,7 @@ void Pass::settle(Index b) {
 } // namespace
 
 void GradientCache::make_at(const FaceMeshView& mesh, const Field::Blocks& field, std::span<const Index> blocks,
-                            std::span<const CutBlock> cut) {
+                            std::span<const ActiveBlock> cut) {
     if (blocks.empty()) return;
     const Locked lock(mutex_);
     const Block& last = field.topology->blocks().block.back();

@@ -17,7 +17,7 @@ class GradientCache {
 public:
     // Makes the gradients at both ends of the edges that the cut blocks own. `cut` is by block.
     void make_at(const FaceMeshView& mesh, const Field::Blocks& field, std::span<const Index> blocks,
-                 std::span<const CutBlock> cut);
+                 std::span<const ActiveBlock> cut);
     // By local vertex; good where asked for. Valid while the cache lives and nobody calls forget.
     [[nodiscard]] const Vec3f* of_block(Index block) const { return vertex_[block].get(); }
     // The positions have changed. Not while anybody uses the gradients.

@@ -26,7 +26,7 @@ public:
 
 private:
     void forget_cuts() {
-        for (CutBlock& cut : cut_) cut.known = false;
+        for (ActiveBlock& cut : cut_) cut.known = false;
     }
     void update_block(Index b, double nu);
 
@@ -35,7 +35,7 @@ private:
 };
 
 void PropagationCutter::update_block(Index b, double nu) {
-    CutBlock& cut = cut_[b];
+    ActiveBlock& cut = cut_[b];
     if (propagation_.settle(b)) cut.known = false;
     if (cut.known || propagation_.cells(b).empty()) return;
     const std::span<const float> values = field_->of_block(b);

@@ -123,7 +123,7 @@ std::vector<std::array<float, 2>> cell_limits(const FaceMeshView& mesh, std::spa
     return limits;
 }
 
-void SlabSink::write(const BlockCut& cut, Part& part) const {
+void SlabSink::write(const BlockPolygons& cut, Part& part) const {
     part.vertices.clear();
     part.vertices.reserve(cut.points.size() + cut.polygon_count() / 2);
     for (std::size_t i = 0; i < cut.points.size(); ++i) {

@@ -42,7 +42,7 @@ struct SlabSink {
 
     using Part = SlabMesh;
     using Out = SlabMesh;
-    void write(const BlockCut& cut, Part& part) const;
+    void write(const BlockPolygons& cut, Part& part) const;
     void join(std::span<const Part* const> parts, Out& out) const;
 };
 

@@ -53,7 +53,7 @@ private:
     const FaceMeshView& mesh_;
     const Field::Blocks& field_;
     std::span<const Index> active_;
-    std::span<CutBlock> cut_;
+    std::span<ActiveBlock> cut_;
     double nu_;
     std::optional<Normals> normals_;
     SurfaceScratch& scratch_;
@@ -64,7 +64,7 @@ void Writer::number() {
     std::uint64_t points = 0, polygons = 0, corners = 0;
     out_.chunks.clear();
     for (const Index b : active_) {
-        CutBlock& cut = cut_[b];
+        ActiveBlock& cut = cut_[b];
         cut.first_point = static_cast<Index>(points);
         cut.first_polygon = static_cast<Index>(polygons);
         cut.first_corner = static_cast<Index>(corners);
@@ -84,7 +84,7 @@ void Writer::number() {
 }
 
 void Writer::write_points(Index b, const Block& block) {
-    const CutBlock& cut = cut_[b];
+    const ActiveBlock& cut = cut_[b];
     const std::span<const float> values = field_.of_block(b);
     const std::span ends = std::span(cut.ends).subspan(cut.ghosts);
     for (Index i = 0; i < cut.owned(); ++i) {
@@ -98,7 +98,7 @@ void Writer::write_points(Index b, const Block& block) {
 }
 
 void Writer::write_normals(Index b) {
-    const CutBlock& cut = cut_[b];
+    const ActiveBlock& cut = cut_[b];
     const Vec3f* gradient = field_.gradients.of_block(b);
     for (Index i = 0; i < cut.owned(); ++i) {
         const auto [low, high] = cut.ends[cut.ghosts + i];
@@ -115,14 +115,14 @@ void Writer::write_normals(Index b) {
 Index Writer::point_of_ghost(Index edge, Index& owner) const {
     if (blocks_.edge_begin[owner + 1] <= edge)
         owner = static_cast<Index>(std::ranges::upper_bound(blocks_.edge_begin, edge) - blocks_.edge_begin.begin() - 1);
-    const CutBlock& cut = cut_[owner];
+    const ActiveBlock& cut = cut_[owner];
     const auto local = edge - blocks_.edge_begin[owner] + static_cast<Index>(blocks_.block[owner].ghost_edge.size());
     return cut.first_point + cut.place(local) - cut.ghosts;
 }
 
 // `point`: by local edge, scratch.
 void Writer::write_polygons(Index b, const Block& block, std::vector<Index>& point) {
-    const CutBlock& cut = cut_[b];
+    const ActiveBlock& cut = cut_[b];
     point.resize(64 * cut.active.size());
     Index owner = 0, i = 0;
     for (std::size_t w = 0; w < cut.active.size(); ++w)
@@ -142,7 +142,7 @@ void Writer::write_polygons(Index b, const Block& block, std::vector<Index>& poi
 void Writer::list_ranges() {
     scratch_.ranges.clear();
     for (const Index b : active_) {
-        const CutBlock& cut = cut_[b];
+        const ActiveBlock& cut = cut_[b];
         scratch_.ranges.push_back({cut.first_polygon, cut.first_polygon + static_cast<Index>(cut.polygon_cell.size()),
                                    cut.first_point, cut.first_point + cut.owned()});
     }

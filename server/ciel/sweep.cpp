@@ -17,11 +17,11 @@ namespace ciel {
 namespace {
 
 // One block's points and polygons at one value. Scratch, one per thread.
-class BlockSweep {
+class BlockSlicer {
 public:
     // `cells`: those that may be active, where that is known.
-    [[nodiscard]] BlockCut cut(const FaceMeshView& mesh, const Field::Blocks& field, Extraction how, Index b, double nu,
-                               std::optional<std::span<const Index>> cells) {
+    [[nodiscard]] BlockPolygons cut(const FaceMeshView& mesh, const Field::Blocks& field, Extraction how, Index b,
+                                    double nu, std::optional<std::span<const Index>> cells) {
         const Block& block = field.topology->blocks().block[b];
         const std::span<const float> values = field.of_block(b);
         BlockValues in{values, field.gaps[b] != 0, threshold_of(nu), nu, how.decider, {}, how.engine == Engine::naive};
@@ -41,21 +41,21 @@ public:
     }
 
 private:
-    CutBlock cut_;
+    ActiveBlock cut_;
     std::vector<EdgePoint> points_;
     std::vector<Vec3f> positions_;
 };
 
-BlockSweep& block_sweep_of_this_thread() {
-    static thread_local BlockSweep block_sweep;
-    return block_sweep;
+BlockSlicer& block_slicer_of_this_thread() {
+    static thread_local BlockSlicer block_slicer;
+    return block_slicer;
 }
 
-std::size_t triangle_count(const BlockCut& cut) { return cut.polygon_point.size() - 2 * cut.polygon_count(); }
+std::size_t triangle_count(const BlockPolygons& cut) { return cut.polygon_point.size() - 2 * cut.polygon_count(); }
 
 // Calls f(a, b, c) for the triangles of a fan from each polygon's first point.
 template <class F>
-void for_triangles(const BlockCut& cut, F&& f) {
+void for_triangles(const BlockPolygons& cut, F&& f) {
     const Index* point = cut.polygon_point.data();
     Index begin = 0;
     for (const Index end : cut.polygon_end) {
@@ -66,7 +66,7 @@ void for_triangles(const BlockCut& cut, F&& f) {
 
 } // namespace
 
-void SliceSink::write(const BlockCut& cut, Part& part) const {
+void SliceSink::write(const BlockPolygons& cut, Part& part) const {
     part.positions.assign(cut.positions.begin(), cut.positions.end());
     part.property.resize(cut.points.size());
     std::ranges::transform(cut.points, part.property.begin(), [this](const EdgePoint& point) {
@@ -88,7 +88,7 @@ void SliceSink::join(std::span<const Part* const> parts, Out& out) const {
     join_triangles(parts, &Part::positions, out);
 }
 
-void SoupSink::write(const BlockCut& cut, Part& part) const {
+void SoupSink::write(const BlockPolygons& cut, Part& part) const {
     part.resize(3 * triangle_count(cut));
     Vec3f* to = part.data();
     const Vec3f* position = cut.positions.data();
@@ -102,7 +102,7 @@ void SoupSink::write(const BlockCut& cut, Part& part) const {
 
 void SoupSink::join(std::span<const Part* const> parts, Out& out) const { join_arrays(parts, std::identity(), out); }
 
-void OutlineSink::write(const BlockCut& cut, Part& part) const {
+void OutlineSink::write(const BlockPolygons& cut, Part& part) const {
     part.clear();
     part.reserve(2 * cut.polygon_point.size());
     for (std::size_t i = 0; i < cut.polygon_count(); ++i) {
@@ -150,7 +150,7 @@ struct Pass {
     const StopToken& stop;
 
     void write(Index b, std::size_t value, std::optional<std::span<const Index>> cells) {
-        const BlockCut cut = block_sweep_of_this_thread().cut(mesh, field.blocks(), how, b, values[value], cells);
+        const BlockPolygons cut = block_slicer_of_this_thread().cut(mesh, field.blocks(), how, b, values[value], cells);
         if (cut.polygon_count() == 0) return;
         auto& made = scratch.block[b];
         if (made.count == made.part.size()) made.part.emplace_back();

@@ -11,8 +11,9 @@ namespace ciel {
 
 class Propagation; // propagation.hpp
 
-// The cut of one block at one value. Points are the block's own: where two blocks meet, both have them.
-struct BlockCut {
+// The cut of one block at one value. Points are the block's own: where two blocks meet, both have them. Where cells
+// were passed over, or have collapsed, some point may have no polygon.
+struct BlockPolygons {
     std::span<const EdgePoint> points;
     std::span<const Vec3f> positions;                  // offsets from the mesh's origin
     std::span<const Index> polygon_end, polygon_point; // into the points
@@ -29,7 +30,7 @@ struct BlockCut {
 // A sink makes a Part of each cut, on any thread, and joins a value's parts in the order of the blocks. Three kinds are
 // below, SlabSink is in slab.hpp; another has
 //     using Part = ...; using Out = ...;
-//     void write(const BlockCut& cut, Part& part) const;
+//     void write(const BlockPolygons& cut, Part& part) const;
 //     void join(std::span<const Part* const> parts, Out& out) const;
 // and a line at the end of sweep.cpp, where the loop is. Points at the border of two blocks are in both, so indexed
 // parts (SliceSink, SlabSink) have other points with other blocks, though the same polygons: SliceSink the same
@@ -44,7 +45,7 @@ struct SliceSink {
         std::vector<Index> triangles; // three points each
     };
     using Out = Part;
-    void write(const BlockCut& cut, Part& part) const;
+    void write(const BlockPolygons& cut, Part& part) const;
     void join(std::span<const Part* const> parts, Out& out) const;
 };
 
@@ -52,7 +53,7 @@ struct SliceSink {
 struct SoupSink {
     using Part = std::vector<Vec3f>; // three each
     using Out = Part;
-    void write(const BlockCut& cut, Part& part) const;
+    void write(const BlockPolygons& cut, Part& part) const;
     void join(std::span<const Part* const> parts, Out& out) const;
 };
 
@@ -60,11 +61,12 @@ struct SoupSink {
 struct OutlineSink {
     using Part = std::vector<Vec3f>;
     using Out = Part;
-    void write(const BlockCut& cut, Part& part) const;
+    void write(const BlockPolygons& cut, Part& part) const;
     void join(std::span<const Part* const> parts, Out& out) const;
 };
 
-// What a sweep keeps for the next one, which then asks for no memory: the parts of all values, about as much as `out`.
+// What a sweep keeps for the next one, which then asks for no memory: the parts of all values, each as large as it has
+// ever been.
 template <class Sink>
 struct SweepParts {
     struct OfBlock {
