@@ -19,7 +19,8 @@ void check_picture_size(const Limits& limits, std::int64_t width, std::int64_t h
         throw LimitReached("a picture may have " + std::to_string(limits.image_pixels) + " pixels");
 }
 
-const render::Image& draw(const Geometry& geometry, const scene::Scene& scene, ViewSize size, bool still, Worker& worker) {
+const render::Image& draw(const Geometry& geometry, const scene::Scene& scene, ViewSize size, bool still,
+                          Worker& worker) {
     double scale = 1;
     const double pixels = static_cast<double>(size.width) * size.height;
     if (!still && pixels > interactive_pixels) scale = std::sqrt(interactive_pixels / pixels);
