@@ -65,7 +65,7 @@ bool BlockBuilder::fits_16_bits() const {
             entries += loops_.begin[loop + 1] - loops_.begin[loop];
             break;
         }
-    return entries < limit && half_edges + 2 * std::size_t{loops_.loop_count()} < limit &&
+    return entries < limit && half_edges + loops_.loop_count() < limit &&
            2 * std::size_t{loops_.loop_count()} < limit && loops_.vertices.size() < limit &&
            loops_.edge_ends.size() < limit;
 }
