@@ -57,20 +57,21 @@ protected:
             for (std::size_t k = 2; k < loop.size(); ++k) f(loop[0], loop[k - 1], loop[k]);
         }
     }
+    std::vector<Vec3f> soup_at(double nu) {
+        const Surface surface = surface_at(nu);
+        std::vector<Vec3f> soup;
+        for_fans(surface, [&](Index a, Index b, Index c) {
+            for (const Index p : {a, b, c}) soup.push_back(surface.positions[p]);
+        });
+        return soup;
+    }
 };
 
 TEST_P(Sweep, ASoupIsTheSurfacesPolygonsAsFans) {
     std::vector<SoupSink::Out> out;
     ASSERT_TRUE(sweep(mesh.topology, mesh.mesh(), field, values, SoupSink{}, out, {}, how));
     ASSERT_EQ(out.size(), values.size());
-    for (std::size_t i = 0; i < values.size(); ++i) {
-        const Surface surface = surface_at(values[i]);
-        std::vector<Vec3f> expected;
-        for_fans(surface, [&](Index a, Index b, Index c) {
-            for (const Index p : {a, b, c}) expected.push_back(surface.positions[p]);
-        });
-        EXPECT_EQ(out[i], expected) << values[i];
-    }
+    for (std::size_t i = 0; i < values.size(); ++i) EXPECT_EQ(out[i], soup_at(values[i])) << values[i];
 }
 
 TEST_P(Sweep, ASliceHasTheSameTrianglesAndThePropertyAtTheirCorners) {
@@ -200,14 +201,7 @@ TEST_P(Sweep, PassesOverCellsWithoutAllTheirValues) {
     field = make_field(mesh.topology, stored);
     std::vector<SoupSink::Out> out;
     ASSERT_TRUE(sweep(mesh.topology, mesh.mesh(), field, values, SoupSink{}, out, {}, how));
-    for (std::size_t i = 0; i < values.size(); ++i) {
-        const Surface surface = surface_at(values[i]);
-        std::vector<Vec3f> expected;
-        for_fans(surface, [&](Index a, Index b, Index c) {
-            for (const Index p : {a, b, c}) expected.push_back(surface.positions[p]);
-        });
-        EXPECT_EQ(out[i], expected) << values[i];
-    }
+    for (std::size_t i = 0; i < values.size(); ++i) EXPECT_EQ(out[i], soup_at(values[i])) << values[i];
 }
 
 TEST_P(Sweep, WantsAPropertyPerVertex) {
