@@ -141,11 +141,11 @@ int VolumePainter::find_parts(const VolumeBuffers& buffers) {
     begin(parts_[0]);
     gl_.Clear(GL_COLOR_BUFFER_BIT);
     first_part_.use();
+    first_part_.set("eye_in_bounds", eye_is_in_bounds() ? 1.0F : 0.0F);
     buffers.draw(buffers.whole_boundary());
     int parts = 1;
     next_part_.use();
     next_part_.set("before", int{first_part_unit});
-    next_part_.set("eye_rounding", eye_rounding());
     gl_.Enable(GL_CULL_FACE);
     while (parts < most_ray_parts && find_next_part(buffers, parts)) ++parts;
     gl_.Disable(GL_CULL_FACE);
@@ -202,7 +202,6 @@ void VolumePainter::find_limits(int parts) {
     limits_program_.set("between_planes", int{kept_unit});
     limits_program_.set("has_planes", is_clipped() ? 1.0F : 0.0F);
     limits_program_.set("opaque", int{opaque_unit});
-    limits_program_.set("eye_rounding", eye_rounding());
     limits_program_.set("has_opaque", opaque_ != 0 ? 1.0F : 0.0F);
     limits_program_.set("viewport", glm::vec2(width_, height_));
     limits_program_.set("depth_row", glm::vec2(transform_->projection[2][2], transform_->projection[3][2]));
@@ -230,12 +229,11 @@ void VolumePainter::load_table(const Volume& volume, std::size_t slot) {
 }
 
 // An inner wall in front of an eye inside is an exit and an entry at once, and either may come first.
-float VolumePainter::eye_rounding() const {
+bool VolumePainter::eye_is_in_bounds() const {
     const Vec3d& eye = frame_->camera.position;
     for (std::size_t axis = 0; axis < 3; ++axis)
-        if (frame_->camera.parallel || eye[axis] < frame_->bounds_min[axis] || eye[axis] > frame_->bounds_max[axis])
-            return 0;
-    return 1e-5F;
+        if (eye[axis] < frame_->bounds_min[axis] || eye[axis] > frame_->bounds_max[axis]) return false;
+    return !frame_->camera.parallel;
 }
 
 glm::vec2 VolumePainter::parallel_depths() const {

@@ -61,7 +61,7 @@ private:
     [[nodiscard]] std::vector<std::size_t> back_to_front(const Volume& volume, std::size_t slabs) const;
     [[nodiscard]] bool is_clipped() const { return !frame_->clip.empty(); }
     [[nodiscard]] glm::vec2 parallel_depths() const; // nearest and span; zero for a perspective
-    [[nodiscard]] float eye_rounding() const;
+    [[nodiscard]] bool eye_is_in_bounds() const;
     [[nodiscard]] double eye_place(const Volume& volume) const; // across the slabs
     [[nodiscard]] VolumeBuffers& buffers_of(std::size_t slot);
     const ShaderProgram& slice_program(const SlabProgramKind& kind);

@@ -34,23 +34,30 @@ float fragment_depth() {
 }
 )";
 
+// An inner wall is an exit and an entry at once, of two triangles whose corners are rounded to shares of a pixel: the
+// steeper it is seen, the farther apart their depths are. Of a ray's first part, an entry behind the exit says that the
+// eye is inside; so there it is put as far behind as rounding may have brought it before.
 constexpr const char* part_fragment = R"(
 out vec4 part;
 #ifdef NEXT
 uniform sampler2D before;
-uniform float eye_rounding;
+#else
+uniform float eye_in_bounds; // 1 or 0
 #endif
 const float never = 1e30;
 void main() {
     float t = fragment_depth();
+    float rounding = 1e-5 * t;
+    float apart = rounding + 0.05 * fwidth(t);
 #ifdef NEXT
     vec2 last = texelFetch(before, ivec2(gl_FragCoord.xy), 0).xy;
-    // An inner wall may be an exit and an entry at once.
-    float rounding = 1e-5 * t;
-    if (last.x > last.y * (1.0 - eye_rounding)) last.x = -never; // the eye was inside
-    if (gl_FrontFacing ? t <= max(last.y - rounding, last.x + rounding) : t <= last.y + rounding) discard;
+    if (last.x > last.y) last.x = -never; // the eye was inside
+    if (gl_FrontFacing ? t <= max(last.y - apart, last.x + rounding) : t <= last.y + rounding) discard;
+    float entry = t;
+#else
+    float entry = t + eye_in_bounds * apart;
 #endif
-    part = gl_FrontFacing ? vec4(t, never, 0.0, 0.0) : vec4(never, t, 0.0, 0.0);
+    part = gl_FrontFacing ? vec4(entry, never, 0.0, 0.0) : vec4(never, t, 0.0, 0.0);
 }
 )";
 
@@ -91,7 +98,6 @@ uniform float has_planes;
 uniform sampler2D opaque;
 uniform float has_opaque;
 uniform vec2 viewport;
-uniform float eye_rounding; // how far behind an exit an entry may seem to be; none for an eye outside
 uniform vec2 depth_row; // of the projection: from -depth and 1
 uniform float parallel;
 out vec4 limits;
@@ -110,7 +116,7 @@ float window_depth(vec2 first) {
 }
 void main() {
     vec2 part = texelFetch(first_part, ivec2(gl_FragCoord.xy), 0).xy;
-    if (part.x > part.y * (1.0 - eye_rounding)) part.x = -never; // the eye is inside
+    if (part.x > part.y) part.x = -never; // the eye is inside
     float window = window_depth(part);
     float sight = never;
     if (has_opaque > 0.5) {
