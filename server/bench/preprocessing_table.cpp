@@ -1,5 +1,7 @@
 #include "bench/case.hpp"
+#include "ciel/field_blocks.hpp"
 #include "ciel/geometric_vertices.hpp"
+#include "ciel/parallel.hpp"
 
 #include <cmath>
 #include <functional>
@@ -52,6 +54,13 @@ Table preprocessing_table(const Case& data) {
                             static_cast<double>(data.topology->counts().half_edges) / construction.wall.median)) +
                         " half-edges/s";
     add("make a field current", [&] { const Field field = field_of(data, data.values); });
+    add("the same, its values taken in by all blocks", [&] {
+        const Field field = field_of(data, data.values);
+        parallel_for(data.topology->block_count(), 4, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t block = begin; block < end; ++block)
+                (void)field.blocks().of_block(static_cast<Index>(block));
+        });
+    });
     add("gradients at all vertices", [&] { (void)vertex_gradients(*data.topology, data.mesh, *data.values); });
     add("ambiguous faces", [&] { (void)count_ambiguous_faces(data.mesh, *data.values); });
     for (std::size_t axis = 0; axis < 3; ++axis)

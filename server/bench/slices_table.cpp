@@ -34,6 +34,26 @@ private:
     std::vector<float> property_;
 };
 
+class OnePass {
+public:
+    explicit OnePass(const Case& data) : data_(data) {}
+
+    std::uint64_t draw(const Field& distance) {
+        const auto [low, high] = distance.range();
+        sweep(*data_.topology, data_.mesh, distance, values_between(low, high, slice_count), SliceSink{*data_.values},
+              parts_, slices_);
+        std::uint64_t triangles = 0;
+        for (const SliceSink::Out& slice : slices_) triangles += slice.triangles.size() / 3;
+        return triangles;
+    }
+
+private:
+    const Case& data_;
+    SweepParts<SliceSink> parts_;
+    std::vector<SliceSink::Out> slices_;
+};
+
+// A box has six directions, kept; a camera's is new with every turn.
 Field distance_along(const Case& data, Vec3d normal) {
     return field_of(data,
                     std::make_shared<const std::vector<float>>(plane_distance(data.mesh, data.mesh.origin, normal)));
@@ -45,31 +65,21 @@ Table slices_table(const Case& data) {
     Table table{"slices", {}, {}};
     const double part = 1 / std::sqrt(3.0);
     const Vec3d box{1, 0, 0}, screen{part, part, part};
+    const Field kept = distance_along(data, box);
     for (const auto& [engine, name] : {std::pair{Engine::naive, "naive"},
                                        {Engine::propagation, "propagation"},
                                        {Engine::signatures, "signatures"}}) {
         Slices slices(data, engine);
-        // A box has six directions, kept; a camera's is new with every turn.
-        const Field kept = distance_along(data, box);
         table.rows.push_back(measure(std::string("100 box-aligned, ") + name, [&] { return slices.draw(kept); }));
         table.rows.push_back(measure(std::string("100 screen-aligned, ") + name, [&] {
             const Field distance = distance_along(data, screen);
             return slices.draw(distance);
         }));
     }
-    for (const auto& [normal, name] : {std::pair{box, "box-aligned"}, {screen, "screen-aligned"}}) {
-        std::vector<SliceSink::Out> made;
-        SweepParts<SliceSink> parts;
-        table.rows.push_back(measure(std::string("100 ") + name + ", one pass", [&, along = normal] {
-            const Field distance = distance_along(data, along);
-            const auto [low, high] = distance.range();
-            sweep(*data.topology, data.mesh, distance, values_between(low, high, slice_count), SliceSink{*data.values},
-                  parts, made);
-            std::uint64_t triangles = 0;
-            for (const SliceSink::Out& slice : made) triangles += slice.triangles.size() / 3;
-            return triangles;
-        }));
-    }
+    OnePass pass(data);
+    table.rows.push_back(measure("100 box-aligned, one pass", [&] { return pass.draw(kept); }));
+    table.rows.push_back(
+        measure("100 screen-aligned, one pass", [&] { return pass.draw(distance_along(data, screen)); }));
     return table;
 }
 

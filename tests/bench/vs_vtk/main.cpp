@@ -1,6 +1,7 @@
 // vs_vtk NAME.ciel [--array A] [--table T]: the same work by CIEL and by VTK's best configurations, alternating within
 // one run.
 #include "vs_vtk/duel.hpp"
+#include "vs_vtk/smp_backend.hpp"
 
 #include "ciel/parallel.hpp"
 
@@ -24,8 +25,8 @@ int main(int argc, char** argv) { // NOLINT(bugprone-exception-escape): a bench 
         ->check(CLI::Range(2, 1000)); // of one value alone VTK keeps the surface
     CLI11_PARSE(app, argc, argv);
     const ciel::bench::Case data = ciel::bench::open_case(dataset, array);
-    std::printf("%s, %s, %u cells, %u threads, VTK %s\n", dataset.c_str(), data.array.c_str(), data.mesh.cell_count(),
-                ciel::thread_count(), vtkVersion::GetVTKVersion());
+    std::printf("%s, %s, %u cells, %u threads, VTK %s (%s)\n", dataset.c_str(), data.array.c_str(),
+                data.mesh.cell_count(), ciel::thread_count(), vtkVersion::GetVTKVersion(), ciel::vs_vtk::smp_backend());
     vtkObject::GlobalWarningDisplayOff(); // its gradients fail in collapsed cells, thousands of times
     const auto grid = ciel::vs_vtk::as_grid(data);
     const auto wanted = [&](const char* table) { return std::ranges::find(tables, table) != tables.end(); };
