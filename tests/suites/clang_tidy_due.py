@@ -1,5 +1,10 @@
-"""Prints, for each source of server/ that clang-tidy has to read, its path and the key under which a pass is remembered."""
+"""Writes groups of the sources of server/ that clang-tidy has to read and prints their names, without an extension.
 
+NAME.cpp includes the sources, so that the headers they share, most of what there is to read, are read once. NAME.list says
+of each source its path and the key under which a pass is remembered.
+"""
+
+import collections
 import hashlib
 import json
 import os
@@ -30,22 +35,42 @@ def state(file: str, known: dict[str, str]) -> str:
     return known[file]
 
 
-def main(cache: pathlib.Path) -> None:
+def flags(entry: dict[str, str]) -> str:
+    """All that sources of one group must have in common."""
+    return re.sub(r" -(MT|MF|o|c) \S+", "", entry["command"])
+
+
+def write_group(name: str, due: list[tuple[dict[str, str], str]]) -> dict[str, str]:
+    first = due[0][0]
+    pathlib.Path(name + ".cpp").write_text("".join(f'#include "{entry["file"]}"\n' for entry, _ in due))
+    pathlib.Path(name + ".list").write_text("".join(f"{entry['file']} {key}\n" for entry, key in due))
+    command = first["command"].replace(f" -c {first['file']}", f" -c {name}.cpp")
+    return {"directory": first["directory"], "file": f"{name}.cpp", "command": command}
+
+
+def main(cache: pathlib.Path, group_size: int) -> None:
     entries = json.load(open("build/compile_commands.json"))
     for entry in entries:  # clang cannot read what g++ precompiled; the sources include all they need themselves
         entry["command"] = re.sub(r" -Winvalid-pch -include \S+/cmake_pch\.hxx", "", entry["command"])
-    os.makedirs("build/clang-tidy", exist_ok=True)
-    json.dump(entries, open("build/clang-tidy/compile_commands.json", "w"))
     made_from, known = includes(), {}
     checks = os.environ["checks"] + pathlib.Path(".clang-tidy").read_text()
-    for entry in entries:
+    alike = collections.defaultdict(list)
+    for entry in sorted(entries, key=lambda entry: entry["file"]):
         if not entry["file"].startswith(f"{pathlib.Path.cwd()}/server/"):
             continue
         made = made_from.get(re.search(r" -o (\S+)", entry["command"]).group(1), [])
         parts = [checks, entry["command"]] + [state(file, known) for file in made]
         key = hashlib.sha256("\n".join(parts).encode()).hexdigest()
         if not made or not (cache / key).exists():
-            print(entry["file"], key, sep="\n")
+            alike[flags(entry)].append((entry, key))
+    folder = pathlib.Path("build/clang-tidy").resolve()
+    folder.mkdir(exist_ok=True)
+    for due in alike.values():
+        for begin in range(0, len(due), group_size):
+            name = f"{folder}/{hashlib.sha256(due[begin][0]['file'].encode()).hexdigest()[:16]}"
+            entries.append(write_group(name, due[begin : begin + group_size]))
+            print(name)
+    json.dump(entries, open(folder / "compile_commands.json", "w"))
 
 
-main(pathlib.Path(sys.argv[1]))
+main(pathlib.Path(sys.argv[1]), int(sys.argv[2]))

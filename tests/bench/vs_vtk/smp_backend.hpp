@@ -1,0 +1,8 @@
+// What VTK's filters share their work by: "Sequential", "STDThread", "TBB" or "OpenMP".
+#pragma once
+
+namespace ciel::vs_vtk {
+
+[[nodiscard]] const char* smp_backend();
+
+} // namespace ciel::vs_vtk
