@@ -223,6 +223,31 @@ TEST_P(OcclusionTest, AnOutlineInFrontOfACornerKeepsItsOwnLight) {
     }
 }
 
+// Each pixel looks up the light of its own surface: of what is beside it in the picture and far behind it, nothing. The
+// ball is red, so the red of a pixel is how much of it is the ball, times its light.
+TEST_P(OcclusionTest, ABallsOutlineHasNoLightOfTheCornerBehindNorTheCornerOfTheBall) {
+    add_corner();
+    for (Mesh& mesh : frame.meshes) mesh.color = {0, 0, 1, 1};
+    const auto drawn = [&](double radius) {
+        std::vector<Image> images;
+        for (const int samples : {1, 4}) {
+            frame.samples = samples;
+            images.push_back(draw(radius));
+        }
+        return images;
+    };
+    const std::vector<Image> alone = drawn(0.6);
+    add(sphere(0.3, {0, -2, 2})).color = {1, 0, 0, 1};
+    const std::vector<Image> shaded = drawn(0.6), plain = drawn(0);
+    for (std::size_t i = 0; i < 2; ++i)
+        for (std::size_t pixel = 0; pixel < plain[i].rgb.size(); pixel += 3) {
+            const int red = plain[i].rgb[pixel], blue = plain[i].rgb[pixel + 2];
+            ASSERT_GE(shaded[i].rgb[pixel], 0.96 * red - 2) << "pixel " << pixel / 3 << ", " << i;
+            ASSERT_NEAR(shaded[i].rgb[pixel + 2], alone[i].rgb[pixel + 2] * blue / full, 0.12 * full)
+                << "pixel " << pixel / 3 << ", " << i;
+        }
+}
+
 TEST_P(OcclusionTest, LinesPointsAndWhatIsTransparentNeitherShadeNorAreShaded) {
     add(square(0.5));
     Shape line;
