@@ -1,0 +1,164 @@
+"""One scene document of a clip, a volume, an iso-surface and a slice, by the command line and by JSON-RPC, against what
+each pixel's ray meets. The box is [-1, 1]^3, r the distance from its middle; the view is parallel along y."""
+
+import base64
+import copy
+import json
+
+import box_dataset
+import numpy as np
+import pytest
+import vtk
+from program import ciel
+from serve_process import Server
+from vtk.util.numpy_support import vtk_to_numpy
+
+SIZE, VIEW = 240, 3.0  # pixels and scene units, both ways
+SLICE_Y, BALL = 0.5, 0.6  # the slice's place, the iso-surface's value
+LEFT = 0.5  # of the light after one unit of fog
+SCENE = {
+    "dataset": "box", "background": "#003000",
+    "camera": {"position": [0, -8, 0], "target": [0, 0, 0], "up": [0, 0, 1], "parallel": True, "parallel_height": VIEW},
+    "annotations": {"legend": False, "triad": False}, "lighting": {"on": False},
+    "layers": {
+        "clip": {"type": "clip", "axis": "x", "value": 0.25},
+        "slice": {"type": "slice", "axis": "y", "value": SLICE_Y, "color": {"solid": "#ff0000"}},
+        "iso": {"type": "iso", "array": "r", "values": [BALL], "color": {"solid": "#0000ff"}},
+        "fog": {"type": "volume", "array": "x", "shaded": False, "unit_length": 1,
+                "color": {"points": [{"at": 0, "color": "#000000"}, {"at": 1, "color": "#000000"}]},
+                "opacity_points": [[0, 1 - LEFT]]},
+    },
+}
+
+
+def without(*layers):
+    scene = copy.deepcopy(SCENE)
+    for layer in layers:
+        del scene["layers"][layer]
+    return scene
+
+
+def pixels_of(reader):
+    reader.Update()
+    width, height, _ = reader.GetOutput().GetDimensions()
+    return vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars()).reshape(height, width, 3)[::-1].astype(int)
+
+
+@pytest.fixture(scope="module")
+def box(tmp_path_factory):
+    return box_dataset.write_box(tmp_path_factory.mktemp("box") / "box.ciel", 24)
+
+
+@pytest.fixture(scope="module")
+def by_command_line(box, tmp_path_factory):
+    folder = tmp_path_factory.mktemp("pictures")
+
+    def draw(scene):
+        (folder / "scene.json").write_text(json.dumps(scene))
+        result = ciel("render", box, "--scene", folder / "scene.json", "--size", f"{SIZE}x{SIZE}", "-o", folder / "p.png")
+        assert result.returncode == 0, result.stderr
+        reader = vtk.vtkPNGReader()
+        reader.SetFileName(str(folder / "p.png"))
+        return pixels_of(reader)
+
+    return draw
+
+
+@pytest.fixture(scope="module")
+def server(box):
+    with Server(box) as running:
+        yield running
+
+
+def png_of(answer):
+    data = base64.b64decode(answer["data"])
+    buffer = np.frombuffer(data, dtype=np.uint8).copy()
+    reader = vtk.vtkPNGReader()
+    reader.SetMemoryBuffer(buffer)
+    reader.SetMemoryBufferLength(len(buffer))
+    return pixels_of(reader)
+
+
+def rays():
+    """x and z of each pixel's ray."""
+    at = ((np.arange(SIZE) + 0.5) / SIZE - 0.5) * VIEW
+    return np.meshgrid(at, -at)
+
+
+def expected(x, z, clip=0.25):
+    """What is left of the colour that a ray ends on, after the fog before it."""
+    hit = np.hypot(x, z) < BALL
+    ball = -np.sqrt(np.maximum(BALL**2 - x**2 - z**2, 0))
+    left = LEFT ** np.where(hit, ball + 1, SLICE_Y + 1)
+    inside = (np.abs(x) < 1) & (np.abs(z) < 1) & (x < clip)
+    color = np.zeros((*x.shape, 3))
+    color[..., 1] = np.where(inside, 0, 0x30)
+    color[..., 0] = np.where(inside & ~hit, 255 * left, 0)
+    color[..., 2] = np.where(inside & hit, 255 * left, 0)
+    return color
+
+
+def away_from_outlines(x, z, clip=0.25):
+    """Pixels of one thing only: the surface of a mesh of 24 cells is off the ball by some thousandths."""
+    near = 2.5 * VIEW / SIZE
+    return ((np.abs(np.hypot(x, z) - BALL) > near) & (np.abs(np.abs(x) - 1) > near) & (np.abs(np.abs(z) - 1) > near)
+            & (np.abs(x - clip) > near))
+
+
+def test_every_pixel_is_what_its_ray_meets(by_command_line):
+    picture = by_command_line(SCENE)
+    x, z = rays()
+    counted = away_from_outlines(x, z)
+    off = np.abs(picture - expected(x, z)).max(axis=2)
+    assert counted.mean() > 0.85
+    assert off[counted].max() <= 4
+    assert off[counted].mean() < 1
+
+
+def test_beyond_the_clip_is_background_and_before_it_the_unclipped_picture(by_command_line):
+    clipped, whole = by_command_line(SCENE), by_command_line(without("clip"))
+    x, z = rays()
+    near = 2.5 * VIEW / SIZE
+    assert (clipped[x > 0.25 + near] == [0, 0x30, 0]).all()
+    kept = x < 0.25 - near
+    assert np.abs(clipped - whole)[kept].max() <= 1
+    beyond = (x > 0.25 + near) & (x < 1 - near) & (np.abs(z) < 1 - near)
+    assert (whole[beyond] != [0, 0x30, 0]).any(axis=1).all()
+
+
+def test_the_other_side_is_the_rest(by_command_line):
+    scene = copy.deepcopy(SCENE)
+    scene["layers"]["clip"]["invert"] = True
+    other, whole = by_command_line(scene), by_command_line(without("clip"))
+    x, _ = rays()
+    near = 2.5 * VIEW / SIZE
+    assert (other[x < 0.25 - near] == [0, 0x30, 0]).all()
+    assert np.abs(other - whole)[x > 0.25 + near].max() <= 1
+
+
+def test_each_layer_is_in_the_picture(by_command_line):
+    whole = by_command_line(SCENE)
+    x, z = rays()
+    inside = away_from_outlines(x, z) & (expected(x, z)[..., 1] == 0)
+    ball = inside & (np.hypot(x, z) < BALL)
+    assert np.abs(whole - by_command_line(without("iso")))[ball].max(axis=1).min() > 50
+    assert np.abs(whole - by_command_line(without("slice")))[inside & ~ball].max(axis=1).min() > 50
+    assert np.abs(whole - by_command_line(without("fog")))[inside].max(axis=1).min() > 50
+
+
+def test_json_rpc_gives_the_same_picture(by_command_line, server):
+    picture = png_of(server.call("picture.render", scene=SCENE, width=SIZE, height=SIZE))
+    assert (picture == by_command_line(SCENE)).all()
+
+
+def test_a_session_patched_to_the_scene_gives_the_same_picture(by_command_line, server):
+    session = server.call("session.open", scene={"dataset": "box"})["session"]
+    patch = copy.deepcopy(SCENE)
+    current = server.call("scene.get", session=session)["scene"]
+    patch["layers"].update({layer: None for layer in current.get("layers", {}) if layer not in patch["layers"]})
+    server.call("scene.patch", session=session, patch=patch)
+    picture = png_of(server.call("picture.render", session=session, width=SIZE, height=SIZE))
+    assert (picture == by_command_line(SCENE)).all()
+    server.call("scene.patch", session=session, patch={"layers": {"clip": None}})
+    unclipped = png_of(server.call("picture.render", session=session, width=SIZE, height=SIZE))
+    assert (unclipped == by_command_line(without("clip"))).all()
