@@ -1,7 +1,7 @@
 import { describe, expect, test } from "vitest";
 import { complete, project, type Bounds, type FullCamera } from "../src/camera/camera";
 import type { Vec3 } from "../src/camera/vector";
-import { boxAxes, type BoxAxis } from "../src/scene/box_axes";
+import { boxAxes, numberPlace, placeNames, type BoxAxis } from "../src/scene/box_axes";
 
 const size = { width: 800, height: 600 };
 const bounds: Bounds = [-1, 1, -1, 1, -1, 1];
@@ -58,5 +58,52 @@ describe("the axes of the box", () => {
 
   test("of a flat box are those that have a length", () => {
     expect(boxAxes(look([0, -6, 3]), [-1, 1, -1, 1, 0, 0], size).map(({ name }) => name)).not.toContain("z");
+  });
+
+  const half = (text: string, em: number): { x: number; y: number } => ({
+    x: (text.length * 0.62 * em) / 2,
+    y: 0.375 * em,
+  });
+  const isInside = (label: { x: number; y: number }, text: string, em: number, of = size): boolean =>
+    label.x - half(text, em).x >= 0 &&
+    label.x + half(text, em).x <= of.width &&
+    label.y - half(text, em).y >= 0 &&
+    label.y + half(text, em).y <= of.height;
+  const closeUps: [string, Vec3, Vec3][] = [
+    ["whole", [4, -8, 4], [0, 0, 0]],
+    ["up to the edges", [2.2, -3.4, 1.6], [0, 0, 0]],
+    ["past the left edge", [2, -5, 1.5], [0.9, 0, 0]],
+    ["past the right edge", [2, -5, 1.5], [-0.9, 0, 0]],
+    ["past the lower edge", [2, -5, 1.5], [0, 0, 0.9]],
+  ];
+
+  test.each(closeUps)("are never cut off, however much the box fills the picture: %s", (_, position, target) => {
+    for (const em of [12, 24]) {
+      const axes = boxAxes(look(position, target), bounds, size, em);
+      const names = axes.map(({ name }) => `${name} [cylinder diameters]`);
+      expect(axes.length).toBeGreaterThan(0);
+      const labels = placeNames(axes, names, size, em);
+      expect(labels.map(({ text }) => text)).toEqual(names);
+      for (const label of labels) expect(isInside(label, label.text, em)).toBe(true);
+      for (const { ticks, outward } of axes) {
+        for (const tick of ticks) {
+          const place = numberPlace(tick, outward, tick.label, size, em);
+          expect(isInside(place, tick.label, em)).toBe(true);
+          for (const label of labels) {
+            const [a, b] = [half(label.text, em), half(tick.label, em)];
+            const apart = Math.abs(label.x - place.x) >= a.x + b.x || Math.abs(label.y - place.y) >= a.y + b.y;
+            expect(apart, `${label.text} over ${tick.label}`).toBe(true);
+          }
+        }
+      }
+    }
+  });
+
+  test("shorten a name that is wider than the picture, and say so", () => {
+    const narrow = { width: 120, height: 300 };
+    const axes = boxAxes(look([3, -6, 3]), bounds, narrow);
+    const [label] = placeNames(axes, ["x [cylinder diameters]"], narrow, 12);
+    expect(label?.text).toMatch(/^x \[cyl.*\u2026$/);
+    expect(isInside(label ?? { x: 0, y: 0 }, label?.text ?? "", 12, narrow)).toBe(true);
   });
 });

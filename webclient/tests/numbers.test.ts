@@ -7,6 +7,7 @@ import {
   logarithmicStart,
   niceStep,
   parseNumber,
+  sliderTrack,
   valueAt,
   widestGap,
 } from "../src/scene/numbers";
@@ -113,5 +114,26 @@ describe("slider over a histogram", () => {
     expect(widestGap([], [0, 1])).toBe(0.5);
     expect(widestGap([0.5], [0, 1])).toBe(0.25);
     expect(widestGap([0.2, 0.4], [0, 1])).toBe(0.7);
+  });
+
+  test.each([
+    [-0.8372, 1.2914],
+    [-7.81575, 14.3622],
+    [0, 8.32756],
+    [1e5 + 0.37, 1e5 + 3.1],
+    [-2.1e-7, 5.3e-7],
+    [-1, 1],
+  ] as [number, number][])("a slider from %d to %d steps by round numbers and reaches both ends", (low, high) => {
+    const { min, max, step } = sliderTrack([low, high]);
+    expect(step.toExponential()).toMatch(/^[125]e/);
+    expect(step).toBeLessThanOrEqual((high - low) / 200);
+    expect(step).toBeGreaterThan((high - low) / 520);
+    for (const end of [min, max]) expect(Math.abs(end / step - Math.round(end / step))).toBeLessThan(1e-6);
+    expect(min <= low && low - min < step).toBe(true);
+    expect(max >= high && max - high < step).toBe(true);
+  });
+
+  test("a slider over nothing stands still", () => {
+    expect(sliderTrack([3, 3])).toEqual({ min: 3, max: 3, step: 1 });
   });
 });

@@ -3,30 +3,23 @@ import type { JSX } from "preact";
 import { useEffect, useRef, useState } from "preact/hooks";
 import type { Size } from "../camera/camera";
 import { prettyUnits } from "../scene/numbers";
-import { boxAxes, numberPlace, TICK, type BoxAxis } from "../scene/box_axes";
+import { boxAxes, numberPlace, placeNames, TICK, type BoxAxis } from "../scene/box_axes";
 import { timesPowerOfTen } from "../scene/ticks";
 import { useApp, useAppState } from "./context";
 
 const TEXT_PIXELS = 12;
 
-function Axis({ axis, units, em }: { axis: BoxAxis; units: string; em: number }): JSX.Element {
+function Axis({ axis, size, em }: { axis: BoxAxis; size: Size; em: number }): JSX.Element {
   const { from, to, outward, ticks } = axis;
-  const beside = (x: number, y: number, away: number) => ({ x: x + away * outward.x, y: y + away * outward.y });
-  const name = `${axis.name}${units === "" ? "" : ` [${units}]`}${timesPowerOfTen(axis.exponent)}`;
-  const middle = { x: (from.x + to.x) / 2, y: (from.y + to.y) / 2 };
   return (
     <g>
       <line x1={from.x} y1={from.y} x2={to.x} y2={to.y} />
-      {ticks.map(({ x, y, label }) => {
-        const end = beside(x, y, TICK * em);
-        return (
-          <g key={label}>
-            <line x1={x} y1={y} x2={end.x} y2={end.y} />
-            <text {...numberPlace({ x, y }, outward, label, em)}>{label}</text>
-          </g>
-        );
-      })}
-      <text {...numberPlace(beside(middle.x, middle.y, axis.depth - TICK * em), outward, name, em)}>{name}</text>
+      {ticks.map(({ x, y, label }) => (
+        <g key={label}>
+          <line x1={x} y1={y} x2={x + TICK * em * outward.x} y2={y + TICK * em * outward.y} />
+          <text {...numberPlace({ x, y }, outward, label, size, em)}>{label}</text>
+        </g>
+      ))}
     </g>
   );
 }
@@ -52,11 +45,17 @@ export function BoxAxes(): JSX.Element | null {
   if (!shown) return null;
   const em = TEXT_PIXELS * scale;
   const axes = size === null ? [] : boxAxes(camera, description.bounds, size, em);
+  const units = prettyUnits(description.length_units);
+  const names = axes.map((axis) => `${axis.name}${units === "" ? "" : ` [${units}]`}${timesPowerOfTen(axis.exponent)}`);
   return (
     <svg class="box-axes" style={{ fontSize: `${em}px` }} ref={root} role="img" aria-label="Axes of the bounding box">
-      {axes.map((axis) => (
-        <Axis key={axis.name} axis={axis} units={prettyUnits(description.length_units)} em={em} />
-      ))}
+      {size !== null && axes.map((axis) => <Axis key={axis.name} axis={axis} size={size} em={em} />)}
+      {size !== null &&
+        placeNames(axes, names, size, em).map(({ x, y, text }, i) => (
+          <text key={axes[i]?.name} x={x} y={y}>
+            {text}
+          </text>
+        ))}
     </svg>
   );
 }

@@ -1,7 +1,7 @@
 // Planes that cut all layers, each with its place, its side and whether it is closed.
 import type { JSX } from "preact";
 import type { ClipLayer, Vec3 } from "../generated/protocol";
-import { formatNumber, niceStep } from "../scene/numbers";
+import { clamp, formatNumber, sliderTrack } from "../scene/numbers";
 import { layersOf } from "../scene/scalars";
 import { Check, IconButton, NumberField, Section, Slider } from "./controls";
 import { useApp, useAppState } from "./context";
@@ -21,13 +21,11 @@ function PositionRow({ id, layer, at }: { id: string; layer: ClipLayer; at: numb
     <div class="clip-row">
       <Slider
         label={`Position of the ${AXES[at] ?? ""} clip`}
-        min={low}
-        max={high}
-        step={niceStep([low, high])}
+        {...sliderTrack([low, high])}
         value={value}
         text={`${formatNumber(value, high - low)} ${description?.length_units ?? ""}`.trim()}
         newGesture={() => editor.newGesture()}
-        onChange={set}
+        onChange={(position, gesture) => set(clamp(position, low, high), gesture)}
       />
       <NumberField label={`Clip position on ${AXES[at] ?? ""}`} value={value} span={high - low} onChange={set} />
     </div>

@@ -3,7 +3,7 @@ import type { JSX } from "preact";
 import { boundsCentre, corners, frame } from "../camera/camera";
 import { add, dot, normalize, scale, subtract } from "../camera/vector";
 import type { Vec3 } from "../generated/protocol";
-import { formatNumber, niceStep } from "../scene/numbers";
+import { clamp, formatNumber, sliderTrack } from "../scene/numbers";
 import { IconButton, NumberField, Slider } from "./controls";
 import { useApp, useAppState } from "./context";
 
@@ -63,13 +63,11 @@ export function PlaneFields({ id, origin, normal }: PlaneProps): JSX.Element {
     <>
       <Slider
         label="Position along the normal"
-        min={-reach}
-        max={reach}
-        step={niceStep([-reach, reach])}
+        {...sliderTrack([-reach, reach])}
         value={offset}
         text={`${formatNumber(offset, reach)} ${description?.length_units ?? ""} from the middle`}
         newGesture={() => editor.newGesture()}
-        onChange={moveTo}
+        onChange={(to, gesture) => moveTo(clamp(to, -reach, reach), gesture)}
       />
       <VectorRow label="Origin" value={origin} span={2 * reach} set={(to) => actions.setLayer(id, { origin: to })} />
       <VectorRow

@@ -2,7 +2,7 @@
 import type { JSX } from "preact";
 import { boundsCentre } from "../camera/camera";
 import type { SliceLayer } from "../generated/protocol";
-import { formatNumber, niceStep } from "../scene/numbers";
+import { clamp, formatNumber, sliderTrack } from "../scene/numbers";
 import { firstScalar, layersOf } from "../scene/scalars";
 import { ColoringFields, OpacityField } from "./coloring";
 import { ContourFields } from "./contour_fields";
@@ -48,14 +48,12 @@ function AxisRow({ axis, entry }: { axis: Axis; entry: [string, SliceLayer] | un
         <Check label={axis.toUpperCase()} checked={shown} onChange={toggle} />
         <Slider
           label={`Position of the ${axis} slice`}
-          min={low}
-          max={high}
-          step={niceStep([low, high])}
+          {...sliderTrack([low, high])}
           value={value}
           text={`${text(value)} ${units}`.trim()}
           disabled={!shown}
           newGesture={() => editor.newGesture()}
-          onChange={set}
+          onChange={(position, gesture) => set(clamp(position, low, high), gesture)}
         />
         <NumberField label={`Position on ${axis}`} value={shown ? value : null} span={high - low} onChange={set} />
       </div>

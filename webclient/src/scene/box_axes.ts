@@ -38,6 +38,8 @@ const FEWEST_TICKS = 3;
 const MOST_TICKS = 10;
 /** Of a digit, wide and high: numbers have no other wide signs. */
 const DIGIT: Place = { x: 0.62, y: 0.75 };
+/** Of the way along an edge, where its name may stand. */
+const SHARES = [0.5, 0.4, 0.6, 0.3, 0.7, 0.15, 0.85, 0, 1];
 /** How finely an edge is searched for the part of it that is seen. */
 const SAMPLES = 64;
 
@@ -74,11 +76,65 @@ function partSeen(low: Vec3, high: Vec3, at: (point: Vec3) => Place | null, size
   return from === undefined || to === undefined || from === to ? null : [from, to];
 }
 
-/** Of a number whose nearest point is a tick's length and a gap away from the edge. */
-export function numberPlace(foot: Place, outward: Place, label: string, em: number): Place {
-  const half = { x: (label.length * DIGIT.x * em) / 2, y: (DIGIT.y * em) / 2 };
+const halfOf = (label: string, em: number): Place => ({ x: (label.length * DIGIT.x * em) / 2, y: (DIGIT.y * em) / 2 });
+
+/** Moved into the picture where it would stick out: a label that is cut off says something else. */
+function inside(middle: Place, half: Place, size: Size): Place {
+  const within = (at: number, reach: number, end: number): number => Math.max(Math.min(at, end - reach - 1), reach + 1);
+  return { x: within(middle.x, half.x, size.width), y: within(middle.y, half.y, size.height) };
+}
+
+/** The middle of a number whose nearest point is a tick's length and a gap away from the edge. */
+export function numberPlace(foot: Place, outward: Place, label: string, size: Size, em: number): Place {
+  const half = halfOf(label, em);
   const away = (TICK + GAP) * em + Math.abs(outward.x) * half.x + Math.abs(outward.y) * half.y;
-  return { x: foot.x + away * outward.x, y: foot.y + away * outward.y };
+  return inside({ x: foot.x + away * outward.x, y: foot.y + away * outward.y }, half, size);
+}
+
+/** So much of a text as the picture is wide. */
+function shortened(text: string, size: Size, em: number): string {
+  const most = Math.max(1, Math.floor((size.width - 2) / (DIGIT.x * em)));
+  return text.length <= most ? text : `${text.slice(0, most - 1)}\u2026`;
+}
+
+interface Label extends Place {
+  text: string;
+}
+
+const overlap = (a: Label, b: Label, em: number): boolean => {
+  const [one, other] = [halfOf(a.text, em), halfOf(b.text, em)];
+  return Math.abs(a.x - b.x) < one.x + other.x && Math.abs(a.y - b.y) < one.y + other.y;
+};
+
+/** Where a name may stand, best first: outside the numbers, from the middle of the edge on; past one of its ends. */
+function placesOfName({ from, to, outward, depth }: BoxAxis, text: string, size: Size, em: number): Place[] {
+  const half = halfOf(text, em);
+  const length = Math.hypot(to.x - from.x, to.y - from.y);
+  const along = { x: (to.x - from.x) / length, y: (to.y - from.y) / length };
+  const away = depth + GAP * em + Math.abs(outward.x) * half.x + Math.abs(outward.y) * half.y;
+  const past = (APART + 2 * GAP) * em + Math.abs(along.x) * half.x + Math.abs(along.y) * half.y;
+  const places = SHARES.map((share) => ({
+    x: from.x + share * (to.x - from.x) + away * outward.x,
+    y: from.y + share * (to.y - from.y) + away * outward.y,
+  }));
+  places.push({ x: to.x + past * along.x, y: to.y + past * along.y });
+  places.push({ x: from.x - past * along.x, y: from.y - past * along.y });
+  return places.map((place) => inside(place, half, size));
+}
+
+/** One for each axis, whole and in the picture; clear of all numbers and of each other where there is room. */
+export function placeNames(axes: readonly BoxAxis[], names: readonly string[], size: Size, em: number): Label[] {
+  const taken: Label[] = axes.flatMap(({ ticks, outward }) =>
+    ticks.map((tick) => ({ ...numberPlace(tick, outward, tick.label, size, em), text: tick.label })),
+  );
+  return axes.map((axis, i) => {
+    const text = shortened(names[i] ?? axis.name, size, em);
+    const labels = placesOfName(axis, text, size, em).map((place) => ({ ...place, text }));
+    const label = labels.find((one) => !taken.some((other) => overlap(one, other, em))) ?? labels[0];
+    const placed = label ?? { ...axis.from, text };
+    taken.push(placed);
+    return placed;
+  });
 }
 
 /** Whether the numbers, which are as far apart as their ticks, keep clear of each other. */

@@ -46,6 +46,18 @@ export function niceStep([low, high]: Range): number {
   return span > 0 ? 10 ** Math.floor(Math.log10(span / 1000)) : 1;
 }
 
+/** A slider over the range whose places are all multiples of its step, which is 1, 2 or 5 of a power of ten and at most
+ * a two-hundredth of the range; the track ends at the first of them past each end. */
+export function sliderTrack([low, high]: Range): { min: number; max: number; step: number } {
+  const span = high - low;
+  if (!(span > 0) || !Number.isFinite(span)) return { min: low, max: high, step: 1 };
+  const power = 10 ** Math.floor(Math.log10(span / 200));
+  const step = Number((([5, 2].find((n) => n * power <= span / 200) ?? 1) * power).toPrecision(1));
+  const end = (round: (steps: number) => number, value: number): number =>
+    Number((round(Number((value / step).toPrecision(12))) * step).toPrecision(12));
+  return { min: end(Math.floor, low), max: end(Math.ceil, high), step };
+}
+
 /** Of a logarithmic slider whose range starts at zero. */
 const DECADES = 6;
 
