@@ -152,6 +152,41 @@ TEST_P(OcclusionTest, IsTheSameAtAnyResolutionAndWhileSomethingMoves) {
     }
 }
 
+// The samples of a radius that fills the picture would lie too far apart: it counts as a quarter of the height.
+TEST_P(OcclusionTest, AVeryLargeRadiusIsThatOfAQuarterOfThePicture) {
+    add_corner();
+    frame.samples = 4;
+    const Image huge = draw(30), quarter = draw(0.25 * frame.camera.parallel_height);
+    for (const double away : {-0.6, -0.3, -0.1, 0.1, 0.3, 0.6})
+        EXPECT_NEAR(light(huge, away), light(quarter, away), 0.03) << away;
+    EXPECT_EQ(light(huge, 0.8), 1);
+}
+
+// A wide perspective: what is seen at a slant at the picture's side is as dark as in the middle.
+TEST_P(OcclusionTest, ACornerIsTheSameAllAlongItInAPerspective) {
+    add_corner();
+    frame.camera.parallel = false;
+    frame.camera.fov_degrees = 90;
+    frame.camera.position = {0, -1.2, 1.2};
+    frame.width = 640;
+    frame.height = 480;
+    frame.samples = 4;
+    const Image image = draw(0.4);
+    const auto seen = [&](double along, double away, bool wall) {
+        const Vec3d from{along, (wall ? 0 : -away) + 1.2, (wall ? away : 0) - 1.2}; // of the eye
+        const double depth = (from[1] - from[2]) / std::numbers::sqrt2, up = (from[1] + from[2]) / std::numbers::sqrt2;
+        const auto x = static_cast<std::size_t>(320 + 240 * from[0] / depth);
+        const auto y = static_cast<std::size_t>(240 - 240 * up / depth);
+        return image.rgb[3 * (y * 640 + x)] / full;
+    };
+    for (const bool wall : {false, true})
+        for (const double away : {0.1, 0.15, 0.2}) {
+            EXPECT_LT(seen(0, away, wall), 0.98);
+            for (const double along : {-1.4, -0.7, 0.7, 1.4})
+                EXPECT_NEAR(seen(along, away, wall), seen(0, away, wall), 0.03) << along << " " << away << " " << wall;
+        }
+}
+
 // The same surfaces in a picture whose middle is elsewhere: the pattern of the pixels does not show.
 TEST_P(OcclusionTest, IsEvenAlongACorner) {
     add_corner();
