@@ -323,6 +323,33 @@ TEST_F(Methods, color_range_is_that_of_the_values_in_view) {
     EXPECT_EQ(client.error_code("color.range", params), -32001);
 }
 
+// U:x is the height over the box's floor, at z = -50.
+TEST_F(Methods, color_range_of_a_volume_is_that_of_what_is_in_view_and_not_cut_away) {
+    json params{{"layers", {"v"}}, {"scene", json::parse(R"({"dataset": "box",
+        "camera": {"position": [980, 3, -47], "target": [1003, 3, -47], "parallel": true, "parallel_height": 100},
+        "layers": {"v": {"type": "volume", "array": "U:x", "slices": 60}}})")}};
+    EXPECT_EQ(client.call("color.range", params)["range"], json({0, 6}));
+    params["aspect"] = 1;
+    EXPECT_EQ(client.call("color.range", params)["range"], json({0, 6}));
+    json& camera = params["scene"]["camera"];
+    camera["parallel_height"] = 2.5; // heights from 1.75 to 4.25
+    const json part = client.call("color.range", params)["range"];
+    ASSERT_TRUE(part.is_array());
+    EXPECT_GE(part[0], 1.75);
+    EXPECT_LE(part[0], 2);
+    EXPECT_GE(part[1], 4);
+    EXPECT_LE(part[1], 4.25);
+    camera["parallel_height"] = 100;
+    params["scene"]["layers"]["c"] = {{"type", "clip"}, {"axis", "z"}, {"value", -47.5}};
+    const json cut = client.call("color.range", params)["range"];
+    EXPECT_EQ(cut[0], 0);
+    EXPECT_GE(cut[1], 2);
+    EXPECT_LE(cut[1], 2.5);
+    camera["parallel_height"] = 2.5;
+    camera["target"] = {1003, 3, 1000};
+    EXPECT_EQ(client.call("color.range", params)["range"], nullptr) << "nothing is in view";
+}
+
 TEST_F(Methods, surfaces_are_exported) {
     json params{{"scene", iso_scene}, {"layer", "iso"}, {"format", "ply"}};
     params["scene"]["layers"]["iso"]["values"] = {12, 20};
