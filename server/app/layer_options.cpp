@@ -83,6 +83,8 @@ void LayerOptions::add_to(CLI::App& command) {
     command.add_flag("--edges", edges, "Lines along the edges of all polygons: those of the cells.");
     command.add_option("--contours", contours, "Contour lines of a point scalar on slices: ten, or at these values.")
         ->type_name("ARRAY[=VALUE,...]");
+    command.add_option("--contour-map", contour_map, "Each contour line in the colour of its value on this map.")
+        ->type_name("NAME");
     command
         .add_option("--clip", clips,
                     "Cut away what lies beyond a plane, with a cap where --surface is cut open; up to six. "
@@ -103,8 +105,11 @@ void LayerOptions::apply(nlohmann::json& layers) const {
     if (edges && change(layers, has_polygons, [](auto& layer) { layer["edges"] = nlohmann::json::object(); }) == 0)
         throw UsageError("nothing has polygons whose edges could be drawn; give --iso, --slice or --surface");
     for (std::size_t i = 0; i < clips.size(); ++i) layers["clip" + std::to_string(i + 1)] = clip_of(clips[i]);
+    if (contours.empty() && !contour_map.empty())
+        throw UsageError("--contour-map colours contour lines; give --contours");
     if (contours.empty()) return;
-    const nlohmann::json lines = contours_of(contours);
+    nlohmann::json lines = contours_of(contours);
+    if (!contour_map.empty()) lines["coloring"] = {{"map", contour_map}};
     if (change(layers, is_slice, [&](auto& layer) { layer["contours"] = lines; }) == 0)
         throw UsageError("contour lines are drawn on slices; give --slice or --plane");
 }

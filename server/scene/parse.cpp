@@ -68,7 +68,7 @@ std::vector<ColorPoint> color_points_of(const json& color, const std::string& pa
     for (const json& point : *given) {
         const double at = point["at"];
         if (!points.empty() && at < points.back().at)
-            throw Invalid(path + "/color/points/" + std::to_string(points.size()) + "/at",
+            throw Invalid(path + "/points/" + std::to_string(points.size()) + "/at",
                           "the points of a colour map stand in ascending order of at");
         points.push_back({at, bytes_of(point["color"])});
     }
@@ -79,17 +79,18 @@ std::vector<ColorPoint> color_points_of(const json& color, const std::string& pa
 void check_scale(const Coloring& coloring, const std::string& path) {
     if (!coloring.log) return;
     if (coloring.symmetric)
-        throw Invalid(path + "/color/symmetric", "a range that is symmetric about zero holds values that have no "
-                                                 "logarithm; leave out either symmetric or log");
+        throw Invalid(path + "/symmetric", "a range that is symmetric about zero holds values that have no "
+                                           "logarithm; leave out either symmetric or log");
     if (coloring.range && (*coloring.range)[0] <= 0)
-        throw Invalid(path + "/color/range", "a logarithmic scale has no place for zero and below; give a range that "
-                                             "begins above zero, or leave out log");
+        throw Invalid(path + "/range", "a logarithmic scale has no place for zero and below; give a range that "
+                                       "begins above zero, or leave out log");
 }
 
-Coloring coloring_of(const json& layer, const std::string& path) {
+Coloring coloring_of(const json& layer, const std::string& layer_path, const char* member = "color") {
     Coloring coloring;
-    const auto color = layer.find("color");
+    const auto color = layer.find(member);
     if (color == layer.end()) return coloring;
+    const std::string path = layer_path + "/" + member;
     read(*color, "array", coloring.array);
     read(*color, "map", coloring.map);
     read(*color, "reverse", coloring.reverse);
@@ -100,7 +101,7 @@ Coloring coloring_of(const json& layer, const std::string& path) {
     coloring.below = read_color(*color, "below");
     coloring.above = read_color(*color, "above");
     coloring.points = color_points_of(*color, path);
-    coloring.range = range_of(*color, "range", path + "/color");
+    coloring.range = range_of(*color, "range", path);
     check_scale(coloring, path);
     if (const auto solid = color->find("solid"); solid != color->end()) coloring.solid = color_of(*solid);
     return coloring;
@@ -135,6 +136,14 @@ std::optional<Contours> contours_of(const json& layer, const std::string& path) 
     read(object, "count", contours.count);
     contours.range = range_of(object, "range", path + "/contours");
     read_lines(object, contours.line);
+    if (!object.contains("coloring")) return contours;
+    contours.coloring = coloring_of(object, path + "/contours", "coloring");
+    if (std::string& array = contours.coloring->array; array.empty())
+        array = contours.array;
+    else if (array != contours.array)
+        throw Invalid(path + "/contours/coloring/array", "contour lines of " + contours.array +
+                                                             " have the colours of its values, not of " + array +
+                                                             "; leave out the array of the colours");
     return contours;
 }
 

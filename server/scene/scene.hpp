@@ -51,6 +51,7 @@ struct Contours { // where an array takes values on a slice
     int count = 10; // of values evenly inside the range; 0 where `values` says it
     std::optional<std::array<double, 2>> range;
     LineStyle line{{0x1a / 255.0F, 0x1a / 255.0F, 0x1a / 255.0F}, 1.5F};
+    std::optional<Coloring> coloring; // by their values, instead of the line's colour
 };
 
 struct IsoLayer {

@@ -21,13 +21,13 @@ struct Check {
         }
     }
 
-    void coloring(const scene::Coloring& color) const {
-        if (!color.array.empty()) scalar(color.array, "/color/array");
+    void coloring(const scene::Coloring& color, const std::string& place = "/color") const {
+        if (!color.array.empty()) scalar(color.array, place + "/array");
         const auto& maps = render::color_map_names();
         if (std::find(maps.begin(), maps.end(), color.map) != maps.end()) return;
         std::string known;
         for (const auto& name : maps) known += (known.empty() ? "" : ", ") + name;
-        throw scene::Invalid(path + "/color/map", "there is no colour map " + color.map + "; there are " + known);
+        throw scene::Invalid(path + place + "/map", "there is no colour map " + color.map + "; there are " + known);
     }
 
     void operator()(const scene::IsoLayer& iso) const {
@@ -36,7 +36,9 @@ struct Check {
     }
     void operator()(const scene::SliceLayer& slice) const {
         coloring(slice.color);
-        if (slice.contours) scalar(slice.contours->array, "/contours/array");
+        if (!slice.contours) return;
+        scalar(slice.contours->array, "/contours/array");
+        if (slice.contours->coloring) coloring(*slice.contours->coloring, "/contours/coloring");
     }
     void operator()(const scene::ClipLayer&) const {}
     void operator()(const scene::OutlineLayer& outline) const { coloring(outline.color); }

@@ -41,14 +41,24 @@ void Outlined::follow(const std::shared_ptr<const Shape>& new_shape) {
 }
 
 void Contoured::follow(const std::shared_ptr<const Shape>& shape, const std::string& new_array, std::size_t new_step,
-                       const std::vector<double>& new_values, store::LoadedDataset& loaded) {
-    if (lines && of == shape && array == new_array && step == new_step && values == new_values) return;
+                       const std::vector<double>& new_values, bool coloured, store::LoadedDataset& loaded) {
+    const bool is_coloured = scalars != nullptr;
+    if (lines && of == shape && array == new_array && step == new_step && values == new_values &&
+        is_coloured == coloured)
+        return;
     const auto& points = shape->surface.points;
     std::vector<float> at_points(points.size());
     interpolate(points, *loaded.scalar_values(new_array, new_step), 1, at_points);
     auto made = std::make_shared<Shape>();
     made->lines = true;
-    made->surface.positions = contour_lines(shape->surface, at_points, new_values);
+    auto& positions = made->surface.positions;
+    auto value_at_points = coloured ? std::make_shared<std::vector<float>>() : nullptr;
+    if (!coloured) positions = contour_lines(shape->surface, at_points, new_values);
+    for (std::size_t i = 0; coloured && i < new_values.size(); ++i) {
+        const auto of_value = contour_lines(shape->surface, at_points, std::span(&new_values[i], 1));
+        positions.insert(positions.end(), of_value.begin(), of_value.end());
+        value_at_points->resize(positions.size(), static_cast<float>(new_values[i]));
+    }
     made->indices.resize(made->surface.positions.size());
     std::iota(made->indices.begin(), made->indices.end(), Index{0});
     of = shape;
@@ -56,10 +66,13 @@ void Contoured::follow(const std::shared_ptr<const Shape>& shape, const std::str
     step = new_step;
     values = new_values;
     lines = std::move(made);
+    scalars = std::move(value_at_points);
     revision = unique_number();
 }
 
-std::size_t Contoured::memory_bytes() const { return lines ? bytes_of(*lines) : 0; }
+std::size_t Contoured::memory_bytes() const {
+    return (lines ? bytes_of(*lines) : 0) + (scalars ? scalars->size() * sizeof(float) : 0);
+}
 
 void Cut::use_field(const std::string& name, store::ScalarField new_field, Extraction extraction) {
     const bool same_topology = query && new_field.topology == field.topology;

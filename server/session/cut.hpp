@@ -38,6 +38,7 @@ struct Outlined {
 // Contour lines of one shape, found again only when the shape, the array, its step or the values change.
 struct Contoured {
     std::shared_ptr<const Shape> of, lines;
+    std::shared_ptr<const std::vector<float>> scalars; // a line's value at its points; null where it has one colour
     std::string array;
     std::size_t step = 0;
     std::vector<double> values;
@@ -45,7 +46,7 @@ struct Contoured {
 
     [[nodiscard]] std::size_t memory_bytes() const;
     void follow(const std::shared_ptr<const Shape>& shape, const std::string& new_array, std::size_t new_step,
-                const std::vector<double>& new_values, store::LoadedDataset& loaded);
+                const std::vector<double>& new_values, bool coloured, store::LoadedDataset& loaded);
     void forget() { *this = {}; } // nobody looks at them
 };
 

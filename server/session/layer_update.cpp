@@ -4,19 +4,6 @@
 #include "session/errors.hpp"
 
 namespace ciel::session {
-namespace {
-
-void colour(Drawable& drawable, const scene::Coloring& coloring, const scene::Layer& layer,
-            const store::Dataset& dataset, std::size_t step) {
-    drawable.color = {coloring.solid[0], coloring.solid[1], coloring.solid[2], layer.opacity};
-    drawable.array = coloring.array;
-    if (coloring.array.empty()) return;
-    drawable.units = dataset.find(store::parse_scalar(dataset, coloring.array).array)->units;
-    drawable.scale = color_scale_of(coloring, range_of(dataset, coloring.array, step));
-}
-
-} // namespace
-
 std::array<float, 2> range_of(const store::Dataset& dataset, const std::string& scalar, std::size_t step) {
     const store::ScalarName name = store::parse_scalar(dataset, scalar);
     const auto& arrays = dataset.steps()[step].arrays;
@@ -67,13 +54,22 @@ void LayerUpdate::add(Painted& painted, const std::shared_ptr<const Shape>& shap
     drawable.lit = lit;
     drawable.identity = painted.identity;
     drawable.revision = painted.revision;
-    colour(drawable, shown, layer, *dataset, out.step);
-    if (!shown.array.empty() && !is_shown_by(shown, range_of(*dataset, shown.array, out.step)))
-        out.lacking.push_back("layer " + layer.id + " has no colours: " + shown.array +
-                              " has no value above zero at this time, and only those have a place on a "
-                              "logarithmic scale; choose a linear one");
+    colour(drawable, shown, layer);
     if (drawable.polygons()) out.triangles += shape->indices.size() / 3;
     out.drawables.push_back(std::move(drawable));
+}
+
+void LayerUpdate::colour(Drawable& drawable, const scene::Coloring& coloring, const scene::Layer& layer) const {
+    drawable.color = {coloring.solid[0], coloring.solid[1], coloring.solid[2], layer.opacity};
+    drawable.array = coloring.array;
+    if (coloring.array.empty()) return;
+    const std::array<float, 2> range = range_of(*dataset, coloring.array, out.step);
+    drawable.units = dataset->find(store::parse_scalar(*dataset, coloring.array).array)->units;
+    drawable.scale = color_scale_of(coloring, range);
+    if (!is_shown_by(coloring, range))
+        out.lacking.push_back("layer " + layer.id + " has no colours: " + coloring.array +
+                              " has no value above zero at this time, and only those have a place on a "
+                              "logarithmic scale; choose a linear one");
 }
 
 void LayerUpdate::add_edges(Outlined& outlined, const std::shared_ptr<const Shape>& shape,

@@ -42,6 +42,8 @@ private:
     // `own`: the value that the shape has of the array that it is coloured by, where it has one.
     void add(Painted& painted, const std::shared_ptr<const Shape>& shape, const scene::Coloring& coloring,
              const scene::Layer& layer, bool lit, std::optional<double> own = {});
+    // By its scalars, or in the solid colour; and says where a scale has no place for them.
+    void colour(Drawable& drawable, const scene::Coloring& coloring, const scene::Layer& layer) const;
     void add_edges(Outlined& outlined, const std::shared_ptr<const Shape>& shape,
                    const std::optional<scene::LineStyle>& style, const scene::Layer& layer);
     Drawable& add_lines(const std::shared_ptr<const Shape>& shape, const scene::LineStyle& style,

@@ -66,11 +66,14 @@ void LayerUpdate::add_contours(Contoured& contoured, const std::shared_ptr<const
     const auto [low, high] = contours->range.value_or(std::array<double, 2>{own[0], own[1]});
     for (int i = 1; i <= contours->count; ++i) values.push_back(low + (high - low) * i / (contours->count + 1));
     try {
-        contoured.follow(shape, contours->array, out.step, values, *loaded);
+        contoured.follow(shape, contours->array, out.step, values, contours->coloring.has_value(), *loaded);
     } catch (const store::NotWritten& missing) {
         return lack(layer, "has no contour lines", missing);
     }
-    add_lines(contoured.lines, contours->line, layer, contoured.identity, contoured.revision);
+    Drawable& lines = add_lines(contoured.lines, contours->line, layer, contoured.identity, contoured.revision);
+    if (!contours->coloring) return;
+    lines.scalars = contoured.scalars;
+    colour(lines, *contours->coloring, layer);
 }
 
 } // namespace ciel::session

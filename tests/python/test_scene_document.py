@@ -8,9 +8,10 @@ import json
 import box_dataset
 import numpy as np
 import pytest
+import requests
 import vtk
 from program import ciel
-from serve_process import Server
+from serve_process import PATIENCE, Server
 from vtk.util.numpy_support import vtk_to_numpy
 
 SIZE, VIEW = 240, 3.0  # pixels and scene units, both ways
@@ -162,3 +163,67 @@ def test_a_session_patched_to_the_scene_gives_the_same_picture(by_command_line, 
     server.call("scene.patch", session=session, patch={"layers": {"clip": None}})
     unclipped = png_of(server.call("picture.render", session=session, width=SIZE, height=SIZE))
     assert (unclipped == by_command_line(without("clip"))).all()
+
+
+def contoured(**contours):
+    """The middle plane across y, white, with lines of r; the view is along y."""
+    values = {"array": "r", "values": [0.3, 0.8], "width": 5, **contours}
+    layer = {"type": "slice", "axis": "y", "value": 0, "color": {"solid": "#ffffff"}, "contours": values}
+    return {**SCENE, "layers": {"s": layer}}
+
+
+def radii_of(picture, color):
+    """How far from the middle the pixels of exactly this colour are: the least and the greatest."""
+    x, z = rays()
+    found = np.hypot(x, z)[(picture == color).all(axis=2)]
+    return (found.min(), found.max()) if len(found) > 20 else None
+
+
+def test_contour_lines_have_one_colour_or_those_of_their_values(by_command_line, server):
+    ends = {"points": [{"at": 0, "color": "#ff0000"}, {"at": 1, "color": "#0000ff"}], "range": [0.3, 0.8]}
+    near = 4 * VIEW / SIZE
+    plain = by_command_line(contoured(color="#008800"))
+    assert radii_of(plain, (0, 0x88, 0)) == pytest.approx((0.3, 0.8), abs=near)
+    scene = contoured(color="#008800", coloring=ends)
+    coloured = by_command_line(scene)
+    assert radii_of(coloured, (0, 0x88, 0)) is None
+    assert radii_of(coloured, (255, 0, 0)) == pytest.approx((0.3, 0.3), abs=near)
+    assert radii_of(coloured, (0, 0, 255)) == pytest.approx((0.8, 0.8), abs=near)
+    assert (png_of(server.call("picture.render", scene=scene, width=SIZE, height=SIZE)) == coloured).all()
+
+
+def test_contour_lines_change_their_colours_in_a_session(by_command_line, server):
+    scene = contoured()
+    session = server.call("session.open", scene=scene)["session"]
+    grey = {"map": "grayscale", "reverse": True}
+    for coloring in (grey, None, {**grey, "range": [0, 4]}):
+        server.call("scene.patch", session=session, patch={"layers": {"s": {"contours": {"coloring": coloring}}}})
+        picture = png_of(server.call("picture.render", session=session, width=SIZE, height=SIZE))
+        wanted = contoured(coloring=coloring) if coloring else contoured()
+        assert (picture == by_command_line(wanted)).all()
+
+
+def test_contour_lines_by_options(box, tmp_path):
+    common = [box, "--slice", "y=0", "--contours", "r=0.2,1.2", "--annotations", "none", "--size", "200x200"]
+    pictures = []
+    for name, options in {"plain": [], "turbo": ["--contour-map", "turbo"]}.items():
+        result = ciel("render", *common, *options, "-o", tmp_path / f"{name}.png")
+        assert result.returncode == 0, result.stderr
+        reader = vtk.vtkPNGReader()
+        reader.SetFileName(str(tmp_path / f"{name}.png"))
+        pictures.append(pixels_of(reader))
+    assert (pictures[0] != pictures[1]).any(axis=2).sum() > 100
+    lacking = ciel("render", box, "--slice", "y=0", "--contour-map", "turbo", "-o", tmp_path / "p.png")
+    assert lacking.returncode == 2 and "give --contours" in lacking.stderr
+
+
+@pytest.mark.parametrize(("coloring", "path", "words"), [
+    ({"array": "x"}, "/layers/s/contours/coloring/array", "have the colours of its values, not of x"),
+    ({"map": "nothing"}, "/layers/s/contours/coloring/map", "there is no colour map nothing"),
+    ({"log": True, "symmetric": True}, "/layers/s/contours/coloring/symmetric", "leave out either symmetric or log"),
+])
+def test_colours_of_contour_lines_that_make_no_sense_are_refused(server, coloring, path, words):
+    answer = requests.post(server.base + "/rpc", timeout=PATIENCE, json={
+        "jsonrpc": "2.0", "id": 1, "method": "picture.render", "params": {"scene": contoured(coloring=coloring)}})
+    error = answer.json()["error"]
+    assert words in json.dumps(error) and path in json.dumps(error)

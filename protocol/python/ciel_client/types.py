@@ -54,6 +54,7 @@ class Contours(TypedDict):
     count: NotRequired[int]  # without values: so many, evenly inside the range
     range: NotRequired[Range | None]  # of count; absent: the array's range at the shown time
     color: NotRequired[str]
+    coloring: NotRequired[Coloring]  # each line in the colour of its value on this scale, instead of color; its array is that of the lines
     width: NotRequired[float]  # pixels
 
 

@@ -1,5 +1,6 @@
-// Contour lines of slices: of which array, at how many values.
+// Contour lines of slices: of which array, at how many values, in one colour or in those of their values.
 import type { JSX } from "preact";
+import { colorMapNames, DEFAULT_MAP } from "../display/color_maps";
 import type { Contours } from "../generated/protocol";
 import { clamp } from "../scene/numbers";
 import { firstScalar, scalarsOf } from "../scene/scalars";
@@ -27,6 +28,7 @@ export function ContourFields({
   const shown = contours !== undefined && contours.visible !== false;
   const set = (change: { [K in keyof Contours]?: Contours[K] | null }): void =>
     editor.change({ layers: Object.fromEntries(layers.map((id) => [id, { contours: change }])) });
+  const coloring = contours?.coloring;
   if (first === undefined) return null;
   return (
     <>
@@ -42,7 +44,14 @@ export function ContourFields({
               label="Lines of"
               value={contours.array}
               options={scalars.map(({ name }) => ({ value: name, text: name }))}
-              onChange={(array) => set({ array, values: null, range: null })} // they belonged to the array before
+              onChange={(array) =>
+                set({
+                  array,
+                  values: null, // they and the ranges belonged to the array before
+                  range: null,
+                  ...(coloring && { coloring: { ...coloring, array, range: null } }),
+                })
+              }
             />
             <label class="field">
               <span>Number</span>
@@ -60,6 +69,19 @@ export function ContourFields({
             width={contours.width ?? 1.5}
             onChange={set}
           />
+          <Check
+            label="Lines in the colours of their values"
+            checked={coloring !== undefined}
+            onChange={(on) => set({ coloring: on ? { map: DEFAULT_MAP } : null })}
+          />
+          {coloring !== undefined && (
+            <SelectField
+              label="Map of the lines"
+              value={coloring.map ?? DEFAULT_MAP}
+              options={colorMapNames.map((name) => ({ value: name, text: name }))}
+              onChange={(map) => set({ coloring: { map } })}
+            />
+          )}
         </>
       )}
     </>
