@@ -44,6 +44,19 @@ void append(const PolyhedralSection<Local>& section, std::span<const float> valu
 
 } // namespace
 
+// Tells other threads how it ended. Where there was no memory the next one to ask tries again.
+class CellRanges::Making {
+public:
+    explicit Making(std::atomic<std::uint8_t>& state) : state_(state) {}
+    ~Making() { state_.store(result, std::memory_order_release); }
+    Making(const Making&) = delete;
+
+    State result = asked_once;
+
+private:
+    std::atomic<std::uint8_t>& state_;
+};
+
 void CellRanges::resize(std::size_t blocks) {
     state_ = std::make_unique<std::atomic<std::uint8_t>[]>(blocks);
     ranges_.resize(blocks);
@@ -55,9 +68,11 @@ std::span<const CellRanges::Range> CellRanges::of(const Block& block, Index b, s
     if (state == in_the_making) return {};
     const auto next = static_cast<std::uint8_t>(state + 1);
     if (!state_[b].compare_exchange_strong(state, next, std::memory_order_acquire) || next == asked_once) return {};
+    Making making(state_[b]);
+    ranges_[b].clear();
     for (const StandardSection& section : block.standard) append(section, values, ranges_[b]);
     block.with([&](const auto& arrays) { append(arrays.polyhedra, values, ranges_[b]); });
-    state_[b].store(made, std::memory_order_release);
+    making.result = made;
     return ranges_[b];
 }
 

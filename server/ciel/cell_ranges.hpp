@@ -23,6 +23,7 @@ public:
 
 private:
     enum State : std::uint8_t { never_asked, asked_once, in_the_making, made };
+    class Making;
     std::unique_ptr<std::atomic<std::uint8_t>[]> state_;
     std::vector<std::vector<Range>> ranges_;
 };

@@ -122,6 +122,7 @@ const GeometricVertices::Found& GeometricVertices::find(const Topology& topology
     parallel_for(blocks.size(), 8, [&](std::size_t begin, std::size_t end) {
         for (std::size_t b = begin; b < end; ++b) ReflexCorners(mesh_, blocks[b], margin, flag).run();
     });
+    found_.vertices.clear(); // of a call that found no memory
     for (Index v = 0; v < flag.size(); ++v)
         if (flag[v] != 0) found_.vertices.push_back(v);
     made_ = true;

@@ -252,13 +252,18 @@ void GradientCache::make_at(const FaceMeshView& mesh, const Field::Blocks& field
     state_.resize(std::size_t{last.vertex_begin} + last.vertex_count);
     vertex_.resize(field.topology->blocks().block.size());
     busy_.assign(vertex_.size(), 0);
+    if (!settled_)
+        for (std::uint8_t& state : state_) state &= known;
+    settled_ = false;
     Pass(mesh, field, state_, busy_, vertex_).run(blocks, cut);
+    settled_ = true;
 }
 
 void GradientCache::forget() {
     const Locked lock(mutex_);
     state_.clear();
     vertex_.clear();
+    settled_ = true;
 }
 
 std::size_t GradientCache::memory_bytes() const {

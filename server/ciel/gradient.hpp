@@ -15,7 +15,8 @@ namespace ciel {
 // Thread-safe. All calls must pass the same topology, field and positions, until forget.
 class GradientCache {
 public:
-    // Makes the gradients at both ends of the edges that the cut blocks own. `cut` is by block.
+    // Makes the gradients at both ends of the edges that the cut blocks own. `cut` is by block. Where there is no
+    // memory it throws, and the next call makes what is missing.
     void make_at(const FaceMeshView& mesh, const Field::Blocks& field, std::span<const Index> blocks,
                  std::span<const ActiveBlock> cut);
     // By local vertex; good where asked for. Valid while the cache lives and nobody calls forget.
@@ -29,6 +30,7 @@ private:
     std::vector<std::uint8_t> state_;              // by slot (Block::vertex_begin): see gradient.cpp
     std::vector<std::uint8_t> busy_;               // by block, of one call
     std::vector<std::unique_ptr<Vec3f[]>> vertex_; // by block
+    bool settled_ = true;                          // the last call came to its end: nobody waits for a gradient
 };
 
 // At all vertices, by mesh vertex.

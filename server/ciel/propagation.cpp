@@ -32,12 +32,12 @@ void count_half_edges(const Topology& topology, std::vector<Index>& out) {
 void Propagation::begin(const Topology& topology, const Field& field) {
     topology_ = &topology;
     field_ = &field.blocks();
-    count_half_edges(topology, half_edges_);
-    cells_.resize(topology.block_count());
-    restart();
+    arrived_ = false;
 }
 
 void Propagation::restart() {
+    count_half_edges(*topology_, half_edges_);
+    cells_.resize(topology_->block_count());
     threshold_ = -std::numeric_limits<float>::infinity();
     active_edges_.clear();
     is_active_.assign(topology_->counts().edges, 0);
@@ -131,12 +131,11 @@ bool Propagation::sweep_down(float threshold, const StopToken& stop) {
 bool Propagation::reach(double nu, const StopToken& stop) {
     const float threshold = threshold_of(nu);
     field_->make_extrema();
-    const bool done = threshold >= threshold_ ? sweep_up(threshold, stop) : sweep_down(threshold, stop);
-    if (done)
-        threshold_ = threshold;
-    else
-        restart(); // a list that was left half-way is worth nothing
-    return done;
+    if (!arrived_) restart();
+    arrived_ = false;
+    arrived_ = threshold >= threshold_ ? sweep_up(threshold, stop) : sweep_down(threshold, stop);
+    threshold_ = threshold;
+    return arrived_;
 }
 
 void Propagation::list_blocks(std::vector<Index>& out) const {

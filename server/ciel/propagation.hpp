@@ -14,11 +14,12 @@ namespace ciel {
 // Serial, but for `settle`.
 class Propagation {
 public:
-    // Below all values: nothing is active. Asks for no memory where another field of the topology was there before.
-    // Both must outlive the next call.
+    // The next `reach` comes from below all values. Both must outlive the next call.
     void begin(const Topology& topology, const Field& field);
 
-    // To nu, up or down. False when stopped: it is below all values then.
+    // To nu, up or down. False when stopped. After that, and where there was no memory (it throws), the next one comes
+    // from below all values: a list that was left half-way is worth nothing. Asks for no memory where another field of
+    // the topology has been as far before.
     bool reach(double nu, const StopToken& stop);
     [[nodiscard]] float threshold() const { return threshold_; }
 
@@ -49,6 +50,7 @@ private:
 
     const Topology* topology_ = nullptr;
     const Field::Blocks* field_ = nullptr;
+    bool arrived_ = false; // all below is of threshold_
     float threshold_ = 0;
     std::vector<HalfEdge> active_edges_;    // each from its low end to its high end
     std::vector<std::uint8_t> is_active_;   // by edge

@@ -2,18 +2,45 @@
 
 #include <atomic>
 #include <cstdlib>
+#include <limits>
 #include <new>
 
 namespace {
+
+constexpr std::size_t never = std::numeric_limits<std::size_t>::max();
 std::atomic<std::size_t> asked{0};
+std::atomic<std::size_t> failing{never};
+
+void count() {
+    if (++asked == failing) throw std::bad_alloc();
 }
 
-std::size_t ciel::test::allocations() { return asked; }
+} // namespace
+
+namespace ciel::test {
+
+std::size_t allocations() { return asked; }
+
+FailingAllocation::FailingAllocation(std::size_t nth) { failing = asked + nth; }
+FailingAllocation::~FailingAllocation() { failing = never; }
+bool FailingAllocation::has_failed() { return asked >= failing; }
+
+} // namespace ciel::test
 
 void* operator new(std::size_t bytes) {
-    ++asked;
+    count();
     if (void* memory = std::malloc(bytes > 0 ? bytes : 1)) return memory;
     throw std::bad_alloc();
 }
 void operator delete(void* memory) noexcept { std::free(memory); }
 void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+
+// Vectors of what the kernel adds up four at a time ask for it.
+void* operator new(std::size_t bytes, std::align_val_t alignment) {
+    count();
+    const auto step = static_cast<std::size_t>(alignment);
+    if (void* memory = std::aligned_alloc(step, (bytes / step + 1) * step)) return memory;
+    throw std::bad_alloc();
+}
+void operator delete(void* memory, std::align_val_t) noexcept { std::free(memory); }
+void operator delete(void* memory, std::size_t, std::align_val_t) noexcept { std::free(memory); }

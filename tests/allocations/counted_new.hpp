@@ -1,4 +1,5 @@
-// The program's operator new, which counts. In a file of its own: inlined into its callers, g++ takes it for malloc.
+// The program's operator new, which counts and fails when told to. In a file of its own: inlined into its callers, g++
+// takes it for malloc.
 #pragma once
 
 #include <cstddef>
@@ -6,5 +7,15 @@
 namespace ciel::test {
 
 [[nodiscard]] std::size_t allocations(); // so far, by any thread
+
+// While it lives, the n-th allocation from here on throws bad_alloc, whoever asks for it; the others do not. One at a
+// time.
+class FailingAllocation {
+public:
+    explicit FailingAllocation(std::size_t nth);
+    ~FailingAllocation();
+    FailingAllocation(const FailingAllocation&) = delete;
+    [[nodiscard]] static bool has_failed();
+};
 
 } // namespace ciel::test
