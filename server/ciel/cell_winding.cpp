@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <tuple>
 
 namespace ciel {
@@ -146,26 +147,40 @@ Index CellWinding::spread_winding() {
 
 std::vector<Index> CellWinding::lobes(Index cell) {
     std::vector<Index> out(input_.cell_offset[cell + 1] - input_.cell_offset[cell], 0);
-    if (gather(cell) && collect_edges() && spread_winding() > 1) {
-        out = lobe_;
-        // A lobe that is open by itself goes with those that close it.
-        for (std::size_t begin = 0, end; begin < uses_.size(); begin = end) {
-            for (end = begin;
-                 end < uses_.size() && uses_[end].low == uses_[begin].low && uses_[end].high == uses_[begin].high;)
-                ++end;
-            for (std::size_t i = begin; i < end; ++i) {
-                int balance = 0;
-                for (std::size_t j = begin; j < end; ++j)
-                    if (out[uses_[j].face] == out[uses_[i].face])
-                        balance += uses_[j].upward != faces_[uses_[j].face].turned ? 1 : -1;
-                if (balance == 0) continue;
-                for (std::size_t j = begin; j < end; ++j)
-                    std::ranges::replace(out, Index{out[uses_[j].face]}, Index{out[uses_[i].face]});
-            }
+    if (gather(cell) && collect_edges()) {
+        const Index count = spread_winding();
+        if (count > 1) {
+            join_open_lobes(count);
+            std::ranges::transform(lobe_, out.begin(), [this](Index lobe) { return joined(lobe); });
         }
     }
     forget();
     return out;
+}
+
+// A lobe that is open by itself goes with those that close it. Edge by edge: it depends on what is joined already
+// whether another one at the edge is needed.
+void CellWinding::join_open_lobes(Index count) {
+    joined_to_.resize(count);
+    std::iota(joined_to_.begin(), joined_to_.end(), Index{0});
+    std::vector<std::int64_t> balance(count, 0); // of one edge, by lobe
+    for (std::size_t begin = 0, end; begin < uses_.size(); begin = end) {
+        for (end = begin;
+             end < uses_.size() && uses_[end].low == uses_[begin].low && uses_[end].high == uses_[begin].high; ++end)
+            balance[lobe_at(uses_[end])] += uses_[end].upward != faces_[uses_[end].face].turned ? 1 : -1;
+        const std::span edge = std::span(uses_).subspan(begin, end - begin);
+        const auto open = std::ranges::find_if(edge, [&](const Use& use) { return balance[lobe_at(use)] != 0; });
+        for (const Use& use : edge) balance[lobe_at(use)] = 0;
+        if (open == edge.end()) continue;
+        const Index lobe = lobe_at(*open);
+        for (const Use& use : edge) joined_to_[lobe_at(use)] = lobe;
+    }
+}
+
+// The lobe that all those have gone to that it was joined with; the way there is halved each time that it is gone.
+Index CellWinding::joined(Index lobe) {
+    for (; joined_to_[lobe] != lobe; lobe = joined_to_[lobe]) joined_to_[lobe] = joined_to_[joined_to_[lobe]];
+    return lobe;
 }
 
 std::optional<Reason> CellWinding::make_agree() {

@@ -23,7 +23,7 @@ public:
     Verdict judge(Index cell, std::span<std::uint8_t> turn);
 
     // The parts of a closed cell that could be turned one by one without opening it: where it touches itself along an
-    // edge, or around a cavity. One number per face of the cell, from 0.
+    // edge, or around a cavity. One number per face of the cell, less than there are faces; equal ones are of one part.
     [[nodiscard]] std::vector<Index> lobes(Index cell);
 
 private:
@@ -40,6 +40,8 @@ private:
     std::optional<BadCells::Reason> make_agree();
     bool collect_edges();
     Index spread_winding();
+    void join_open_lobes(Index count);
+    Index joined(Index lobe);
     [[nodiscard]] Index target(Index half_edge) const;
     [[nodiscard]] Vec3d position(Index local) const;
     [[nodiscard]] Vec3d centre() const;
@@ -55,12 +57,14 @@ private:
     std::vector<Index> head_;     // local vertex -> first half-edge of its list
     std::vector<Index> next_;     // half-edge -> next of the same list
     std::vector<std::uint8_t> paired_;
-    std::vector<Index> lobe_; // face -> faces that hang together by edges of two faces
+    std::vector<Index> lobe_;      // face -> faces that hang together by edges of two faces
+    std::vector<Index> joined_to_; // lobe -> one that it goes with, itself at the end
     struct Use {
         Index low, high, face;
         bool upward;
     };
     std::vector<Use> uses_; // half-edges by edge
+    Index lobe_at(const Use& use) { return joined(lobe_[use.face]); }
     struct Neighbour {
         Index face;
         bool same_direction;
