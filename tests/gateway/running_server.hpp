@@ -2,6 +2,7 @@
 #pragma once
 
 #include "gateway/gateway.hpp"
+#include "support/chosen_engine.hpp"
 
 #include <arpa/inet.h>
 #include <csignal>
@@ -22,6 +23,7 @@ public:
         auto listening = port.get_future();
         thread_ = std::thread([promise = std::move(port), limits]() mutable {
             session::ServerOptions server_options;
+            server_options.extraction = test::chosen_engine();
             server_options.limits = limits;
             session::Server server(std::move(server_options));
             GatewayOptions options;

@@ -7,6 +7,7 @@
 #include "session/sessions.hpp"
 #include "session/slow_calls.hpp"
 #include "small_dataset/small_dataset.hpp"
+#include "support/chosen_engine.hpp"
 #include "wire/frame_header.hpp"
 
 #include <condition_variable>
@@ -126,6 +127,7 @@ protected:
     static session::ServerOptions options(session::Limits limits = {}) {
         session::ServerOptions made;
         made.data = {folder->path()};
+        made.extraction = chosen_engine();
         made.limits = limits;
         return made;
     }

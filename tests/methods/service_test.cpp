@@ -112,6 +112,7 @@ protected:
     static session::ServerOptions options_with(const Folder& folder) {
         write_small_dataset(folder.path() / "run.ciel");
         session::ServerOptions options;
+        options.extraction = chosen_engine();
         options.data = {folder.path()};
         return options;
     }

@@ -3,6 +3,7 @@
 
 #include "ciel/slab.hpp"
 #include "render/renderer.hpp"
+#include "support/chosen_engine.hpp"
 #include "support/views.hpp"
 
 #include <cmath>
@@ -37,7 +38,8 @@ public:
         std::vector<double> places;
         for (std::size_t i = 0; i < slices; ++i)
             places.push_back(volume.first + (static_cast<double>(i) + 0.5) * volume.thickness);
-        (void)sweep(topology_, mesh_.view(), planes, places, SlabSink{{values_, gradients_, limits_}}, slices_);
+        (void)sweep(topology_, mesh_.view(), planes, places, SlabSink{{values_, gradients_, limits_}}, slices_, {},
+                    test::chosen_engine());
         volume.slices = slices_;
         volume.boundary = &boundary_;
         volume.identity = 1;

@@ -4,6 +4,7 @@
 #include "session/picture.hpp"
 #include "small_dataset/small_dataset.hpp"
 #include "store/catalog.hpp"
+#include "support/chosen_engine.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -26,7 +27,7 @@ protected:
 
     test::Folder folder;
     store::Catalog catalog{{folder.path()}};
-    SceneGeometry geometry{Engine::signatures};
+    SceneGeometry geometry{test::chosen_engine()};
     scene::Scene scene;
     std::shared_ptr<const Geometry> shown;
 };

@@ -5,6 +5,7 @@
 #include "session/errors.hpp"
 #include "small_dataset/small_dataset.hpp"
 #include "store/catalog.hpp"
+#include "support/chosen_engine.hpp"
 
 #include <cmath>
 #include <gmock/gmock.h>
@@ -33,7 +34,7 @@ protected:
     static std::unique_ptr<test::Folder> folder;
     store::Catalog catalog{{folder->path()}};
     std::shared_ptr<store::LoadedDataset> loaded = catalog.open("box");
-    SceneGeometry geometry{Extraction{}};
+    SceneGeometry geometry{test::chosen_engine()};
     scene::Scene parsed;
 };
 std::unique_ptr<test::Folder> cells::folder;

@@ -3,6 +3,7 @@
 #include "session/scene_geometry.hpp"
 #include "small_dataset/small_dataset.hpp"
 #include "store/catalog.hpp"
+#include "support/chosen_engine.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -25,7 +26,7 @@ TEST(default_scene, shows_an_iso_surface_a_body_and_an_outline) {
     EXPECT_EQ(iso["color"]["array"], "U:magnitude");
     EXPECT_NEAR(iso["values"][0].get<double>(), 18, 3); // the middle of 0 .. 36
 
-    SceneGeometry geometry(Engine::signatures);
+    SceneGeometry geometry(test::chosen_engine());
     const auto shown = geometry.update(scene, loaded);
     EXPECT_EQ(shown->drawables.size(), 3U);
     EXPECT_GT(shown->triangles, 100U);

@@ -3,6 +3,7 @@
 #include "session/scene_geometry.hpp"
 #include "small_dataset/small_dataset.hpp"
 #include "store/catalog.hpp"
+#include "support/chosen_engine.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -30,7 +31,7 @@ protected:
     static std::unique_ptr<test::Folder> folder;
     store::Catalog catalog{{folder->path()}};
     std::shared_ptr<store::LoadedDataset> loaded = catalog.open("box");
-    SceneGeometry geometry{Extraction{}};
+    SceneGeometry geometry{test::chosen_engine()};
 };
 std::unique_ptr<test::Folder> layers::folder;
 

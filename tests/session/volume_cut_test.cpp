@@ -3,6 +3,7 @@
 #include "session/scene_geometry.hpp"
 #include "small_dataset/small_dataset.hpp"
 #include "store/catalog.hpp"
+#include "support/chosen_engine.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -35,7 +36,7 @@ protected:
     test::Folder folder;
     store::Catalog catalog{{folder.path()}};
     std::shared_ptr<store::LoadedDataset> loaded;
-    SceneGeometry geometry{Engine::signatures};
+    SceneGeometry geometry{test::chosen_engine()};
 };
 
 TEST_F(volume_cut, strides_are_odd_so_that_the_middle_slices_are_those_of_the_still) {
