@@ -1,4 +1,5 @@
-// How a cut notes its active edges, and what a polygon keeps of them.
+// How a cut notes its active edges, and what a polygon keeps of them. The bits stand for the is_marked of the paper's
+// half-edge (section 2.2, figure 3).
 #pragma once
 
 #include "ciel/cut_block.hpp"

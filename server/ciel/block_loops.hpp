@@ -1,4 +1,5 @@
-// The faces around one block's cells with local ids: what its sections are filled from.
+// The faces around one block's cells with local ids: what its sections are filled from. The first step of what
+// block_builder.hpp does of Algorithm 5 (paper, appendix A).
 #pragma once
 
 #include "ciel/cell_faces.hpp"

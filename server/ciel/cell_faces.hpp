@@ -1,4 +1,5 @@
-// Cell -> its faces, the inverse of owner and neighbour. C cells.
+// Cell -> its faces, the inverse of owner and neighbour. C cells. What the paper's appendix A is given: "polyhedra as
+// lists of faces".
 #pragma once
 
 #include "ciel/face_mesh.hpp"

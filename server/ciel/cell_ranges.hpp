@@ -1,4 +1,5 @@
-// [min, max] of a field over groups of a block's cells, so that a value far from most of a block's is quick there.
+// [min, max] of a field over groups of a block's cells, so that a value far from most of a block's is quick there. Not
+// in the paper, which keeps minima for all of a mesh (section 2.2).
 #pragma once
 
 #include "ciel/blocks.hpp"

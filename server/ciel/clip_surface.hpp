@@ -1,5 +1,5 @@
 // A polygon surface cut by half-spaces (Sutherland and Hodgman, Reentrant Polygon Clipping, 1974): what pictures show
-// of it, as polygons for a file.
+// of it, as polygons for a file. Not in the paper.
 #pragma once
 
 #include "ciel/extract.hpp"

@@ -1,4 +1,4 @@
-// Where an array takes given values on a surface: the contour lines of a slice.
+// Where an array takes given values on a surface: the contour lines of a slice. Not in the paper.
 #pragma once
 
 #include "ciel/extract.hpp"

@@ -1,4 +1,5 @@
 // Triangles of a polygon that no fan covers: corners are cut off one by one where nothing lies in the way.
+// Not in the paper, which leaves polygons to OpenGL.
 // Source: G. H. Meisters, Polygons have ears, American Mathematical Monthly 82 (1975).
 #pragma once
 

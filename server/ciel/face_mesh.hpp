@@ -1,4 +1,5 @@
-// A mesh as faces with an owner and a neighbour: what the store keeps and what the CIEL topology is built from.
+// A mesh as faces with an owner and a neighbour: what the store keeps and what the CIEL topology is built from. It is
+// the input of Algorithm 5 (paper, appendix A) with its faces matched.
 #pragma once
 
 #include "ciel/types.hpp"

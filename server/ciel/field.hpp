@@ -1,5 +1,5 @@
 // A scalar field on the vertices as the kernel reads it: values in block order, [min, max] per block, gradients on
-// demand.
+// demand; and what is made of one (paper: slices, section 2.1; minima, section 2.2; gradients, section 3).
 #pragma once
 
 #include "ciel/topology.hpp"

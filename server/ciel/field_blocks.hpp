@@ -1,5 +1,5 @@
 // The layout behind Field, for the kernel's own files. What is mutable is made on demand, under the lock beside it or
-// of its own.
+// of its own. The sorted minima are those of the paper's section 2.2, the gradients of its section 3.
 #pragma once
 
 #include "ciel/cell_ranges.hpp"

@@ -1,4 +1,5 @@
-// What the lazy and the full gradients share: cells of a block one after another, and the sum at a vertex.
+// What the lazy and the full gradients share: cells of a block one after another, and the sum at a vertex. They make
+// the averages of the paper's section 3.
 #pragma once
 
 #include "ciel/blocks.hpp"

@@ -1,4 +1,5 @@
 // Position on the three-dimensional Hilbert curve: neighbours in space become neighbours in memory.
+// Not in the paper.
 // Source: J. Skilling, Programming the Hilbert curve, AIP Conference Proceedings 707 (2004).
 #pragma once
 

@@ -1,4 +1,5 @@
-// How a sink of a sweep joins the parts of one value: arrays end to end, and triangles counted on.
+// How a sink of a sweep joins the parts of one value: arrays end to end, and triangles counted on. Not in the paper,
+// which draws polygon by polygon (algorithm 3).
 #pragma once
 
 #include "ciel/types.hpp"

@@ -1,4 +1,5 @@
-// A face's loop without the repeats that collapsed cells bring: no half-edge joins a vertex to itself.
+// A face's loop without the repeats that collapsed cells bring: no half-edge joins a vertex to itself. What the paper's
+// appendix A has no rule for.
 #pragma once
 
 #include "ciel/types.hpp"

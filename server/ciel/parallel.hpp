@@ -1,4 +1,5 @@
-// The kernel's one seam to threads: TBB, std::thread or serial, chosen when built (CIEL_PARALLEL).
+// The kernel's one seam to threads: TBB, std::thread or serial, chosen when built (CIEL_PARALLEL). Not in the paper,
+// which is serial.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,5 @@
-// Polygons of a surface: their corners and area. Borrowed from the surface; any thread.
+// Polygons of a surface: their corners and area. Borrowed from the surface; any thread. They are what Algorithm 4 of
+// the paper makes.
 #pragma once
 
 #include "ciel/extract.hpp"

@@ -1,4 +1,5 @@
 // The sides of a surface's polygons in a bucket per lower point, each bucket sorted: no hash, no sort of everything.
+// Not in the paper.
 #pragma once
 
 #include "ciel/extract.hpp"

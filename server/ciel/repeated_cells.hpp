@@ -1,5 +1,5 @@
 // Cells that a mesh lists more than once: the copies' faces would be matched with each other, or claimed by three
-// cells.
+// cells. A case that Algorithm 5 (paper, appendix A) does not expect.
 #pragma once
 
 #include "ciel/assemble.hpp"

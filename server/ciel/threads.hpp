@@ -1,4 +1,5 @@
-// What the kernel knows of threads beside parallel.hpp: a wish to stop, and a lock. WebAssembly has neither.
+// What the kernel knows of threads beside parallel.hpp: a wish to stop, and a lock. WebAssembly has neither. Not in the
+// paper.
 #pragma once
 
 #if !defined(__wasm__)

@@ -1,4 +1,4 @@
-// Vocabulary of the kernel: indices, cell types, the error type.
+// Vocabulary of the kernel: indices, cell types, the error type. Not in the paper.
 #pragma once
 
 #include <array>

@@ -1,5 +1,5 @@
 // Loops that the compiler turns into vector operations, for the units that this machine has: chosen when the program
-// starts. tests/kernel_unit looks into the code that it has made.
+// starts. tests/kernel_unit looks into the code that it has made. Not in the paper.
 #pragma once
 
 // The sanitizers are not ready yet when the choice is made.

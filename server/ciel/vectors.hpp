@@ -1,4 +1,4 @@
-// Three-vectors, worked on in double: what floats hold has products that they do not.
+// Three-vectors, worked on in double: what floats hold has products that they do not. Not in the paper.
 #pragma once
 
 #include "ciel/types.hpp"
