@@ -150,7 +150,8 @@ void on_new_thread(F&& f) {
 }
 
 TEST_P(OutOfMemory, NextSurfaceIsRight) {
-    const auto& [named, how] = GetParam();
+    const NamedMesh& named = std::get<0>(GetParam());
+    const How& how = std::get<1>(GetParam());
     const ThreadCount one(1);
     const Data data(named);
     const std::vector<Surface> expected = expected_surfaces(data, how);
@@ -166,7 +167,8 @@ TEST_P(OutOfMemory, NextSurfaceIsRight) {
 
 // Where several threads were at work when one of them failed.
 TEST_P(OutOfMemory, NextSurfaceIsRightWithFourThreads) {
-    const auto& [named, how] = GetParam();
+    const NamedMesh& named = std::get<0>(GetParam());
+    const How& how = std::get<1>(GetParam());
     const ThreadCount four(4);
     const Data data(named);
     const std::vector<Surface> expected = expected_surfaces(data, how);
