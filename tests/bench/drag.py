@@ -111,13 +111,20 @@ async def sweep(options, port, process):
         slowest = sorted(row["latency"] for row in rows)[int(0.95 * len(rows))]
         print(json.dumps({"dataset": name, "what": options.axis or options.array, "size": options.size,
                           "first_picture_s": round(first_picture, 2), "frames": len(rows), "frames_per_s": round(len(rows) / elapsed, 1),
-                          "latency_p95_ms": round(slowest, 1), "cpu_s_per_frame": round(cpu / len(rows), 4), "median": median}))
+                          "latency_p95_ms": round(slowest, 1), "cpu_s_per_frame": round(cpu / len(rows), 4),
+                          "peak_memory_mb": round(peak_memory(process.pid) / 1e6), "median": median}))
 
 
 def process_cpu(pid):
     with open(f"/proc/{pid}/stat", encoding="ascii") as stat:
         ticks = stat.read().rsplit(")", 1)[1].split()
     return (int(ticks[11]) + int(ticks[12])) / os.sysconf("SC_CLK_TCK")
+
+
+def peak_memory(pid):
+    """Bytes, the mapped file's pages included."""
+    with open(f"/proc/{pid}/status", encoding="ascii") as status:
+        return 1024 * int(next(line for line in status if line.startswith("VmHWM")).split()[1])
 
 
 def main():
