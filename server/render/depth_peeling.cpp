@@ -15,8 +15,9 @@ enum Unit : int { layer_unit = 0, volumes_unit = 3 };
 } // namespace
 
 DepthPeeling::DepthPeeling(const Gl& gl)
-    : gl_(gl), surfaces_(make_peeling_program(gl)), copy_depth_(make_depth_copy_program(gl)),
-      add_(make_layer_sum_program(gl)), picture_(make_layers_picture_program(gl)) {
+    : gl_(gl), surfaces_(make_peeling_program(gl)), lines_(make_peeling_line_program(gl)),
+      copy_depth_(make_depth_copy_program(gl)), add_(make_layer_sum_program(gl)),
+      picture_(make_layers_picture_program(gl)) {
     for (Layer& layer : layers_) {
         gl_.GenFramebuffers(1, &layer.framebuffer);
         gl_.GenTextures(1, &layer.depth);

@@ -1,7 +1,7 @@
-// Transparent surfaces in their order at every pixel, however they cross or enclose each other: layer after layer from
-// the eye on, each drawn where it is nearest behind the one before. After Everitt, "Interactive order-independent
-// transparency", NVIDIA 2001. A layer's colour is what is seen at it through the volume in front, so layers and volumes
-// are mixed in their order as well.
+// Transparent surfaces, and lines among them, in their order at every pixel, however they cross or enclose
+// each other: layer after layer from the eye on, each drawn where it is nearest behind the one before. After Everitt,
+// "Interactive order-independent transparency", NVIDIA 2001. A layer's colour is what is seen at it through the volume
+// in front, so layers and volumes are mixed in their order as well.
 #pragma once
 
 #include "render/shader_program.hpp"
@@ -22,14 +22,15 @@ public:
     struct Scene {
         int width = 0, height = 0; // of the picture
         int samples = 1;           // several: layers are drawn at twice the picture's resolution where memory allows
-        std::function<void()> draw_surfaces; // with the peeling program in use
+        std::function<void()> draw_surfaces; // with the peeling programs in use, lines as well
         // The picture of the volumes (premultiplied, RGBA) in front of a depth texture, or of all
         // opaque surfaces for 0; empty where there are none.
         std::function<GLuint(GLuint depth)> volumes;
     };
-    // The program that draws the surfaces: the caller sets its uniforms.
+    // The programs that draw surfaces and lines: the caller sets their uniforms.
     static constexpr int nearer_unit = 2; // behind those of the colour scales
-    [[nodiscard]] const Program& program() const { return surfaces_; }
+    [[nodiscard]] const Program& surfaces() const { return surfaces_; }
+    [[nodiscard]] const Program& lines() const { return lines_; }
     // Pixels of a layer to one of the picture along a side, while draw_surfaces is called.
     [[nodiscard]] int layer_pixels() const { return factor_; }
     // Onto the target, over what is opaque there. Leaves depth test and blending on.
@@ -49,7 +50,7 @@ private:
     void cover() const;
 
     const Gl& gl_;
-    Program surfaces_;
+    Program surfaces_, lines_;
     ShaderProgram copy_depth_, add_, picture_;
     Layer layers_[2];
     GLuint color_ = 0; // of the layer being drawn

@@ -13,16 +13,6 @@ std::string text_of(const Gl& gl, GLenum name) {
     return text != nullptr ? reinterpret_cast<const char*>(text) : "";
 }
 
-// Pixels by which the lines and points of a frame reach over the place where they are: a surface under them goes back
-// by what it may rise over so many. More than a few would push what is steep behind what lies behind it.
-float reach_of_overlays(const Frame& frame) {
-    float reach = 1;
-    for (const Mesh& mesh : frame.meshes)
-        if (mesh.lines || mesh.points)
-            reach = std::max(reach, (mesh.points ? mesh.point_size : mesh.line_width) / 2 + 0.5F);
-    return std::min(reach, 6.0F);
-}
-
 constexpr int limits_unit = 2, occlusion_unit = 2; // behind those of the colour scales
 
 bool is_transparent(const Mesh& mesh) { return !mesh.lines && !mesh.points && mesh.color[3] < 1; }
@@ -34,6 +24,25 @@ bool is_opaque(const Mesh& mesh) {
 // Stills, because triangles that are sorted by their centres show where they cross or enclose each other; and where
 // surfaces are inside volumes.
 bool is_peeled(const Frame& frame) { return frame.samples > 1 || !frame.volumes.empty(); }
+
+// Where something is peeled, lines are among it.
+bool has_lines_in_layers(const Frame& frame) {
+    return is_peeled(frame) && std::ranges::any_of(frame.meshes, [](const Mesh& mesh) {
+               return is_transparent(mesh) && mesh.color[3] > 0 && !mesh.indices.empty();
+           });
+}
+
+// Pixels by which the lines and points of a frame reach over the place where they are: a surface under them goes back
+// by what it may rise over so many. More than a few would push what is steep behind what lies behind it.
+float reach_of_overlays(const Frame& frame) {
+    float reach = 1;
+    for (const Mesh& mesh : frame.meshes)
+        if (mesh.lines || mesh.points)
+            reach = std::max(reach, (mesh.points ? mesh.point_size : mesh.line_width) / 2 + 0.5F);
+    // Lines among layers meet a depth of opaque surfaces that was taken up to a pixel away.
+    if (has_lines_in_layers(frame)) reach += 1;
+    return std::min(reach, 6.0F);
+}
 
 // A software rasteriser pays for what its programs could do, not for what they do.
 bool is_plain(const Mesh& mesh, const Frame& frame) {
@@ -74,7 +83,7 @@ const Image& Painter::draw(const Frame& frame, const AfterStage& after) {
     enable_clip_planes(true);
     draw_opaque(frame);
     gl_.Enable(GL_BLEND);
-    draw_meshes(frame, lines_);
+    if (!has_lines_in_layers(frame)) draw_meshes(frame, lines_);
     draw_meshes(frame, points_);
     draw_transparent(frame);
     gl_.Disable(GL_BLEND);
@@ -282,14 +291,15 @@ void Painter::draw_transparent(const Frame& frame) {
 void Painter::peel_transparent(const Frame& frame) {
     DepthPeeling::Scene layers{frame.width, frame.height, frame.samples, {}, {}};
     layers.draw_surfaces = [&] {
-        use(peeling_.program(), frame);
-        gl_.Uniform1i(peeling_.program().nearer, DepthPeeling::nearer_unit);
+        use(peeling_.surfaces(), frame);
+        gl_.Uniform1i(peeling_.surfaces().nearer, DepthPeeling::nearer_unit);
         enable_clip_planes(true);
-        // Behind the lines on them, which have left their depth; a slope is one over a layer's pixels.
+        // Behind the lines on them; a slope is one over a layer's pixels.
         gl_.PolygonOffset(reach_of_overlays(frame) * static_cast<float>(peeling_.layer_pixels()), 1);
         gl_.Enable(GL_POLYGON_OFFSET_FILL);
         transparent_.draw();
         gl_.Disable(GL_POLYGON_OFFSET_FILL);
+        draw_lines_of_layer(frame);
         enable_clip_planes(false);
     };
     if (!frame.volumes.empty())
@@ -297,7 +307,23 @@ void Painter::peel_transparent(const Frame& frame) {
     enable_clip_planes(false);
     peeling_.draw(layers, target_);
     enable_clip_planes(true);
-    if (!frame.volumes.empty()) draw_before_volumes(frame);
+    if (!frame.volumes.empty()) draw_meshes(frame, points_, true);
+}
+
+// In their order too: drawn before the surfaces, their soft edges would keep what is transparent from being seen.
+void Painter::draw_lines_of_layer(const Frame& frame) {
+    const Program& program = peeling_.lines();
+    const auto factor = static_cast<float>(peeling_.layer_pixels());
+    use(program, frame);
+    gl_.Uniform1i(program.nearer, DepthPeeling::nearer_unit);
+    gl_.Uniform2f(program.viewport, factor * static_cast<float>(frame.width),
+                  factor * static_cast<float>(frame.height));
+    for (std::size_t i = 0; i < frame.meshes.size(); ++i) {
+        const Mesh& mesh = frame.meshes[i];
+        if (!mesh.lines || mesh.indices.empty()) continue;
+        gl_.Uniform1f(program.half_width, factor * mesh.line_width / 2);
+        buffers(i).draw(mesh, scale_rows_[i]);
+    }
 }
 
 bool Painter::pick(int x, int y, Vec3d& position) {

@@ -76,13 +76,26 @@ void main() {
 }
 )";
 
+constexpr const char* peeled_glsl = R"(
+#define PEELED
+uniform sampler2D nearer;
+bool is_seen() { return gl_FragCoord.z > texelFetch(nearer, ivec2(gl_FragCoord.xy), 0).r; }
+)";
+
+// Of lines and points, which are drawn after the volumes too, then only what is in front of them.
+constexpr const char* before_volume_glsl = R"(
+uniform vec2 viewport;
+uniform float before_volume; // 1: only what is in front of the volume
+uniform sampler2D volume_limits;
+bool is_seen() {
+    return before_volume < 0.5 || gl_FragCoord.z <= texture(volume_limits, gl_FragCoord.xy / viewport).a;
+}
+)";
+
 const std::string triangle_fragment = R"(
 uniform float parallel;
 in)" + surface_block + R"(;
 out vec4 picture;
-#ifdef PEELED
-uniform sampler2D nearer;
-#endif
 #ifdef OCCLUDED
 uniform float occlusion_scale; // bounds' diagonal in units of the radius
 #endif
@@ -99,7 +112,7 @@ vec3 facing_normal(vec3 viewer) {
 
 void main() {
 #ifdef PEELED
-    if (gl_FragCoord.z <= texelFetch(nearer, ivec2(gl_FragCoord.xy), 0).r) discard;
+    if (!is_seen()) discard;
 #endif
     vec3 viewer = mix(normalize(-surface.place), vec3(0.0, 0.0, 1.0), parallel);
 #ifdef NORMALS
@@ -178,9 +191,6 @@ void main() {
 
 constexpr const char* line_fragment = R"(
 uniform float half_width;
-uniform vec2 viewport;
-uniform float before_volume; // 1: only what is in front of the volume
-uniform sampler2D volume_limits;
 in Line {
     float value;
     noperspective float across;
@@ -189,7 +199,7 @@ in Line {
 } line;
 out vec4 picture;
 void main() {
-    if (before_volume > 0.5 && gl_FragCoord.z > texture(volume_limits, gl_FragCoord.xy / viewport).a) discard;
+    if (!is_seen()) discard;
     float cover = clamp(half_width + 0.5 - abs(line.across), 0.0, 1.0);
     if (cover < 0.02) discard; // else an unseen edge would still hide what is behind it
     picture = vec4(base_color(line.value, line.color.rgb, line.style.x), line.color.a * cover);
@@ -199,13 +209,10 @@ void main() {
 // A point is a disc with soft edges, shaded as the ball that it stands for.
 const std::string point_fragment = R"(
 uniform float point_size;
-uniform vec2 viewport;
-uniform float before_volume; // 1: only what is in front of the volume
-uniform sampler2D volume_limits;
 in)" + surface_block + R"(;
 out vec4 picture;
 void main() {
-    if (before_volume > 0.5 && gl_FragCoord.z > texture(volume_limits, gl_FragCoord.xy / viewport).a) discard;
+    if (!is_seen()) discard;
     vec2 from_center = (gl_PointCoord - 0.5) * (point_size + 1.0);
     float radius = length(from_center);
     float cover = clamp(point_size * 0.5 + 0.5 - radius, 0.0, 1.0);
@@ -263,6 +270,12 @@ std::string with_color_scale(const std::string& body, const char* defines = "") 
     return std::string("#version 330 core\n") + defines + color_scale_glsl + lighting_glsl + body;
 }
 
+Program make_line_program(const Gl& gl, const char* visibility) {
+    return link(gl, {{GL_VERTEX_SHADER, surface_vertex},
+                     {GL_GEOMETRY_SHADER, line_geometry},
+                     {GL_FRAGMENT_SHADER, with_color_scale(line_fragment, visibility)}});
+}
+
 } // namespace
 
 const char* const cover_vertex = R"(#version 330 core
@@ -296,13 +309,16 @@ Program make_plain_program(const Gl& gl) {
 }
 
 Program make_point_program(const Gl& gl) {
-    return link(gl, {{GL_VERTEX_SHADER, surface_vertex}, {GL_FRAGMENT_SHADER, with_color_scale(point_fragment)}});
+    return link(gl, {{GL_VERTEX_SHADER, surface_vertex},
+                     {GL_FRAGMENT_SHADER, with_color_scale(point_fragment, before_volume_glsl)}});
 }
 
 Program make_peeling_program(const Gl& gl) {
     return link(gl, {{GL_VERTEX_SHADER, surface_vertex},
-                     {GL_FRAGMENT_SHADER, with_color_scale(triangle_fragment, "#define PEELED\n")}});
+                     {GL_FRAGMENT_SHADER, with_color_scale(triangle_fragment, peeled_glsl)}});
 }
+
+Program make_peeling_line_program(const Gl& gl) { return make_line_program(gl, peeled_glsl); }
 
 Program make_normals_program(const Gl& gl) {
     return link(gl, {{GL_VERTEX_SHADER, surface_vertex},
@@ -315,10 +331,6 @@ Program make_occluded_program(const Gl& gl) {
                      {GL_FRAGMENT_SHADER, with_color_scale(triangle_fragment, defines.c_str())}});
 }
 
-Program make_line_program(const Gl& gl) {
-    return link(gl, {{GL_VERTEX_SHADER, surface_vertex},
-                     {GL_GEOMETRY_SHADER, line_geometry},
-                     {GL_FRAGMENT_SHADER, with_color_scale(line_fragment)}});
-}
+Program make_line_program(const Gl& gl) { return make_line_program(gl, before_volume_glsl); }
 
 } // namespace ciel::render

@@ -30,7 +30,7 @@ struct Program {
     GLint point_size = -1;                                                  // points
     GLint viewport = -1, before_volume = -1, volume_limits = -1;            // lines and points
     GLint half_width = -1;                                                  // lines
-    GLint nearer = -1;                                                      // triangles that are peeled
+    GLint nearer = -1;                                                      // triangles and lines that are peeled
     GLint occlusion = -1, occlusion_stride = -1;                            // triangles with ambient occlusion
     GLint occlusion_strength = -1, occlusion_scale = -1;                    // likewise
 };
@@ -48,6 +48,7 @@ using Stage = std::pair<GLenum, std::string>; // kind and source of a shader
 [[nodiscard]] Program make_plain_program(const Gl& gl);
 // Triangles again, but only what lies behind a depth (depth_peeling.hpp).
 [[nodiscard]] Program make_peeling_program(const Gl& gl);
+[[nodiscard]] Program make_peeling_line_program(const Gl& gl);
 // Triangles again, only their normals, towards the viewer and along the eye's axes.
 [[nodiscard]] Program make_normals_program(const Gl& gl);
 // Triangles again, darker by what AmbientOcclusion found.

@@ -169,6 +169,32 @@ TEST_P(PeelingTest, LinesOnASheetAreNotBuried) {
     for (int x = 157; x < 163; ++x) expect(x, 120, {0, 1, 0});
 }
 
+// A soft edge of a line lets the sheet behind it through, not what is behind the sheet: red and green share each pixel.
+TEST_P(PeelingTest, LinesOnASheetHaveNoHoleAroundThem) {
+    const Color red{1, 0, 0}, green{0, 1, 0}, blue{0, 0, 1};
+    const auto leaning = grid(1, 1, [](double u, double v) {
+        return Vec3f{static_cast<float>(2 * u - 1), static_cast<float>(1.5 * u - 0.75), static_cast<float>(2 * v - 1)};
+    });
+    add(leaning, red, 0.5);
+    add(leaning, green, 1);
+    shapes.back().indices = {0, 3};
+    frame.meshes.back().indices = shapes.back().indices;
+    frame.meshes.back().lines = true;
+    for (const bool sheet_in_front : {false, true}) {
+        if (sheet_in_front) add(square(-0.9), blue, 0.5);
+        renderer.draw(frame, image);
+        const double most = sheet_in_front ? 0.5 : 1; // of what is seen through the sheet
+        std::size_t partly = 0;
+        for (int y = 90; y < 150; ++y)
+            for (int x = 130; x < 190; ++x) {
+                const std::uint8_t* p = &image.rgb[3 * static_cast<std::size_t>(y * image.width + x)];
+                EXPECT_NEAR(p[0] / (255 * 0.5 * most) + p[1] / (255 * most), 1, 0.04) << "at " << x << ", " << y;
+                if (p[1] > 20 * most && p[1] < 235 * most) ++partly;
+            }
+        EXPECT_GT(partly, 60U) << "pixels of soft edges";
+    }
+}
+
 // A cube of even fog with a sheet in its middle: half of the fog is before the sheet, half behind it.
 TEST_P(PeelingTest, ASheetInAVolume) {
     VolumeScene fog(test::hexahedra({{4, 4, 4}}), [](const Vec3d&) { return 1.0; });
