@@ -27,9 +27,11 @@ bool is_peeled(const Frame& frame) { return frame.samples > 1 || !frame.volumes.
 
 // Where something is peeled, lines are among it.
 bool has_lines_in_layers(const Frame& frame) {
-    return is_peeled(frame) && std::ranges::any_of(frame.meshes, [](const Mesh& mesh) {
-               return is_transparent(mesh) && mesh.color[3] > 0 && !mesh.indices.empty();
-           });
+    const auto any = [&](auto&& is) {
+        return std::ranges::any_of(frame.meshes, [&](const Mesh& mesh) { return is(mesh) && !mesh.indices.empty(); });
+    };
+    return is_peeled(frame) && any([](const Mesh& mesh) { return mesh.lines; }) &&
+           any([](const Mesh& mesh) { return is_transparent(mesh) && mesh.color[3] > 0; });
 }
 
 // Pixels by which the lines and points of a frame reach over the place where they are: a surface under them goes back
@@ -299,7 +301,7 @@ void Painter::peel_transparent(const Frame& frame) {
         gl_.Enable(GL_POLYGON_OFFSET_FILL);
         transparent_.draw();
         gl_.Disable(GL_POLYGON_OFFSET_FILL);
-        draw_lines_of_layer(frame);
+        if (has_lines_in_layers(frame)) draw_lines_of_layer(frame);
         enable_clip_planes(false);
     };
     if (!frame.volumes.empty())
