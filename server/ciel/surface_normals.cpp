@@ -48,7 +48,7 @@ void write_polygon_normals(SurfaceScratch& scratch, Surface& surface) {
     const auto add = [&sum](Index point, const Vec3d& area) {
         for (std::size_t axis = 0; axis < 3; ++axis) sum[point][axis] += area[axis];
     };
-    parallel_for(ranges.size(), 4, [&](std::size_t begin, std::size_t end) {
+    parallel_for(ranges.size(), 1, [&](std::size_t begin, std::size_t end) {
         for (std::size_t c = begin; c < end; ++c)
             for (Index i = ranges[c].polygon_begin; i < ranges[c].polygon_end; ++i) {
                 const std::span<const Index> loop = polygon(surface, i);
@@ -60,7 +60,8 @@ void write_polygon_normals(SurfaceScratch& scratch, Surface& surface) {
                         elsewhere[c].push_back({p, area});
             }
     });
-    constexpr std::size_t points_per_task = 65536;
+    // Each task looks at all that was noted.
+    const std::size_t points_per_task = std::clamp<std::size_t>(sum.size() / (2 * thread_count()), 1024, 65536);
     parallel_for(sum.size(), points_per_task, [&](std::size_t begin, std::size_t end) {
         for (const std::vector<SurfaceScratch::Share>& shares : elsewhere)
             for (const SurfaceScratch::Share& share : shares)

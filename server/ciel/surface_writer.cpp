@@ -10,7 +10,7 @@ namespace ciel {
 
 namespace {
 
-constexpr std::size_t blocks_per_task = 4;
+constexpr std::size_t blocks_per_task = 1;
 constexpr Index ahead = 8; // points whose positions are on their way from memory
 
 class Writer {
