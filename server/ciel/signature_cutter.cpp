@@ -1,7 +1,7 @@
 // Which vertices of a block are high says all about its cut: while that is the same, the cut is.
 #include "ciel/cutter.hpp"
 #include "ciel/field_blocks.hpp"
-#include "ciel/parallel.hpp"
+#include "ciel/grain.hpp"
 
 namespace ciel {
 
@@ -24,7 +24,7 @@ bool SignatureCutter::update(double nu, const StopToken& stop) {
     active_.clear();
     for (Index b = 0; b < cut_.size(); ++b)
         if (field_->low[b] < threshold && field_->high[b] >= threshold) active_.push_back(b);
-    parallel_for(active_.size(), 1, [&](std::size_t begin, std::size_t end) {
+    parallel_for(active_.size(), fair_grain(active_.size(), 2), [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end && !stop.stop_requested(); ++i) update_block(active_[i], threshold, nu);
     });
     return !stop.stop_requested();

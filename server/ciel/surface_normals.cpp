@@ -1,5 +1,5 @@
 // Normals from a surface's own polygons, and where the field's gradient cannot be one.
-#include "ciel/parallel.hpp"
+#include "ciel/grain.hpp"
 #include "ciel/polygon.hpp"
 #include "ciel/surface_writer.hpp"
 
@@ -48,7 +48,7 @@ void write_polygon_normals(SurfaceScratch& scratch, Surface& surface) {
     const auto add = [&sum](Index point, const Vec3d& area) {
         for (std::size_t axis = 0; axis < 3; ++axis) sum[point][axis] += area[axis];
     };
-    parallel_for(ranges.size(), 1, [&](std::size_t begin, std::size_t end) {
+    parallel_for(ranges.size(), fair_grain(ranges.size(), 4), [&](std::size_t begin, std::size_t end) {
         for (std::size_t c = begin; c < end; ++c)
             for (Index i = ranges[c].polygon_begin; i < ranges[c].polygon_end; ++i) {
                 const std::span<const Index> loop = polygon(surface, i);

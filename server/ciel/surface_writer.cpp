@@ -1,7 +1,7 @@
 #include "ciel/surface_writer.hpp"
 
 #include "ciel/edge_points.hpp"
-#include "ciel/parallel.hpp"
+#include "ciel/grain.hpp"
 #include "ciel/polygon.hpp"
 
 #include <algorithm>
@@ -10,7 +10,7 @@ namespace ciel {
 
 namespace {
 
-constexpr std::size_t blocks_per_task = 1;
+constexpr std::size_t most_blocks_per_task = 4;
 constexpr Index ahead = 8; // points whose positions are on their way from memory
 
 class Writer {
@@ -23,15 +23,16 @@ public:
     void run() {
         number();
         if (normals_ == Normals::gradient) field_.gradients.make_at(mesh_, field_, active_, cut_);
-        parallel_for(active_.size(), blocks_per_task, [this](std::size_t begin, std::size_t end) {
-            static thread_local std::vector<Index> point;
-            for (std::size_t i = begin; i < end; ++i) {
-                const Block& block = blocks_.block[active_[i]];
-                write_points(active_[i], block);
-                if (normals_ == Normals::gradient) write_normals(active_[i]);
-                write_polygons(active_[i], block, point);
-            }
-        });
+        parallel_for(active_.size(), fair_grain(active_.size(), most_blocks_per_task),
+                     [this](std::size_t begin, std::size_t end) {
+                         static thread_local std::vector<Index> point;
+                         for (std::size_t i = begin; i < end; ++i) {
+                             const Block& block = blocks_.block[active_[i]];
+                             write_points(active_[i], block);
+                             if (normals_ == Normals::gradient) write_normals(active_[i]);
+                             write_polygons(active_[i], block, point);
+                         }
+                     });
         if (normals_ == Normals::polygons) {
             list_ranges();
             write_polygon_normals(scratch_, out_);
