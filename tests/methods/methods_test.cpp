@@ -50,7 +50,7 @@ TEST_F(Methods, discover_is_the_contract_and_all_its_methods_exist) {
 TEST_F(Methods, server_info) {
     const json info = client.call("server.info");
     EXPECT_FALSE(info["gl_renderer"].get<std::string>().empty());
-    EXPECT_EQ(info["engine"], "signatures");
+    EXPECT_EQ(info["engine"], chosen_engine() == Engine::propagation ? "propagation" : "signatures");
     const session::Limits& limits = server.limits();
     EXPECT_EQ(info["limits"].size(), 27U) << "a row of limits.hpp each";
     EXPECT_EQ(info["limits"]["sessions"], limits.sessions);
