@@ -77,14 +77,16 @@ void color_layers(const RenderCommand& render, nlohmann::json& layers) {
             }
             continue;
         }
-        any = true;
         nlohmann::json color = layer.value("color", nlohmann::json::object());
         render.colors.apply_to(color);
         if (!color.contains("array") && layer["type"] == "iso") color["array"] = layer["array"];
+        any = any || color.contains("array");
         layer["color"] = std::move(color);
     }
-    if (!any && render.colors.any())
+    if (any || !render.colors.any()) return;
+    if (render.colors.array)
         throw UsageError("nothing has colours of an array; give --iso, --slice, --plane, --surface or --volume");
+    throw UsageError("a range, a map and the like are of an array, and nothing has the colours of one; give --color");
 }
 
 nlohmann::json document_of_options(const RenderCommand& render, const store::Dataset& dataset) {
@@ -150,6 +152,7 @@ int run_command(const RenderCommand& render) {
     const render::Backend backend = render::backend_named(render.gl);
     if (lower_case_extension(render.output) != ".png")
         throw UsageError("-o " + render.output + ": pictures are .png files");
+    render.scene.check_time();
     const auto loaded = load_dataset(render.scene.dataset);
     nlohmann::json document = document_of(render, *loaded);
     annotate(render, document);

@@ -89,6 +89,10 @@ Extraction ExtractionOptions::chosen() const {
             decider == "asymptotic" ? Decider::asymptotic : Decider::isolate_high};
 }
 
+void SceneOptions::check_time() const {
+    if (time && !std::isfinite(*time)) throw UsageError("--time must be a finite number");
+}
+
 nlohmann::json SceneOptions::document(const store::Dataset& loaded) const {
     nlohmann::json layers = nlohmann::json::object();
     double order = 0;
@@ -104,7 +108,7 @@ nlohmann::json SceneOptions::document(const store::Dataset& loaded) const {
     add("plane", planes, plane_layer);
     add("volume", volumes, volume_layer);
     nlohmann::json document{{"dataset", loaded.info().name}, {"layers", std::move(layers)}};
-    if (time && !std::isfinite(*time)) throw UsageError("--time must be a finite number");
+    check_time();
     if (time)
         document["time"] = time_of_step(loaded, *time);
     else if (!loaded.steps().empty())

@@ -33,6 +33,7 @@ struct SceneOptions {
     [[nodiscard]] bool has_layers() const {
         return !isos.empty() || !slices.empty() || !planes.empty() || !volumes.empty();
     }
+    void check_time() const; // throws UsageError where it is no finite number
     // The layers without colours, at the asked time or else at the first step. Throws UsageError on an option that
     // cannot be read.
     [[nodiscard]] nlohmann::json document(const store::Dataset& dataset) const;
