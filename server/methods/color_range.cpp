@@ -9,7 +9,7 @@ protocol::ColorRangeResult color_range(Context& context, const protocol::ColorRa
     for (const std::string& id : params.layers)
         if (std::none_of(scene.layers.begin(), scene.layers.end(), [&](const auto& layer) { return layer.id == id; }))
             throw session::NotFound("the scene has no layer " + id);
-    return {session::visible_range(*source.geometry(), scene, params.layers, params.aspect)};
+    return {session::visible_range(*source.geometry(), scene, params.layers, params.aspect, params.of == "contours")};
 }
 
 } // namespace ciel::methods

@@ -71,6 +71,7 @@ void LayerUpdate::add_contours(Contoured& contoured, const std::shared_ptr<const
         return lack(layer, "has no contour lines", missing);
     }
     Drawable& lines = add_lines(contoured.lines, contours->line, layer, contoured.identity, contoured.revision);
+    lines.contours = true;
     if (!contours->coloring) return;
     lines.scalars = contoured.scalars;
     colour(lines, *contours->coloring, layer);

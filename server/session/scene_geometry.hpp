@@ -35,6 +35,7 @@ struct Drawable { // one iso-value, slice, boundary surface or outline of a laye
     render::ColorScale scale;                          // of the scalars
     std::array<float, 4> color{0.8F, 0.8F, 0.8F, 1};   // alpha: the layer's opacity
     bool lit = true;
+    bool contours = false;      // lines on the layer, whose colours are on a scale of their own
     std::uint64_t identity = 0; // the same from one scene to the next, unique in the process
     std::uint64_t revision = 0; // changes with shape and scalars, unique in the process
 

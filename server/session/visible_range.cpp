@@ -59,16 +59,16 @@ private:
 
 std::optional<std::array<double, 2>> visible_range(const Geometry& geometry, const scene::Scene& scene,
                                                    const std::vector<std::string>& layers,
-                                                   std::optional<double> aspect) {
+                                                   std::optional<double> aspect, bool of_contours) {
     const auto is_asked = [&](const std::string& layer) { return std::ranges::find(layers, layer) != layers.end(); };
     SeenValues seen(geometry, scene, aspect);
     for (const Drawable& drawable : geometry.drawables) {
-        if (!drawable.scalars || !is_asked(drawable.layer)) continue;
+        if (!drawable.scalars || drawable.contours != of_contours || !is_asked(drawable.layer)) continue;
         const auto& positions = drawable.shape->surface.positions;
         for (std::size_t i = 0; i < positions.size(); ++i) seen.add(positions[i], (*drawable.scalars)[i]);
     }
     for (const VolumeDrawable& volume : geometry.volumes) {
-        if (!is_asked(volume.layer)) continue;
+        if (of_contours || !is_asked(volume.layer)) continue;
         seen.add(*volume.slabs->boundary);
         for (const SlabMesh& slice : volume.slabs->slices) seen.add(slice);
     }

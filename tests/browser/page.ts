@@ -184,8 +184,8 @@ export class Client {
     return this.page.locator(".toast", { hasText: text });
   }
 
-  button(name: string | RegExp): Locator {
-    return this.page.getByRole("button", { name });
+  button(name: string | RegExp, exact = false): Locator {
+    return this.page.getByRole("button", { name, exact });
   }
 
   async choose(dataset: string): Promise<void> {

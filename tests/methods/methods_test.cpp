@@ -323,6 +323,20 @@ TEST_F(Methods, color_range_is_that_of_the_values_in_view) {
     EXPECT_EQ(client.error_code("color.range", params), -32001);
 }
 
+// U:x goes from 0 to 6, p over other values: a range of both would be of neither.
+TEST_F(Methods, color_range_of_contour_lines_is_apart_from_that_of_the_slice_below_them) {
+    json params{{"layers", {"s"}}, {"scene", json::parse(R"({"dataset": "box",
+        "layers": {"s": {"type": "slice", "axis": "x", "value": 1001, "color": {"array": "U:x"},
+                         "contours": {"array": "p", "values": [11, 14, 1e6], "coloring": {}}}}})")}};
+    EXPECT_EQ(client.call("color.range", params)["range"], json({0, 6}));
+    params["of"] = "contours";
+    EXPECT_EQ(client.call("color.range", params)["range"], json({11, 14})) << "of the lines that there are";
+    params["scene"]["layers"]["s"]["contours"].erase("coloring");
+    EXPECT_EQ(client.call("color.range", params)["range"], nullptr) << "lines of one colour are on no scale";
+    params["of"] = "edges";
+    EXPECT_EQ(client.error_code("color.range", params), -32602);
+}
+
 // U:x is the height over the box's floor, at z = -50.
 TEST_F(Methods, color_range_of_a_volume_is_that_of_what_is_in_view_and_not_cut_away) {
     json params{{"layers", {"v"}}, {"scene", json::parse(R"({"dataset": "box",

@@ -1,5 +1,5 @@
 import { describe, expect, test } from "vitest";
-import type { ArrayInfo, DatasetDescription, Layer, Scene } from "../src/generated/protocol";
+import type { ArrayInfo, Coloring, Contours, DatasetDescription, Layer, Scene } from "../src/generated/protocol";
 import {
   firstScalar,
   freeId,
@@ -93,10 +93,31 @@ describe("scalars", () => {
   });
 
   test("one legend for layers that share their colours, none for what is hidden or of one colour", () => {
-    expect(legendsOf(scene).map(({ coloring, layers }) => [coloring.array, coloring.range, layers])).toEqual([
+    expect(legendsOf(scene).map(({ coloring, of }) => [coloring.array, coloring.range, of.layers])).toEqual([
       ["p", undefined, ["a", "b"]],
       ["p", [0, 1], ["c"]],
     ]);
     expect(legendsOf(null)).toEqual([]);
+  });
+
+  test("contour lines in the colours of their values have a legend, with a layer's where the scales are the same", () => {
+    const slice = (color: Coloring, contours: Contours): Layer => ({
+      type: "slice",
+      axis: "x",
+      value: 0,
+      color,
+      contours,
+    });
+    const layers = {
+      a: slice({ array: "p" }, { array: "p", coloring: {} }),
+      b: slice({ array: "p" }, { array: "U:x", coloring: { map: "vik" } }),
+      c: slice({}, { array: "U:x", coloring: { map: "vik" } }),
+      d: slice({}, { array: "U:y", coloring: {}, visible: false }),
+      e: slice({}, { array: "U:z" }), // in one colour
+    };
+    expect(legendsOf({ dataset: "d", layers }).map(({ coloring, of }) => [coloring.array, of])).toEqual([
+      ["p", { layers: ["a", "b"], contours: ["a"] }],
+      ["U:x", { layers: [], contours: ["b", "c"] }],
+    ]);
   });
 });

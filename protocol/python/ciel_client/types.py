@@ -524,6 +524,7 @@ class ColorRangeParams(TypedDict):
     session: NotRequired[str]  # without it, `scene` is used and nothing is kept
     scene: NotRequired[Scene]
     aspect: NotRequired[float]  # width / height of the view; without it, what lies beside the view counts, too
+    of: NotRequired[Literal["layers", "contours"]]  # contours: of the values of the contour lines on the layers, which have a colour scale of their own
 
 
 class ColorRangeResult(TypedDict):

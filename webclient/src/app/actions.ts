@@ -5,7 +5,7 @@ import type { Layer, Range, Vec3 } from "../generated/protocol";
 import type { Json, JsonObject } from "../protocol/merge_patch";
 import type { ColoringChange } from "../scene/color_edit";
 import { clamp } from "../scene/numbers";
-import { arrayOf, freeId, nearestStep, shownTime, topOrder } from "../scene/scalars";
+import { type Colored, arrayOf, freeId, nearestStep, shownTime, topOrder } from "../scene/scalars";
 import type { App } from "./app";
 import { download } from "./download";
 import { openingScene } from "./first_scene";
@@ -103,19 +103,30 @@ export class Actions {
   }
 
   /** One colouring for several layers, as one step. undefined members are taken away. */
-  setColoring(layers: string[], change: ColoringChange, gesture?: string): void {
+  setColoring({ layers, contours = [] }: Colored, change: ColoringChange, gesture?: string): void {
     const color: JsonObject = {};
     for (const [key, value] of Object.entries(change)) color[key] = (value ?? null) as unknown as Json;
-    this.app.editor.change({ layers: Object.fromEntries(layers.map((id) => [id, { color }])) }, gesture);
+    const patch: JsonObject = Object.fromEntries(layers.map((id) => [id, { color }]));
+    for (const id of contours) patch[id] = { ...(patch[id] as JsonObject | undefined), contours: { coloring: color } };
+    this.app.editor.change({ layers: patch }, gesture);
   }
 
-  /** Of the values that the layers show in the view; null where there is none, which is said. */
-  async rangeInView(layers: string[]): Promise<Range | null> {
+  /** Of the values that are shown in the view; null where there is none, which is said. */
+  async rangeInView(colored: Colored): Promise<Range | null> {
     const { app } = this;
+    const of = async (part: keyof Colored): Promise<Range[]> => {
+      const layers = colored[part] ?? [];
+      if (layers.length === 0) return [];
+      const asked = { session: app.tab.id, layers, aspect: app.size.aspect, of: part };
+      const { range } = await app.session.call("color.range", asked);
+      return range === null ? [] : [range];
+    };
     try {
-      const { range } = await app.session.call("color.range", { session: app.tab.id, layers, aspect: app.size.aspect });
-      if (range === null) app.toasts.show("No value of these layers is in view; the range stays as it is", "error");
-      return range;
+      const ranges = [...(await of("layers")), ...(await of("contours"))];
+      if (ranges.length > 0)
+        return [Math.min(...ranges.map(([low]) => low)), Math.max(...ranges.map(([, high]) => high))];
+      app.toasts.show("No value of these layers is in view; the range stays as it is", "error");
+      return null;
     } catch (error) {
       app.fail(error);
       return null;
@@ -162,10 +173,11 @@ export class Actions {
     });
   }
 
-  async screenshot(): Promise<void> {
+  /** As large as the view's, or as given. */
+  async screenshot(size = this.app.size.pixels()): Promise<void> {
     const { app } = this;
     await this.whileBusy("Drawing the picture", async () => {
-      const picture = await app.session.call("picture.render", { session: app.tab.id, ...app.size.pixels() });
+      const picture = await app.session.call("picture.render", { session: app.tab.id, ...size });
       download(`${app.editor.scene?.dataset ?? "ciel"}.png`, picture.mime, picture.data);
     });
   }

@@ -1,8 +1,8 @@
 // The canvas in CSS pixels (the hand's) and in device pixels (the pictures').
 import { clearOf, type Bounds, type FullCamera, type Size } from "../camera/camera";
 
-const SMALLEST = 16; // of a view, by the contract
-const LARGEST = 8192;
+export const SMALLEST = 16; // of a view, by the contract
+export const LARGEST = 8192;
 
 export class CanvasSize {
   css: Size = { width: 960, height: 640 };
@@ -24,8 +24,9 @@ export class CanvasSize {
     return clearOf(camera, bounds, this.css, this.corner);
   }
 
-  pixels(): Size {
-    const ratio = Math.min(this.ratio, LARGEST / Math.max(this.css.width, this.css.height));
+  /** `times` as large, or as large as there may be. */
+  pixels(times = 1): Size {
+    const ratio = Math.min(times * this.ratio, LARGEST / Math.max(this.css.width, this.css.height));
     const pixels = (side: number): number => Math.max(SMALLEST, Math.round(side * ratio));
     return { width: pixels(this.css.width), height: pixels(this.css.height) };
   }

@@ -1,60 +1,77 @@
-// The mesh's boundary: the whole of it, or its named patches.
+// The mesh's boundary: the whole of it, or its named patches, in one layer or in several that look different.
 import type { JSX } from "preact";
-import { formatCount } from "../scene/numbers";
+import type { SurfaceLayer } from "../generated/protocol";
 import { layersOf } from "../scene/scalars";
 import { ColoringFields, OpacityField } from "./coloring";
-import { Check, Section } from "./controls";
+import { IconButton, Section } from "./controls";
 import { useApp, useAppState } from "./context";
 import { EdgesFields } from "./line_fields";
+import { PatchChecks } from "./patch_checks";
 import { ThresholdFields } from "./threshold_fields";
+
+function LookFields({ id, layer }: { id: string; layer: SurfaceLayer }): JSX.Element {
+  return (
+    <>
+      <ColoringFields of={{ layers: [id] }} coloring={layer.color ?? {}} />
+      <OpacityField layers={[id]} opacity={layer.opacity ?? 1} />
+      <ThresholdFields id={id} threshold={layer.threshold} color={layer.color?.array} />
+      <EdgesFields layers={[id]} edges={layer.edges} />
+    </>
+  );
+}
+
+function FurtherCard({ id, layer, number }: { id: string; layer: SurfaceLayer; number: number }): JSX.Element {
+  const { actions } = useApp();
+  const visible = layer.visible !== false;
+  return (
+    <article class={visible ? "card" : "card off"} aria-label={`Boundary ${number}`}>
+      <div class="card-head">
+        <IconButton
+          icon={visible ? "eye" : "hidden"}
+          label={`${visible ? "Hide" : "Show"} boundary ${number}`}
+          pressed={visible}
+          onClick={() => actions.setLayer(id, { visible: !visible })}
+        />
+        <span class="card-title">Boundary {number}</span>
+        <IconButton icon="close" label={`Remove boundary ${number}`} onClick={() => actions.removeLayer(id)} />
+      </div>
+      <PatchChecks
+        groups={layer.groups ?? []}
+        shown={visible}
+        onChange={(groups) => actions.setLayer(id, groups === null ? { visible: false } : { visible: true, groups })}
+      />
+      {visible && <LookFields id={id} layer={layer} />}
+    </article>
+  );
+}
 
 export function BoundarySection(): JSX.Element {
   const { actions } = useApp();
   const scene = useAppState((state) => state.scene);
   const description = useAppState((state) => state.description);
-  const [entry] = layersOf(scene, "surface");
-  const patches = (description?.groups ?? []).filter(({ of }) => of === "faces");
-  const layer = entry?.[1];
-  const shown = layer !== undefined && layer.visible !== false;
-  const groups = layer?.groups ?? [];
-  const whole = shown && groups.length === 0;
-
-  const show = (names: string[] | null): void => {
-    if (entry === undefined) {
-      if (names !== null) actions.addLayer("surface", { type: "surface", groups: names });
-    } else if (names === null) actions.setLayer(entry[0], { visible: false });
-    else actions.setLayer(entry[0], { visible: true, groups: names });
+  const [entry, ...further] = layersOf(scene, "surface");
+  const shown = entry !== undefined && entry[1].visible !== false;
+  const show = (groups: string[] | null): void => {
+    if (entry !== undefined)
+      actions.setLayer(entry[0], groups === null ? { visible: false } : { visible: true, groups });
+    else if (groups !== null) actions.addLayer("surface", { type: "surface", groups });
   };
-  const togglePatch = (name: string, on: boolean): void => {
-    const before = shown && !whole ? groups : [];
-    const next = on ? [...before, name] : before.filter((group) => group !== name);
-    show(next.length === 0 ? null : next);
+  // Of a patch that is not shown yet: two layers in one place would hide each other.
+  const addFurther = (): void => {
+    const taken = new Set(layersOf(scene, "surface").flatMap(([, layer]) => layer.groups ?? []));
+    const free = description?.groups.find(({ of, name }) => of === "faces" && !taken.has(name));
+    actions.addLayer("surface", { type: "surface", groups: free === undefined ? [] : [free.name] });
   };
+  const button = entry && (
+    <IconButton icon="plus" label="Add another layer of the boundary" text="Add" onClick={addFurther} />
+  );
   return (
-    <Section title="Boundary">
-      <Check
-        label="Whole boundary"
-        detail={description === null ? undefined : `${formatCount(description.mesh.boundary_faces)} faces`}
-        checked={whole}
-        onChange={(on) => show(on ? [] : null)}
-      />
-      {patches.map(({ name, count }) => (
-        <Check
-          key={name}
-          label={name}
-          detail={`${formatCount(count)} faces`}
-          checked={shown && groups.includes(name)}
-          onChange={(on) => togglePatch(name, on)}
-        />
+    <Section title="Boundary" action={button ?? null}>
+      <PatchChecks groups={entry?.[1].groups ?? []} shown={shown} onChange={show} />
+      {entry !== undefined && shown && <LookFields id={entry[0]} layer={entry[1]} />}
+      {further.map(([id, layer], index) => (
+        <FurtherCard key={id} id={id} layer={layer} number={index + 2} />
       ))}
-      {entry !== undefined && shown && (
-        <>
-          <ColoringFields layers={[entry[0]]} coloring={entry[1].color ?? {}} />
-          <OpacityField layers={[entry[0]]} opacity={entry[1].opacity ?? 1} />
-          <ThresholdFields id={entry[0]} threshold={entry[1].threshold} color={entry[1].color?.array} />
-          <EdgesFields layers={[entry[0]]} edges={entry[1].edges} />
-        </>
-      )}
     </Section>
   );
 }

@@ -28,11 +28,14 @@ interface Props {
 /** Hundredths of a percent of the bar are finer than any pixel. */
 const rounded = (at: number): number => Number(at.toFixed(4));
 
+/** Where a point is seen, or which one is meant there: both ways the same. */
+const turned = ({ reverse }: ColorScale, at: number): number => (reverse ? rounded(1 - at) : at);
+
 function PointsBar({ scale, onChange }: Props): JSX.Element {
   const { editor } = useApp();
   const { points } = scale;
   const move = (index: number, at: number, gesture: string): void =>
-    onChange(movedPoint(points, index, rounded(clamp(at, 0, 1))), gesture);
+    onChange(movedPoint(points, index, turned(scale, rounded(clamp(at, 0, 1)))), gesture);
   const { track, pointer, keyGesture } = useHandleDrag({
     newGesture: () => editor.newGesture(),
     pressed: () => null,
@@ -43,31 +46,29 @@ function PointsBar({ scale, onChange }: Props): JSX.Element {
     if (step === undefined) return;
     event.preventDefault();
     event.stopPropagation();
-    move(index, (points[index]?.at ?? 0) + step, keyGesture(event));
+    move(index, turned(scale, points[index]?.at ?? 0) + step, keyGesture(event));
   };
   return (
-    <div
-      class="points-bar"
-      ref={track}
-      style={{ background: gradientOf({ ...scale, steps: 0, reverse: false }) }}
-      {...pointer}
-    >
-      {points.map(({ at, color }, index) => (
-        <div
-          key={index}
-          class="point-handle"
-          data-index={index}
-          role="slider"
-          tabIndex={0}
-          aria-label={`Place of colour ${index + 1}`}
-          aria-valuemin={0}
-          aria-valuemax={100}
-          aria-valuenow={Math.round(100 * at)}
-          aria-valuetext={`${Math.round(100 * at)} %, ${formatNumber(valueAtPlace(scale, at))}`}
-          style={{ left: `${100 * at}%`, background: color }}
-          onKeyDown={(event) => onKeyDown(event, index)}
-        />
-      ))}
+    <div class="points-bar" ref={track} style={{ background: gradientOf({ ...scale, steps: 0 }) }} {...pointer}>
+      {points.map(({ at: own, color }, index) => {
+        const at = turned(scale, own);
+        return (
+          <div
+            key={index}
+            class="point-handle"
+            data-index={index}
+            role="slider"
+            tabIndex={0}
+            aria-label={`Place of colour ${index + 1}`}
+            aria-valuemin={0}
+            aria-valuemax={100}
+            aria-valuenow={Math.round(100 * at)}
+            aria-valuetext={`${Math.round(100 * at)} %, ${formatNumber(valueAtPlace(scale, at))}`}
+            style={{ left: `${100 * at}%`, background: color }}
+            onKeyDown={(event) => onKeyDown(event, index)}
+          />
+        );
+      })}
     </div>
   );
 }
@@ -93,9 +94,11 @@ export function PointsEditor({ scale, onChange }: Props): JSX.Element {
           />
           <NumberField
             label={`Value of colour ${index + 1}`}
-            value={Number(valueAtPlace(scale, at).toPrecision(6))}
+            value={Number(valueAtPlace(scale, turned(scale, at)).toPrecision(6))}
             span={span}
-            onChange={(value) => onChange(movedPoint(points, index, rounded(clamp(placeOf(scale, value), 0, 1))))}
+            onChange={(value) =>
+              onChange(movedPoint(points, index, turned(scale, rounded(clamp(placeOf(scale, value), 0, 1)))))
+            }
           />
           <IconButton
             icon="close"

@@ -14,7 +14,7 @@ import {
 } from "../scene/color_edit";
 import { isShownBy, rangeOf, scaleOf } from "../scene/color_range";
 import { clamp } from "../scene/numbers";
-import { rangeOfAllSteps } from "../scene/scalars";
+import { rangeOfAllSteps, type Colored, type ScaledColoring } from "../scene/scalars";
 import { PointsEditor } from "./color_points";
 import { gradientOf, MapGallery } from "./color_swatch";
 import { Check, NumberField } from "./controls";
@@ -22,8 +22,8 @@ import { useApp, useAppState } from "./context";
 import { Icon } from "./icons";
 
 interface Props {
-  layers: string[];
-  coloring: Coloring & { array: string };
+  of: Colored;
+  coloring: ScaledColoring;
   /** Of the array at the shown step. */
   data: Range;
 }
@@ -37,7 +37,7 @@ function ColorField(props: { label: string; value: string; onChange: (color: str
   );
 }
 
-function RangeFields({ layers, coloring, data, change }: Props & { change: Change }): JSX.Element {
+function RangeFields({ of, coloring, data, change }: Props & { change: Change }): JSX.Element {
   const { actions, toasts } = useApp();
   const description = useAppState((state) => state.description);
   const range = rangeOf(coloring, data);
@@ -84,7 +84,7 @@ function RangeFields({ layers, coloring, data, change }: Props & { change: Chang
           type="button"
           class="button small"
           title="The range of the values that are in view now"
-          onClick={() => void actions.rangeInView(layers).then(setData)}
+          onClick={() => void actions.rangeInView(of).then(setData)}
         >
           In view
         </button>
@@ -161,11 +161,11 @@ function Ways({ coloring, scale, change }: { coloring: Coloring; scale: ColorSca
   );
 }
 
-export function ColorScalePanel({ layers, coloring, data }: Props): JSX.Element {
+export function ColorScalePanel({ of, coloring, data }: Props): JSX.Element {
   const { actions } = useApp();
   const [isOpen, setOpen] = useState(false);
   const scale = scaleOf(coloring, data);
-  const change: Change = (part, gesture) => actions.setColoring(layers, part, gesture);
+  const change: Change = (part, gesture) => actions.setColoring(of, part, gesture);
   const own = scale.points.length > 0;
   return (
     <div class="scale-panel">
@@ -173,7 +173,7 @@ export function ColorScalePanel({ layers, coloring, data }: Props): JSX.Element 
         type="button"
         class="scale-title"
         aria-expanded={isOpen}
-        aria-label={`Colour scale of ${coloring.array}`}
+        aria-label={`Colour scale of ${of.contours ? "the lines of " : ""}${coloring.array}`}
         onClick={() => setOpen(!isOpen)}
       >
         <Icon name="chevron" />
@@ -194,7 +194,7 @@ export function ColorScalePanel({ layers, coloring, data }: Props): JSX.Element 
               {coloring.array} has no value above zero now: a logarithmic scale shows none.
             </p>
           )}
-          <RangeFields layers={layers} coloring={coloring} data={data} change={change} />
+          <RangeFields of={of} coloring={coloring} data={data} change={change} />
           <OutsideFields coloring={coloring} scale={scale} change={change} />
         </div>
       )}

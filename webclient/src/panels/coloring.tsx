@@ -3,7 +3,7 @@ import type { JSX } from "preact";
 import type { Coloring } from "../generated/protocol";
 import { DEFAULT_MAP, colorMapNames } from "../display/color_maps";
 import { withMap } from "../scene/color_edit";
-import { scalarsOf } from "../scene/scalars";
+import { scalarsOf, type Colored, type ScaledColoring } from "../scene/scalars";
 import { SelectField, Slider } from "./controls";
 import { ColorScalePanel } from "./color_scale_panel";
 import { useApp, useAppState } from "./context";
@@ -11,20 +11,21 @@ import { useSomeRange } from "./data_range";
 
 const SOLID = "";
 const OWN = "";
-const DEFAULT_SOLID = "#cccccc";
+export const DEFAULT_SOLID = "#cccccc";
 
-function Scale(props: { layers: string[]; coloring: Coloring & { array: string } }): JSX.Element {
+function Scale(props: { of: Colored; coloring: ScaledColoring }): JSX.Element {
   return <ColorScalePanel {...props} data={useSomeRange(props.coloring.array)} />;
 }
 
 interface ColoringProps {
-  layers: string[];
+  of: Colored;
   coloring: Coloring;
-  /** A volume has one array for its colours and its density, which is chosen elsewhere. */
+  /** A volume has one array for its colours and its density, which is chosen elsewhere; contour lines likewise. */
   ofArray?: boolean;
+  mapLabel?: string;
 }
 
-export function ColoringFields({ layers, coloring, ofArray = false }: ColoringProps): JSX.Element {
+export function ColoringFields({ of, coloring, ofArray = false, mapLabel = "Map" }: ColoringProps): JSX.Element {
   const { actions } = useApp();
   const description = useAppState((state) => state.description);
   const scalars = scalarsOf(description);
@@ -43,7 +44,7 @@ export function ColoringFields({ layers, coloring, ofArray = false }: ColoringPr
           options={arrays}
           onChange={(array) =>
             // The range belonged to the array before.
-            actions.setColoring(layers, { array: array === SOLID ? undefined : array, range: undefined })
+            actions.setColoring(of, { array: array === SOLID ? undefined : array, range: undefined })
           }
         />
       )}
@@ -54,20 +55,20 @@ export function ColoringFields({ layers, coloring, ofArray = false }: ColoringPr
             type="color"
             aria-label="Colour"
             value={coloring.solid ?? DEFAULT_SOLID}
-            onChange={(event) => actions.setColoring(layers, { solid: event.currentTarget.value })}
+            onChange={(event) => actions.setColoring(of, { solid: event.currentTarget.value })}
           />
         </label>
       ) : (
         <SelectField
-          label="Map"
+          label={mapLabel}
           value={coloring.points ? OWN : (coloring.map ?? DEFAULT_MAP)}
           options={maps}
           onChange={(map) => {
-            if (map !== OWN) actions.setColoring(layers, withMap(map));
+            if (map !== OWN) actions.setColoring(of, withMap(map));
           }}
         />
       )}
-      {coloring.array !== undefined && <Scale layers={layers} coloring={{ ...coloring, array: coloring.array }} />}
+      {coloring.array !== undefined && <Scale of={of} coloring={{ ...coloring, array: coloring.array }} />}
     </div>
   );
 }

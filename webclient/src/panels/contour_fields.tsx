@@ -1,87 +1,157 @@
-// Contour lines of slices: of which array, at how many values, in one colour or in those of their values.
+// Contour lines of slices: of which array, at which values, in one colour or in those of their values.
 import type { JSX } from "preact";
-import { colorMapNames, DEFAULT_MAP } from "../display/color_maps";
-import type { Contours } from "../generated/protocol";
+import { DEFAULT_MAP } from "../display/color_maps";
+import type { Contours, Range, SliceLayer } from "../generated/protocol";
+import { contoursPatch, DEFAULT_COUNT, evenValues, MOST_COUNT, ofArray, type ContoursChange } from "../scene/contours";
 import { clamp } from "../scene/numbers";
 import { firstScalar, scalarsOf } from "../scene/scalars";
+import { ColoringFields } from "./coloring";
 import { Check, NumberField, SelectField } from "./controls";
 import { useApp, useAppState } from "./context";
-import { LineStyleFields } from "./line_fields";
+import { useSomeRange } from "./data_range";
+import { DEFAULT_COLOR, LineStyleFields } from "./line_fields";
+import { ValueRow } from "./value_row";
 
-const DEFAULT_COUNT = 10;
-const MOST = 64;
+interface FieldsProps {
+  contours: Contours;
+  set: (change: ContoursChange) => void;
+}
 
-/** `color`: the array that colours the slices, which is what contours begin with. */
-export function ContourFields({
-  layers,
-  contours,
-  color,
-}: {
-  layers: string[];
-  contours: Contours | undefined;
-  color: string | undefined;
-}): JSX.Element | null {
+function RangeField({ contours, data, set }: FieldsProps & { data: Range }): JSX.Element {
+  const range = contours.range ?? data;
+  const span = range[1] - range[0];
+  const setRange = (a: number, b: number): void => set({ range: a <= b ? [a, b] : [b, a] });
+  return (
+    <div class="field" role="group" aria-label="Range of the contour lines">
+      <span>Between</span>
+      <div class="range-row">
+        <NumberField
+          label="Contour lines from"
+          value={range[0]}
+          span={span}
+          onChange={(low) => setRange(low, range[1])}
+        />
+        <NumberField
+          label="Contour lines to"
+          value={range[1]}
+          span={span}
+          onChange={(high) => setRange(range[0], high)}
+        />
+        <button
+          type="button"
+          class="button small"
+          aria-pressed={!contours.range}
+          title="Between the lowest and the highest value of the data at each time"
+          onClick={() => set({ range: null })}
+        >
+          Data
+        </button>
+      </div>
+    </div>
+  );
+}
+
+/** Evenly, or where a hand puts them. */
+function ValuesFields({ contours, set }: FieldsProps): JSX.Element {
+  const data = useSomeRange(contours.array);
+  const { values } = contours;
+  return (
+    <>
+      <div class="fields">
+        <SelectField
+          label="Lines at"
+          value={values === undefined ? "even" : "own"}
+          options={[
+            { value: "even", text: "even values" },
+            { value: "own", text: "own values" },
+          ]}
+          onChange={(at) =>
+            set(at === "own" ? { values: evenValues(contours, data), count: null, range: null } : { values: null })
+          }
+        />
+        {values === undefined && (
+          <label class="field">
+            <span>Number</span>
+            <NumberField
+              label="Number of contour lines"
+              value={contours.count ?? DEFAULT_COUNT}
+              step={1}
+              onChange={(typed) => set({ count: clamp(Math.round(typed), 1, MOST_COUNT) })}
+            />
+          </label>
+        )}
+      </div>
+      {values === undefined ? (
+        <RangeField contours={contours} data={data} set={set} />
+      ) : (
+        <ValueRow
+          values={values}
+          range={data}
+          setValues={(to) => set({ values: to })}
+          alone="Value of the contour line"
+          numbered="Contour value"
+        />
+      )}
+    </>
+  );
+}
+
+/** One colour for all lines, or the colours of their values; and how wide they are. */
+function LooksFields({ contours, slices, set }: FieldsProps & { slices: [string, SliceLayer][] }): JSX.Element {
+  const { coloring } = contours;
+  const coloured = slices.filter(([, slice]) => slice.contours?.coloring).map(([id]) => id);
+  return (
+    <>
+      <LineStyleFields
+        label="the contour lines"
+        color={coloring === undefined ? (contours.color ?? DEFAULT_COLOR) : null}
+        width={contours.width ?? 1.5}
+        onChange={set}
+      />
+      <Check
+        label="Lines in the colours of their values"
+        checked={coloring !== undefined}
+        onChange={(on) => set({ coloring: on ? { map: DEFAULT_MAP } : null })}
+      />
+      {coloring !== undefined && (
+        <ColoringFields
+          of={{ layers: [], contours: coloured }}
+          coloring={{ ...coloring, array: contours.array }}
+          ofArray
+          mapLabel="Map of the lines"
+        />
+      )}
+    </>
+  );
+}
+
+/** Of all slices: `first` is the one that the controls show. */
+export function ContourFields(props: { slices: [string, SliceLayer][]; first: SliceLayer }): JSX.Element | null {
+  const { slices, first } = props;
   const { editor } = useApp();
   const description = useAppState((state) => state.description);
-  const scalars = scalarsOf(description);
-  const first = color ?? firstScalar(description);
-  const shown = contours !== undefined && contours.visible !== false;
-  const set = (change: { [K in keyof Contours]?: Contours[K] | null }): void =>
-    editor.change({ layers: Object.fromEntries(layers.map((id) => [id, { contours: change }])) });
-  const coloring = contours?.coloring;
-  if (first === undefined) return null;
+  const array = first.color?.array ?? firstScalar(description);
+  const { contours } = first;
+  if (array === undefined) return null;
+  const set = (change: ContoursChange): void =>
+    editor.change({ layers: contoursPatch(slices, contours ?? { array }, change) });
   return (
     <>
       <Check
         label="Contour lines"
-        checked={shown}
-        onChange={(visible) => set(contours === undefined ? { array: first } : { visible })}
+        checked={contours !== undefined && contours.visible !== false}
+        onChange={(visible) => set({ visible })}
       />
-      {shown && (
+      {contours !== undefined && contours.visible !== false && (
         <>
-          <div class="fields">
-            <SelectField
-              label="Lines of"
-              value={contours.array}
-              options={scalars.map(({ name }) => ({ value: name, text: name }))}
-              onChange={(array) =>
-                set({
-                  array,
-                  values: null, // they and the ranges belonged to the array before
-                  range: null,
-                  ...(coloring && { coloring: { ...coloring, array, range: null } }),
-                })
-              }
-            />
-            <label class="field">
-              <span>Number</span>
-              <NumberField
-                label="Number of contour lines"
-                value={contours.values?.length ?? contours.count ?? DEFAULT_COUNT}
-                step={1}
-                onChange={(typed) => set({ values: null, count: clamp(Math.round(typed), 1, MOST) })}
-              />
-            </label>
-          </div>
-          <LineStyleFields
-            label="the contour lines"
-            color={contours.color ?? "#1a1a1a"}
-            width={contours.width ?? 1.5}
-            onChange={set}
+          <SelectField
+            label="Lines of"
+            value={contours.array}
+            options={scalarsOf(description).map(({ name }) => ({ value: name, text: name }))}
+            onChange={(chosen) => set(ofArray(contours, chosen))}
           />
-          <Check
-            label="Lines in the colours of their values"
-            checked={coloring !== undefined}
-            onChange={(on) => set({ coloring: on ? { map: DEFAULT_MAP } : null })}
-          />
-          {coloring !== undefined && (
-            <SelectField
-              label="Map of the lines"
-              value={coloring.map ?? DEFAULT_MAP}
-              options={colorMapNames.map((name) => ({ value: name, text: name }))}
-              onChange={(map) => set({ coloring: { map } })}
-            />
-          )}
+          <ValuesFields contours={contours} set={set} />
+          <LooksFields contours={contours} slices={slices} set={set} />
         </>
       )}
     </>

@@ -2,26 +2,14 @@
 import type { JSX } from "preact";
 import { useState } from "preact/hooks";
 import type { IsoLayer, Range } from "../generated/protocol";
-import { formatNumber, logarithmicStart, niceStep, widestGap } from "../scene/numbers";
+import { formatNumber, logarithmicStart } from "../scene/numbers";
 import { arrayOf, scalarsOf, shownTime, unitsOf } from "../scene/scalars";
 import { ColoringFields, OpacityField } from "./coloring";
-import { Check, IconButton, NumberField, SelectField } from "./controls";
+import { Check, IconButton, SelectField } from "./controls";
 import { useApp, useAppState } from "./context";
 import { HistogramSlider } from "./histogram_slider";
 import { EdgesFields } from "./line_fields";
-
-const MOST_VALUES = 64;
-
-function replaced(values: readonly number[], index: number, value: number): number[] {
-  return values.map((old, i) => (i === index ? value : old));
-}
-
-interface ValueRowProps {
-  values: readonly number[];
-  range: Range;
-  setValues: (values: number[]) => void;
-  scales: JSX.Element;
-}
+import { replaced, ValueRow } from "./value_row";
 
 interface Scales {
   counts: boolean;
@@ -77,36 +65,6 @@ function OutsideHint({ values, range }: { values: readonly number[]; range: Rang
   );
 }
 
-function ValueRow({ values, range, setValues, scales }: ValueRowProps): JSX.Element {
-  const span = range[1] - range[0];
-  return (
-    <div class="values">
-      {values.map((value, index) => (
-        <span class="value" key={index}>
-          <NumberField
-            label={values.length > 1 ? `Value ${index + 1}` : "Iso-value"}
-            value={value}
-            span={span}
-            step={niceStep(range) * 10}
-            onChange={(typed) => setValues(replaced(values, index, typed))}
-          />
-          {values.length > 1 && (
-            <IconButton
-              icon="close"
-              label={`Remove value ${index + 1}`}
-              onClick={() => setValues(values.filter((_, i) => i !== index))}
-            />
-          )}
-        </span>
-      ))}
-      {values.length < MOST_VALUES && (
-        <IconButton icon="plus" label="Add a value" onClick={() => setValues([...values, widestGap(values, range)])} />
-      )}
-      {scales}
-    </div>
-  );
-}
-
 export function IsoCard({ id, layer }: { id: string; layer: IsoLayer }): JSX.Element {
   const { actions, editor, histograms } = useApp();
   const description = useAppState((state) => state.description);
@@ -150,14 +108,11 @@ export function IsoCard({ id, layer }: { id: string; layer: IsoLayer }): JSX.Ele
         newGesture={() => editor.newGesture()}
         onChange={(index, value, gesture) => setValues(replaced(layer.values, index, value), gesture)}
       />
-      <ValueRow
-        values={layer.values}
-        range={range}
-        setValues={setValues}
-        scales={<ScaleButtons scales={scales} set={setScales} range={range} />}
-      />
+      <ValueRow values={layer.values} range={range} setValues={setValues} alone="Iso-value" numbered="Value">
+        <ScaleButtons scales={scales} set={setScales} range={range} />
+      </ValueRow>
       <OutsideHint values={layer.values} range={range} />
-      <ColoringFields layers={[id]} coloring={layer.color ?? {}} />
+      <ColoringFields of={{ layers: [id] }} coloring={layer.color ?? {}} />
       <OpacityField layers={[id]} opacity={layer.opacity ?? 1} />
       <Check label="Smooth" checked={layer.smooth !== false} onChange={(smooth) => actions.setLayer(id, { smooth })} />
       <EdgesFields layers={[id]} edges={layer.edges} />

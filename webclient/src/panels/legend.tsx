@@ -2,13 +2,13 @@
 import type { JSX } from "preact";
 import { useEffect, useRef, useState } from "preact/hooks";
 import { colorsAlong, hasWidth, type ColorScale } from "../display/color_scale";
-import type { Coloring, Range } from "../generated/protocol";
+import type { Range } from "../generated/protocol";
 import type { Size } from "../camera/camera";
 import { withRange } from "../scene/color_edit";
 import { rangeOf, scaleOf } from "../scene/color_range";
 import { colorTicks, exponentOf, labelOn, type ColorTick } from "../scene/color_ticks";
 import { clamp, formatNumber } from "../scene/numbers";
-import { legendsOf, rangeOfAllSteps, unitsOf } from "../scene/scalars";
+import { legendsOf, rangeOfAllSteps, unitsOf, type Colored, type ScaledColoring } from "../scene/scalars";
 import { timesPowerOfTen } from "../scene/ticks";
 import { IconButton, NumberField } from "./controls";
 import { useApp, useAppState } from "./context";
@@ -58,11 +58,11 @@ function spacedTicks(scale: ColorScale, height: number): ColorTick[] {
 }
 
 interface Entry {
-  coloring: Coloring & { array: string };
-  layers: string[];
+  coloring: ScaledColoring;
+  of: Colored;
 }
 
-function LegendScale({ coloring, layers, scale, range }: Entry & { scale: ColorScale; range: Range }): JSX.Element {
+function LegendScale({ coloring, of, scale, range }: Entry & { scale: ColorScale; range: Range }): JSX.Element {
   const { actions, toasts } = useApp();
   const along = useRef<HTMLDivElement>(null);
   const [height, setHeight] = useState(USUAL_HEIGHT);
@@ -78,7 +78,7 @@ function LegendScale({ coloring, layers, scale, range }: Entry & { scale: ColorS
   const setRange = (low: number, high: number): void => {
     const change = withRange(coloring, low, high);
     if (typeof change === "string") toasts.show(change, "error");
-    else actions.setColoring(layers, change);
+    else actions.setColoring(of, change);
   };
   const mirrored = coloring.symmetric === true;
   return (
@@ -118,10 +118,10 @@ function OneValue({ value }: { value: number }): JSX.Element {
   );
 }
 
-function RangeButtons({ coloring, layers, range }: Entry & { range: Range }): JSX.Element {
+function RangeButtons({ coloring, of, range }: Entry & { range: Range }): JSX.Element {
   const { actions } = useApp();
   const description = useAppState((state) => state.description);
-  const set = (to: Range | undefined): void => actions.setColoring(layers, { range: to });
+  const set = (to: Range | undefined): void => actions.setColoring(of, { range: to });
   const reach = Math.max(-range[0], range[1]);
   const name = coloring.array;
   return (
@@ -147,7 +147,7 @@ function RangeButtons({ coloring, layers, range }: Entry & { range: Range }): JS
   );
 }
 
-function LegendEntry({ coloring, layers }: Entry): JSX.Element {
+function LegendEntry({ coloring, of }: Entry): JSX.Element {
   const description = useAppState((state) => state.description);
   const units = unitsOf(description, coloring.array);
   const [head, ...tail] = coloring.array.split(":"); // a long name is broken where its component begins
@@ -170,7 +170,7 @@ function LegendEntry({ coloring, layers }: Entry): JSX.Element {
           (constant ? (
             <OneValue value={range[0]} />
           ) : (
-            <LegendScale coloring={coloring} layers={layers} scale={scale} range={range} />
+            <LegendScale coloring={coloring} of={of} scale={scale} range={range} />
           ))}
       </div>
       {(data?.invalid ?? 0) > 0 && (
@@ -178,7 +178,7 @@ function LegendEntry({ coloring, layers }: Entry): JSX.Element {
           <span style={{ background: scale.nan }} /> no value
         </p>
       )}
-      {range !== null && <RangeButtons coloring={coloring} layers={layers} range={range} />}
+      {range !== null && <RangeButtons coloring={coloring} of={of} range={range} />}
     </figure>
   );
 }
@@ -209,7 +209,7 @@ export function Legends(): JSX.Element | null {
   return (
     <div class="legends" ref={root} style={{ zoom: scene?.annotations?.scale ?? 1 }}>
       {entries.map((entry) => (
-        <LegendEntry key={`${entry.coloring.array} ${entry.coloring.map ?? ""} ${entry.layers.join(" ")}`} {...entry} />
+        <LegendEntry key={JSON.stringify([entry.coloring.array, entry.of])} {...entry} />
       ))}
     </div>
   );

@@ -4,11 +4,12 @@ import type { Edges } from "../generated/protocol";
 import { Check, NumberField } from "./controls";
 import { useApp } from "./context";
 
-const DEFAULT_COLOR = "#1a1a1a";
+export const DEFAULT_COLOR = "#1a1a1a";
 
 interface LineStyleProps {
   label: string;
-  color: string;
+  /** null where they have those of an array. */
+  color: string | null;
   width: number;
   onChange: (change: { color?: string; width?: number }) => void;
 }
@@ -16,15 +17,17 @@ interface LineStyleProps {
 export function LineStyleFields({ label, color, width, onChange }: LineStyleProps): JSX.Element {
   return (
     <div class="fields">
-      <label class="field">
-        <span>Colour</span>
-        <input
-          type="color"
-          aria-label={`Colour of ${label}`}
-          value={color}
-          onChange={(event) => onChange({ color: event.currentTarget.value })}
-        />
-      </label>
+      {color !== null && (
+        <label class="field">
+          <span>Colour</span>
+          <input
+            type="color"
+            aria-label={`Colour of ${label}`}
+            value={color}
+            onChange={(event) => onChange({ color: event.currentTarget.value })}
+          />
+        </label>
+      )}
       <label class="field">
         <span>Width</span>
         <NumberField

@@ -6,9 +6,11 @@ import { layersOf } from "../scene/scalars";
 import { ColoringFields, OpacityField } from "./coloring";
 import { IconButton, NumberField, Section, SelectField } from "./controls";
 import { useApp, useAppState } from "./context";
+import { PatchChecks } from "./patch_checks";
 import { ThresholdFields } from "./threshold_fields";
 
 const USUAL_ANGLE = 30;
+const USUAL_MOST = 1e6;
 
 interface CardProps {
   id: string;
@@ -20,6 +22,7 @@ interface CardProps {
 /** What lines and points have in common: all but their choice and size. */
 function Card({ id, layer, children }: CardProps): JSX.Element {
   const { actions } = useApp();
+  const hasPatches = useAppState((state) => (state.description?.groups ?? []).some(({ of }) => of === "faces"));
   const visible = layer.visible !== false;
   const title = layer.type === "edges" ? "Edges" : "Points";
   return (
@@ -35,7 +38,13 @@ function Card({ id, layer, children }: CardProps): JSX.Element {
         <IconButton icon="close" label={`Remove these ${layer.type}`} onClick={() => actions.removeLayer(id)} />
       </div>
       <div class="fields">{children}</div>
-      <ColoringFields layers={[id]} coloring={layer.color ?? {}} />
+      {hasPatches && !(layer.type === "points" && layer.of === "all") && (
+        <PatchChecks
+          groups={layer.groups ?? []}
+          onChange={(groups) => actions.setLayer(id, { groups: groups ?? [] })}
+        />
+      )}
+      <ColoringFields of={{ layers: [id] }} coloring={layer.color ?? {}} />
       <OpacityField layers={[id]} opacity={layer.opacity ?? 1} />
       <ThresholdFields id={id} threshold={layer.threshold} color={layer.color?.array} />
     </article>
@@ -116,6 +125,14 @@ function PointsCard({ id, layer }: { id: string; layer: PointsLayer }): JSX.Elem
         step={1}
         range={[0.5, 64]}
         set={(size) => actions.setLayer(id, { size })}
+      />
+      <SizeField
+        name="At most"
+        label="Number of points at most"
+        value={layer.most ?? USUAL_MOST}
+        step={USUAL_MOST / 10}
+        range={[1, 1e7]}
+        set={(most) => actions.setLayer(id, { most: Math.round(most) })}
       />
     </Card>
   );

@@ -122,9 +122,9 @@ export function SlicesSection(): JSX.Element {
       </div>
       {first !== undefined && (
         <>
-          <ColoringFields layers={slices.map(([id]) => id)} coloring={first[1].color ?? {}} />
+          <ColoringFields of={{ layers: slices.map(([id]) => id) }} coloring={first[1].color ?? {}} />
           <OpacityField layers={slices.map(([id]) => id)} opacity={first[1].opacity ?? 1} />
-          <ContourFields layers={slices.map(([id]) => id)} contours={first[1].contours} color={first[1].color?.array} />
+          <ContourFields slices={slices} first={first[1]} />
           <EdgesFields layers={slices.map(([id]) => id)} edges={first[1].edges} />
         </>
       )}

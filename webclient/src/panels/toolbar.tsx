@@ -6,6 +6,7 @@ import { layerNames } from "../scene/layer_names";
 import { MINUS } from "../scene/numbers";
 import { Check, IconButton, Menu, SelectField } from "./controls";
 import { useApp, useAppState } from "./context";
+import { PictureMenu } from "./picture_menu";
 import { ConnectionBadge } from "./connection_badge";
 import { useState } from "preact/hooks";
 
@@ -143,6 +144,7 @@ export function Toolbar(): JSX.Element {
           disabled={!hasPicture}
           onClick={() => void actions.screenshot()}
         />
+        <PictureMenu disabled={!hasPicture} />
         <ExportMenu disabled={!hasPicture} />
         <IconButton
           icon="link"

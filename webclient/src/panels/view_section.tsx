@@ -2,6 +2,7 @@ import type { JSX } from "preact";
 import type { StreamChoice } from "../app/state";
 import { layersOf } from "../scene/scalars";
 import { Check, Section, SelectField } from "./controls";
+import { DEFAULT_SOLID } from "./coloring";
 import { AnnotationFields } from "./annotation_fields";
 import { useApp, useAppState } from "./context";
 
@@ -56,6 +57,17 @@ export function ViewSection(): JSX.Element {
         )}
       </div>
       <Check label="Outline" checked={outline !== undefined && outline[1].visible !== false} onChange={toggleOutline} />
+      {outline !== undefined && outline[1].visible !== false && (
+        <label class="field">
+          <span>Colour of the outline</span>
+          <input
+            type="color"
+            aria-label="Colour of the outline"
+            value={outline[1].color?.solid ?? DEFAULT_SOLID}
+            onChange={(event) => actions.setColoring({ layers: [outline[0]] }, { solid: event.currentTarget.value })}
+          />
+        </label>
+      )}
       <Check label="Parallel projection" checked={parallel} onChange={() => actions.toggleParallel()} />
       <AnnotationFields
         annotations={scene?.annotations ?? {}}

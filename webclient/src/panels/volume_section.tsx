@@ -82,7 +82,7 @@ function VolumeCard({ id, layer }: { id: string; layer: VolumeLayer }): JSX.Elem
           hideLabel
           value={layer.array}
           options={scalarsOf(description).map(({ name }) => ({ value: name, text: name }))}
-          onChange={(array) => actions.setLayer(id, { array, color: { range: null } })}
+          onChange={(array) => actions.setLayer(id, { array, color: { array: null, range: null } })}
         />
         <IconButton
           icon="plus"
@@ -101,7 +101,7 @@ function VolumeCard({ id, layer }: { id: string; layer: VolumeLayer }): JSX.Elem
         newGesture={() => editor.newGesture()}
         onChange={setPoints}
       />
-      <ColoringFields layers={[id]} coloring={{ ...layer.color, array: layer.array }} ofArray />
+      <ColoringFields of={{ layers: [id] }} coloring={{ ...layer.color, array: layer.array }} ofArray />
       <VolumeFields id={id} layer={layer} />
       <OpacityField layers={[id]} opacity={layer.opacity ?? 1} />
     </article>

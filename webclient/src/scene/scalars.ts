@@ -95,19 +95,36 @@ export function freeId(scene: Scene, prefix: string): string {
 export const topOrder = (scene: Scene): number =>
   Object.values(scene.layers ?? {}).reduce((top, layer) => Math.max(top, layer.order ?? 0), 0) + 1;
 
-/** The colourings that the visible layers use, each once, with the layers that share it. */
-export function legendsOf(scene: Scene | null): { coloring: Coloring & { array: string }; layers: string[] }[] {
-  const found = new Map<string, { coloring: Coloring & { array: string }; layers: string[] }>();
+/** What has a colour scale: layers by id, and the contour lines on layers, which have one of their own. */
+export interface Colored {
+  layers: string[];
+  contours?: string[];
+}
+
+export type ScaledColoring = Coloring & { array: string };
+
+/** The colour scales of a layer, which is seen. */
+function scalesOf(layer: Layer): { part: keyof Colored; coloring: ScaledColoring }[] {
+  if (layer.type === "outline" || layer.type === "clip") return [];
+  const array = layer.type === "volume" ? layer.array : layer.color?.array;
+  const own = array === undefined ? [] : [{ part: "layers" as const, coloring: { ...layer.color, array } }];
+  const lines = layer.type === "slice" && layer.contours?.visible !== false ? layer.contours : undefined;
+  if (lines?.coloring === undefined) return own;
+  return [...own, { part: "contours", coloring: { ...lines.coloring, array: lines.array } }];
+}
+
+/** The colourings that the visible layers use, each once, with those that share it. */
+export function legendsOf(scene: Scene | null): { coloring: ScaledColoring; of: Required<Colored> }[] {
+  const found = new Map<string, { coloring: ScaledColoring; of: Required<Colored> }>();
   for (const [id, layer] of Object.entries(scene?.layers ?? {})) {
-    if (layer.visible === false || layer.type === "outline" || layer.type === "clip") continue;
-    const { color } = layer;
-    const array = layer.type === "volume" ? layer.array : color?.array;
-    if (array === undefined) continue;
-    const scale = color ?? {};
-    const key = JSON.stringify([array, scale.range ?? null, scale.symmetric === true, scaleOf(scale, [0, 1])]);
-    const same = found.get(key);
-    if (same === undefined) found.set(key, { coloring: { ...color, array }, layers: [id] });
-    else same.layers.push(id);
+    if (layer.visible === false) continue;
+    for (const { part, coloring } of scalesOf(layer)) {
+      const { array, range, symmetric } = coloring;
+      const key = JSON.stringify([array, range ?? null, symmetric === true, scaleOf(coloring, [0, 1])]);
+      const legend = found.get(key) ?? { coloring, of: { layers: [], contours: [] } };
+      legend.of[part].push(id);
+      found.set(key, legend);
+    }
   }
   return [...found.values()];
 }

@@ -1,0 +1,35 @@
+// Contour lines of several slices, which are changed together.
+import type { Contours, Range, SliceLayer } from "../generated/protocol";
+import type { JsonObject } from "../protocol/merge_patch";
+
+export const DEFAULT_COUNT = 10;
+export const MOST_COUNT = 64;
+
+/** null takes a member away. */
+export type ContoursChange = {
+  [K in keyof Contours]?: K extends "coloring" ? object | null : Contours[K] | null;
+};
+
+/** As the server spreads them: evenly inside the range, its ends left out; with digits that can be read. */
+export function evenValues({ count = DEFAULT_COUNT, range }: Contours, data: Range): number[] {
+  const [low, high] = range ?? data;
+  return Array.from({ length: count }, (_, i) => Number((low + ((high - low) * (i + 1)) / (count + 1)).toPrecision(6)));
+}
+
+/** The lines of another array: the values and the ranges belonged to the one before. */
+export const ofArray = ({ coloring }: Contours, array: string): ContoursChange => ({
+  array,
+  values: null,
+  range: null,
+  ...(coloring && { coloring: { array: null, range: null } }),
+});
+
+/** A slice that has no contour lines yet gets those of the others: a change alone would be of lines of nothing. */
+export function contoursPatch(
+  slices: readonly [string, SliceLayer][],
+  common: Contours,
+  change: ContoursChange,
+): JsonObject {
+  const whole = (slice: SliceLayer): object => (slice.contours === undefined ? { ...common, ...change } : change);
+  return Object.fromEntries(slices.map(([id, slice]) => [id, { contours: whole(slice) }])) as unknown as JsonObject;
+}

@@ -1,0 +1,39 @@
+import { describe, expect, test } from "vitest";
+import type { SliceLayer } from "../src/generated/protocol";
+import { applyPatch } from "../src/protocol/merge_patch";
+import { contoursPatch, evenValues, ofArray } from "../src/scene/contours";
+
+describe("contour lines", () => {
+  test("values to begin with are those that even ones had", () => {
+    expect(evenValues({ array: "p", count: 3 }, [0, 1])).toEqual([0.25, 0.5, 0.75]);
+    expect(evenValues({ array: "p", count: 1, range: [2, 3] }, [0, 1])).toEqual([2.5]);
+    expect(evenValues({ array: "p" }, [0, 11])).toEqual([1, 2, 3, 4, 5, 6, 7, 8, 9, 10]);
+  });
+
+  test("another array has other values, and what colours the lines follows it", () => {
+    const lines = { array: "p", values: [1], coloring: { array: "p", map: "vik", range: [0, 1] as [number, number] } };
+    expect(applyPatch(lines, ofArray(lines, "q") as never)).toEqual({ array: "q", coloring: { map: "vik" } });
+    expect(applyPatch({ array: "p", count: 3 }, ofArray({ array: "p" }, "q") as never)).toEqual({
+      array: "q",
+      count: 3,
+    });
+  });
+
+  test("a change is made on all slices, and gives those without lines the lines of the others", () => {
+    const slices: [string, SliceLayer][] = [
+      ["a", { type: "slice", contours: { array: "p", values: [1, 2], width: 3 } }],
+      ["b", { type: "slice" }],
+    ];
+    const common = { array: "p", values: [1, 2], width: 3 };
+    const after = (change: object): unknown =>
+      applyPatch(Object.fromEntries(slices) as never, contoursPatch(slices, common, change));
+    expect(after({ visible: false })).toEqual({
+      a: { type: "slice", contours: { ...common, visible: false } },
+      b: { type: "slice", contours: { ...common, visible: false } },
+    });
+    expect(after({ values: null, count: 5 })).toEqual({
+      a: { type: "slice", contours: { array: "p", width: 3, count: 5 } },
+      b: { type: "slice", contours: { array: "p", width: 3, count: 5 } },
+    });
+  });
+});
