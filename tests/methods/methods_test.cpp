@@ -323,6 +323,23 @@ TEST_F(Methods, color_range_is_that_of_the_values_in_view) {
     EXPECT_EQ(client.error_code("color.range", params), -32001);
 }
 
+TEST_F(Methods, a_scene_without_a_camera_is_seen_from_where_its_pictures_are) {
+    json params{{"width", 300}, {"height", 200}, {"scene", json::parse(R"({"dataset": "box",
+        "annotations": {"axes": true, "title": "A title"},
+        "layers": {"s": {"type": "surface", "color": {"array": "p"}}}})")}};
+    const json camera = client.call("scene.camera", params);
+    const json picture = client.call("picture.render", params);
+    json given = params;
+    given["scene"]["camera"] = camera;
+    EXPECT_EQ(client.call("picture.render", given)["data"], picture["data"]);
+    EXPECT_EQ(client.call("scene.camera", given), camera);
+    params["scene"]["annotations"]["axes"] = false;
+    EXPECT_NE(client.call("scene.camera", params), camera) << "it leaves room for what is written";
+    given["scene"]["camera"] = {{"position", {0, 0, 9}}, {"target", {0, 0, 0}}, {"up", {0, 1, 0}}, {"fov", 20},
+                                {"parallel", true},      {"parallel_height", 3}};
+    EXPECT_EQ(client.call("scene.camera", given), given["scene"]["camera"]);
+}
+
 // U:x goes from 0 to 6, p over other values: a range of both would be of neither.
 TEST_F(Methods, color_range_of_contour_lines_is_apart_from_that_of_the_slice_below_them) {
     json params{{"layers", {"s"}}, {"scene", json::parse(R"({"dataset": "box",

@@ -517,6 +517,18 @@ class ProbePointParams(TypedDict):
 ProbePointResult = ProbeResult
 
 
+class SceneCameraParams(TypedDict):
+    """scene.camera: Where a scene is seen from: its own camera, or the one that pictures and views of a scene without one have."""
+
+    session: NotRequired[str]  # without it, `scene` is used and nothing is kept
+    scene: NotRequired[Scene]
+    width: NotRequired[int]  # of the picture or the view: without a camera all of the bounds is seen, clear of what is written
+    height: NotRequired[int]
+
+
+SceneCameraResult = Camera
+
+
 class ColorRangeParams(TypedDict):
     """color.range: The range of the values that colour layers, as far as they are in view."""
 

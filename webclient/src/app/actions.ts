@@ -17,13 +17,13 @@ export type ExportFormat = "ply" | "stl" | "vtp";
 export class Actions {
   constructor(private readonly app: App) {}
 
-  /** The scene's camera, or the default view of the dataset's bounds. */
+  /** The scene's camera; without one that which the server takes, or until it is known the default view. */
   camera(): FullCamera | null {
     const { scene } = this.app.editor;
     if (scene === null) return null;
     if (scene.camera) return complete(scene.camera);
     const bounds = this.bounds();
-    return bounds === null ? null : defaultView(bounds, this.app.size.aspect);
+    return this.app.seenFrom.camera(scene) ?? (bounds === null ? null : defaultView(bounds, this.app.size.aspect));
   }
 
   setCamera(camera: FullCamera, gesture?: string): void {

@@ -21,6 +21,7 @@ import { Histograms } from "./histograms";
 import { Links } from "./links";
 import { playerHost } from "./player_host";
 import { savedStream, savedTheme, tabSession } from "./preferences";
+import { SeenFrom } from "./seen_from";
 import { sessionHost } from "./session_host";
 import { initialState, type AppState } from "./state";
 import { Store } from "./store";
@@ -46,6 +47,7 @@ export class App {
   readonly actions = new Actions(this);
   readonly links = new Links(this);
   readonly access = new Access(this);
+  readonly seenFrom = new SeenFrom(this);
   readonly player = new Player(playerHost(this), now);
   readonly tab = tabSession();
   readonly editor: SceneEditor;
@@ -61,6 +63,7 @@ export class App {
         accepted: (revision, since) => {
           this.latency.accepted(revision, since);
           this.store.set({ revision, pending: this.editor.isPending });
+          void this.seenFrom.reconsider();
         },
         refused: (error) => this.fail(error),
         stuck: (step, error) =>
@@ -109,6 +112,7 @@ export class App {
     this.store.set({ canvasSize: this.size.css });
     this.viewport?.redraw();
     this.session.resize();
+    void this.seenFrom.reconsider();
   }
 
   fail(error: unknown): void {
@@ -122,6 +126,7 @@ export class App {
     this.viewport?.redraw();
     this.links.sceneChanged();
     void describeDatasets(this);
+    void this.seenFrom.reconsider();
   }
 
   private look(): Look | null {

@@ -1,5 +1,5 @@
 // Everything that the panels show. Changed by session/ and app/ only, never by a panel itself.
-import type { Size } from "../camera/camera";
+import type { FullCamera, Size } from "../camera/camera";
 import type { DatasetDescription, ProbeResult, Range, Scene } from "../generated/protocol";
 import type { ConnectionState } from "../protocol/connection";
 import type { Result } from "../protocol/rpc";
@@ -56,6 +56,8 @@ export interface AppState {
   description: DatasetDescription | null;
   opening: string | null;
   scene: Scene | null;
+  /** What the server takes for the camera that the scene lacks. */
+  seenFrom: FullCamera | null;
   canUndo: boolean;
   canRedo: boolean;
   /** The server has not taken the newest change yet. */
@@ -109,6 +111,7 @@ export const initialState: AppState = {
   description: null,
   opening: null,
   scene: null,
+  seenFrom: null,
   canUndo: false,
   canRedo: false,
   pending: false,

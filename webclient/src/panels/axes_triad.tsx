@@ -2,7 +2,7 @@
 import type { JSX } from "preact";
 import { frame } from "../camera/camera";
 import { dot, type Vec3 } from "../camera/vector";
-import { useApp, useAppState } from "./context";
+import { useAppState, useCamera } from "./context";
 
 const AXES: { name: string; direction: Vec3 }[] = [
   { name: "x", direction: [1, 0, 0] },
@@ -12,12 +12,10 @@ const AXES: { name: string; direction: Vec3 }[] = [
 const ARM = 26;
 
 export function AxesTriad(): JSX.Element | null {
-  const { actions } = useApp();
   const wanted = useAppState((state) => state.scene?.annotations?.triad !== false);
   const scale = useAppState((state) => state.scene?.annotations?.scale ?? 1);
-  useAppState((state) => state.scene?.camera);
   useAppState((state) => state.description);
-  const camera = actions.camera();
+  const camera = useCamera();
   if (camera === null || !wanted) return null;
   const { right, up, forward } = frame(camera);
   const arms = AXES.map(({ name, direction }) => ({

@@ -5,7 +5,7 @@ import type { Size } from "../camera/camera";
 import { prettyUnits } from "../scene/numbers";
 import { boxAxes, numberPlace, placeNames, TICK, type BoxAxis } from "../scene/box_axes";
 import { timesPowerOfTen } from "../scene/ticks";
-import { useApp, useAppState } from "./context";
+import { useAppState, useCamera } from "./context";
 
 const TEXT_PIXELS = 12;
 
@@ -25,13 +25,11 @@ function Axis({ axis, size, em }: { axis: BoxAxis; size: Size; em: number }): JS
 }
 
 export function BoxAxes(): JSX.Element | null {
-  const { actions } = useApp();
   const { axes: wanted = false, scale = 1 } = useAppState((state) => state.scene?.annotations) ?? {};
-  useAppState((state) => state.scene?.camera);
   const description = useAppState((state) => state.description);
   const root = useRef<SVGSVGElement>(null);
   const [size, setSize] = useState<Size | null>(null);
-  const camera = actions.camera();
+  const camera = useCamera();
   const shown = wanted && camera !== null && description !== null;
   useEffect(() => {
     const element = root.current;

@@ -1,5 +1,6 @@
 import { createContext } from "preact";
 import { useContext } from "preact/hooks";
+import type { FullCamera } from "../camera/camera";
 import type { App } from "../app/app";
 import type { AppState } from "../app/state";
 import { useStore } from "../app/store";
@@ -13,3 +14,11 @@ export function useApp(): App {
 }
 
 export const useAppState = <V>(select: (state: Readonly<AppState>) => V): V => useStore(useApp().store, select);
+
+/** The camera of what is seen. */
+export function useCamera(): FullCamera | null {
+  const { actions } = useApp();
+  useAppState((state) => state.scene?.camera);
+  useAppState((state) => state.seenFrom);
+  return actions.camera();
+}

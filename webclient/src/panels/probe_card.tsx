@@ -4,18 +4,17 @@ import { project } from "../camera/camera";
 import { formatNumber } from "../scene/numbers";
 import { unitsOf } from "../scene/scalars";
 import { IconButton } from "./controls";
-import { useApp, useAppState } from "./context";
+import { useApp, useAppState, useCamera } from "./context";
 
 export function ProbeCard(): JSX.Element | null {
-  const { actions, store } = useApp();
+  const { store } = useApp();
   const probe = useAppState((state) => state.probe);
   const description = useAppState((state) => state.description);
   const size = useAppState((state) => state.canvasSize);
   const shownTime = useAppState((state) => state.readout.time);
-  useAppState((state) => state.scene?.camera);
   const position = probe?.result.position;
   if (probe === null || !position) return null;
-  const camera = actions.camera();
+  const camera = useCamera();
   const mark = camera === null ? null : project(camera, position, size);
   const { result } = probe;
   const units = description?.length_units ?? "";
