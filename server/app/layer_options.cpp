@@ -19,6 +19,12 @@ bool is_of_cells(const nlohmann::json& layer) {
     return layer["type"] == "surface" || layer["type"] == "edges" || layer["type"] == "points";
 }
 
+bool is_iso(const nlohmann::json& layer) { return layer["type"] == "iso"; }
+
+bool is_volume(const nlohmann::json& layer) { return layer["type"] == "volume"; }
+
+bool has_opacity(const nlohmann::json& layer) { return layer["type"] != "outline" && layer["type"] != "clip"; }
+
 nlohmann::json threshold_of(const std::string& text) {
     const auto equals = text.rfind('=');
     if (equals != std::string::npos && equals > 0)
@@ -80,6 +86,12 @@ void LayerOptions::add_to(CLI::App& command) {
             "Only cells whose vertices all have a value in this range, or who have one themselves where the array is "
             "of the cells: of --surface, --feature-edges and --points.")
         ->type_name("ARRAY=MIN,MAX");
+    command.add_option("--patches", patches, "Of these patches: --surface, --feature-edges and --points boundary.")
+        ->type_name("NAME[,NAME...]")
+        ->delimiter(',');
+    command.add_option("--opacity", opacity, "Of all layers, from 0 to 1.")->type_name("SHARE");
+    command.add_flag("--flat", flat, "Iso-surfaces shaded polygon by polygon, not by the field's gradient.");
+    command.add_option("--volume-slices", volume_slices, "How finely volumes are cut; 200 by default.")->type_name("N");
     command.add_flag("--edges", edges, "Lines along the edges of all polygons: those of the cells.");
     command.add_option("--contours", contours, "Contour lines of a point scalar on slices: ten, or at these values.")
         ->type_name("ARRAY[=VALUE,...]");
@@ -102,6 +114,14 @@ void LayerOptions::apply(nlohmann::json& layers) const {
         if (change(layers, is_of_cells, [&](auto& layer) { layer["threshold"] = range; }) == 0)
             throw UsageError("--threshold chooses cells; give --surface, --feature-edges or --points");
     }
+    if (!patches.empty() && change(layers, is_of_cells, [&](auto& layer) { layer["groups"] = patches; }) == 0)
+        throw UsageError("--patches chooses parts of the boundary; give --surface, --feature-edges or --points");
+    if (opacity && change(layers, has_opacity, [&](auto& layer) { layer["opacity"] = *opacity; }) == 0)
+        throw UsageError("--opacity has nothing to work on; give --iso, --slice, --plane, --surface or --volume");
+    if (flat && change(layers, is_iso, [](auto& layer) { layer["smooth"] = false; }) == 0)
+        throw UsageError("--flat is about iso-surfaces; give --iso");
+    if (volume_slices && change(layers, is_volume, [&](auto& layer) { layer["slices"] = *volume_slices; }) == 0)
+        throw UsageError("--volume-slices is about volumes; give --volume");
     if (edges && change(layers, has_polygons, [](auto& layer) { layer["edges"] = nlohmann::json::object(); }) == 0)
         throw UsageError("nothing has polygons whose edges could be drawn; give --iso, --slice or --surface");
     for (std::size_t i = 0; i < clips.size(); ++i) layers["clip" + std::to_string(i + 1)] = clip_of(clips[i]);

@@ -13,17 +13,20 @@ class App;
 namespace ciel::app {
 
 struct LayerOptions {
-    bool surface = false, edges = false;
+    bool surface = false, edges = false, flat = false;
     std::string contours; // of slices
     std::string contour_map;
     std::vector<std::string> clips;
     std::optional<std::string> points, threshold;
     std::optional<double> feature_edges; // degrees
+    std::optional<double> opacity;
+    std::optional<int> volume_slices;
+    std::vector<std::string> patches;
 
     void add_to(CLI::App& command);
     [[nodiscard]] bool has_layers() const { return surface || points || feature_edges; }
     [[nodiscard]] bool any() const {
-        return has_layers() || edges || !contours.empty() || !contour_map.empty() || !clips.empty() || threshold;
+        return has_layers() || edges || flat || opacity || volume_slices || !patches.empty() || !contours.empty() || !contour_map.empty() || !clips.empty() || threshold;
     }
     // Adds the layers that were asked for behind those that are there, and the styles to all. Throws UsageError on an
     // option that cannot be read, or that has nothing to work on.

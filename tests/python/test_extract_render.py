@@ -134,6 +134,26 @@ def test_slices_have_the_colours_that_the_options_ask_for(box, tmp_path):
     assert shown["smooth"] != shown["reverse"] != shown["log"] != shown["smooth"]
 
 
+def test_options_about_looks_are_the_document_s(box, tmp_path):
+    camera = {"position": [3, -5, 2], "target": [0, 0, 0], "up": [0, 1, 0]}
+    line = {"type": "outline", "color": {"solid": "#808890"}}
+    layers = {
+        "iso": {"type": "iso", "array": "r", "values": [0.5], "opacity": 0.4, "smooth": False, "color": {"array": "r"}, "order": 0},
+        "volume": {"type": "volume", "array": "x", "opacity": 0.4, "slices": 7, "order": 1},
+    }
+    (tmp_path / "scene.json").write_text(json.dumps({"camera": camera, "layers": layers | {"outline": line}}))
+    size = ["--size", "160x120"]
+    works("render", box, "--scene", tmp_path / "scene.json", *size, "-o", tmp_path / "document.png")
+    options = {"--camera": "3,-5,2,0,0,0,0,1,0", "--opacity": "0.4", "--volume-slices": "7", "--flat": None}
+    everything = [word for name, value in options.items() for word in (name, value) if word]
+    works("render", box, "--iso", "r=0.5", "--volume", "x", *everything, *size, "-o", tmp_path / "options.png")
+    assert np.array_equal(pixels(tmp_path / "options.png"), pixels(tmp_path / "document.png"))
+    for left_out in options:
+        others = [word for name, value in options.items() if name != left_out for word in (name, value) if word]
+        works("render", box, "--iso", "r=0.5", "--volume", "x", *others, *size, "-o", tmp_path / "other.png")
+        assert not np.array_equal(pixels(tmp_path / "other.png"), pixels(tmp_path / "document.png")), left_out
+
+
 def test_default_view_scene_file_and_every_back_end_agree(box, tmp_path):
     works("render", box, "-o", tmp_path / "default.png", "--size", "160x100")
     assert (pixels(tmp_path / "default.png").max(axis=2) > 70).mean() > 0.02
@@ -245,6 +265,14 @@ REFUSED = [
     ("points without colours", ["render", "--iso", "r=0.5", "--color-points", "0,1", "-o", "p.png"], "AT=#rrggbb", 2),
     ("points out of order", ["render", "--iso", "r=0.5", "--color-points", "1=#000000,0=#ffffff", "-o", "p.png"], "ascending", 1),
     ("a colour by name", ["render", "--iso", "r=0.5", "--above-color", "red", "-o", "p.png"], "color/above", 1),
+    ("opacity of nothing", ["render", "--clip", "x=0", "--scene", "wrong.json", "--opacity", "0.5", "-o", "p.png"], "leave out", 2),
+    ("too opaque", ["render", "--iso", "r=0.5", "--opacity", "1.5", "-o", "p.png"], "opacity must be at most 1", 1),
+    ("flat slice", ["render", "--slice", "y=0", "--flat", "-o", "p.png"], "give --iso", 2),
+    ("slices of no volume", ["render", "--slice", "y=0", "--volume-slices", "9", "-o", "p.png"], "give --volume", 2),
+    ("patches of an iso-surface", ["render", "--iso", "r=0.5", "--patches", "a", "-o", "p.png"], "give --surface", 2),
+    ("unknown patch", ["render", "--surface", "--patches", "a,b", "-o", "p.png"], "no patch a", 1),
+    ("short camera", ["render", "--camera", "0,0,9", "-o", "p.png"], "px,py,pz,tx,ty,tz", 2),
+    ("camera at its target", ["render", "--camera", "0,0,9,0,0,9", "-o", "p.png"], "must differ", 1),
     ("range of no array", ["render", "--slice", "y=0", "--range", "0,1", "-o", "p.png"], "give --color", 2),
     ("map of no array", ["render", "--surface", "--map", "vik", "-o", "p.png"], "give --color", 2),
     ("time of the default view", ["render", "--time", "nan", "-o", "p.png"], "--time must be a finite number", 2),
