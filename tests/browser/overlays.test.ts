@@ -1,11 +1,12 @@
-// A script shares the page's session, and says nothing of a camera: what lies over the picture stands where it should.
+// What lies over the picture stands where the picture has it: behind a hand that is faster than the server, and where a
+// script shares the page's session and says nothing of a camera.
 import assert from "node:assert/strict";
 import { describe, test } from "node:test";
 import type { Client } from "./page.ts";
 import { difference } from "./png.ts";
 import { skip, Stage } from "./stage.ts";
 
-describe("a script beside the page", { skip }, () => {
+describe("what lies over the picture", { skip }, () => {
   const stage = new Stage();
 
   async function call(method: string, params: object): Promise<unknown> {
@@ -23,6 +24,26 @@ describe("a script beside the page", { skip }, () => {
       .evaluateAll((all) =>
         all.flatMap((line) => ["x1", "y1", "x2", "y2"].map((name) => Number(line.getAttribute(name)))),
       );
+
+  test("axes wait for the picture that they belong to", async () => {
+    const client = await stage.fresh({ width: 1100, height: 700 });
+    await client.page.getByRole("checkbox", { name: "Axes of the box" }).check();
+    await client.settled();
+    const before = await lines(client);
+    assert.ok(before.length >= 8);
+    stage.server.pause();
+    await client.dragCanvas([0.4, 0.5], [0.7, 0.6]);
+    await client.page.waitForTimeout(300);
+    assert.deepEqual(await lines(client), before, "no picture has come");
+    stage.server.goOn();
+    await client.settled();
+    const after = await lines(client);
+    assert.ok(after.length > 0 && after.some((place, i) => Math.abs(place - (before[i] ?? 0)) > 5), "it has");
+    await client.button("Undo").click();
+    await client.settled();
+    assert.deepEqual(await lines(client), before);
+    await client.close();
+  });
 
   test("a scene without a camera has its axes where the server sees the box, and is turned from there", async () => {
     const client = await stage.fresh({ width: 1100, height: 700 });

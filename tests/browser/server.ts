@@ -88,6 +88,15 @@ export class Server {
     });
   }
 
+  /** It answers nothing until it goes on. */
+  pause(): void {
+    this.process?.kill("SIGSTOP");
+  }
+
+  goOn(): void {
+    this.process?.kill("SIGCONT");
+  }
+
   /** SIGKILL is what a crash looks like to a browser. */
   async stop(signal: "SIGTERM" | "SIGKILL" = "SIGTERM"): Promise<void> {
     const child = this.process;

@@ -1,6 +1,7 @@
 // The page's parts, wired: what the server says goes into the store, what the hand does goes to the editor.
 import { decodeGeometry } from "../decoders/geometry";
 import { decodeImage } from "../decoders/image";
+import { ShownCameras } from "../camera/shown_cameras";
 import { lightsOf } from "../display/lights";
 import { backgroundColors } from "../display/background";
 import type { Look } from "../display/geometry_canvas";
@@ -48,6 +49,7 @@ export class App {
   readonly links = new Links(this);
   readonly access = new Access(this);
   readonly seenFrom = new SeenFrom(this);
+  readonly cameras = new ShownCameras();
   readonly player = new Player(playerHost(this), now);
   readonly tab = tabSession();
   readonly editor: SceneEditor;
@@ -60,7 +62,8 @@ export class App {
     this.editor = new SceneEditor(
       {
         changed: () => this.sceneChanged(),
-        accepted: (revision, since) => {
+        accepted: (revision, since, scene) => {
+          this.cameras.taken(revision, scene.camera);
           this.latency.accepted(revision, since);
           this.store.set({ revision, pending: this.editor.isPending });
           void this.seenFrom.reconsider();
@@ -142,7 +145,9 @@ export class App {
     const at = now();
     this.latency.shown(header.revision, at);
     const { readout } = this.store.get();
+    const shownFrom = this.viewport?.shown === "image" ? this.cameras.of(header.revision) : null;
     this.store.set({
+      shownFrom,
       readout: {
         ...readout,
         stream: this.viewport?.shown ?? "none",

@@ -29,8 +29,10 @@ export function sessionHost(app: App): SessionHost {
     stream: () => app.streams.current(),
     viewOpening: () => app.presenter?.expect(),
     viewOpened: (view) => app.presenter?.show(view),
-    opened: ({ revision }) => {
+    opened: ({ revision, scene }) => {
       app.latency.reset();
+      app.cameras.clear();
+      app.cameras.taken(revision, scene.camera);
       app.histograms.clear();
       // Revisions of the session before, if the server forgot it, mean nothing here.
       app.store.set({ fatal: null, revision, readout: { ...app.store.get().readout, revision: 0 } });
@@ -87,6 +89,7 @@ function notificationHandlers(app: App): Handlers {
     "scene.changed": ({ session, revision, scene }) => {
       if (session !== app.tab.id) return;
       app.store.set({ revision });
+      app.cameras.taken(revision, scene.camera);
       app.editor.overheard(scene);
     },
     "view.failed": ({ message }) => {

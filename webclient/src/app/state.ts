@@ -58,6 +58,8 @@ export interface AppState {
   scene: Scene | null;
   /** What the server takes for the camera that the scene lacks. */
   seenFrom: FullCamera | null;
+  /** The camera of the picture that stands there; null where that is drawn here, by the newest. */
+  shownFrom: FullCamera | null;
   canUndo: boolean;
   canRedo: boolean;
   /** The server has not taken the newest change yet. */
@@ -112,6 +114,7 @@ export const initialState: AppState = {
   opening: null,
   scene: null,
   seenFrom: null,
+  shownFrom: null,
   canUndo: false,
   canRedo: false,
   pending: false,

@@ -15,10 +15,10 @@ export function useApp(): App {
 
 export const useAppState = <V>(select: (state: Readonly<AppState>) => V): V => useStore(useApp().store, select);
 
-/** The camera of what is seen. */
+/** The camera of what is seen, which is not always the newest. */
 export function useCamera(): FullCamera | null {
   const { actions } = useApp();
   useAppState((state) => state.scene?.camera);
   useAppState((state) => state.seenFrom);
-  return actions.camera();
+  return useAppState((state) => state.shownFrom) ?? actions.camera();
 }

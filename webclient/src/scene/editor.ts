@@ -15,8 +15,9 @@ export type Step = "undo" | "redo";
 export interface EditorEvents {
   /** The scene or what can be undone differs. */
   changed(): void;
-  /** The server has taken the changes made since `since` (performance.now) as this revision. */
-  accepted(revision: number, since: number): void;
+  /** The server has taken the changes made since `since` (performance.now), after which the scene is this, as this
+   * revision. */
+  accepted(revision: number, since: number, scene: Scene): void;
   refused(error: Error): void;
   /** The server cannot show what that step leads to. */
   stuck(step: Step, error: Error): void;
@@ -31,6 +32,8 @@ interface Change {
   patch: JsonObject;
   gesture: string;
   since: number;
+  /** After it. */
+  scene: Scene;
 }
 
 /** More would queue on the server; newer changes are merged here meanwhile. */
@@ -85,8 +88,8 @@ export class SceneEditor {
     this.differsFromServer = true;
     const newest = this.queue.at(-1);
     const both = newest?.gesture === gesture ? composePatches(newest.patch, part) : null;
-    if (newest !== undefined && both !== null) newest.patch = both;
-    else this.queue.push({ patch: part, gesture, since: this.timing.now() });
+    if (newest !== undefined && both !== null) Object.assign(newest, { patch: both, scene: this.document });
+    else this.queue.push({ patch: part, gesture, since: this.timing.now(), scene: this.document });
     this.events.changed();
     this.requestFlush();
   }
@@ -191,7 +194,7 @@ export class SceneEditor {
       this.travelling -= 1;
       const after = this.unanswered.filter((change) => !before.has(change));
       this.adopt(state, after);
-      this.events.accepted(state.revision, since);
+      this.events.accepted(state.revision, since, state.scene);
     } catch (error) {
       if (this.server !== server || error instanceof Disconnected) return;
       this.travelling -= 1;
@@ -228,7 +231,7 @@ export class SceneEditor {
           this.canRedo = answer.can_redo;
           this.events.changed();
         }
-        this.events.accepted(answer.revision, change.since);
+        this.events.accepted(answer.revision, change.since, change.scene);
       },
       (error: unknown) => {
         if (this.server !== server || error instanceof Disconnected) return;
