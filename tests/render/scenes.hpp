@@ -66,6 +66,18 @@ inline Shape square(double depth) {
     return shape;
 }
 
+// From the first to the second of two ends, which must outlive it; `width` in pixels.
+inline Mesh line_between(const std::vector<Vec3f>& ends, float width, std::array<float, 4> color = {1, 1, 1, 1}) {
+    static const std::vector<Index> both{0, 1};
+    Mesh line;
+    line.positions = ends;
+    line.indices = both;
+    line.lines = true;
+    line.line_width = width;
+    line.color = color;
+    return line;
+}
+
 // Looks along +y, so that x runs to the right and z up; parallel, two units high.
 inline Frame front_view(int width = 320, int height = 240) {
     Frame frame;

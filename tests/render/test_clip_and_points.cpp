@@ -94,12 +94,7 @@ TEST_P(ClipAndPoints, ABallIsWholeAgainAfterAPlane) {
 
 TEST_P(ClipAndPoints, APlaneCutsLinesAndPoints) {
     const std::vector<Vec3f> ends{{-1.5F, 0, 0}, {1.5F, 0, 0}};
-    const std::vector<Index> both{0, 1};
-    Mesh line;
-    line.positions = ends;
-    line.indices = both;
-    line.lines = true;
-    line.line_width = 6;
+    const Mesh line = line_between(ends, 6);
     Mesh points = line;
     points.lines = false;
     points.points = true;

@@ -20,17 +20,6 @@ struct Pixel {
     [[nodiscard]] int brightness() const { return (r + g + b) / 3; }
 };
 
-Mesh yellow_line(const std::vector<Vec3f>& ends, float width) {
-    static const std::vector<Index> indices{0, 1};
-    Mesh line;
-    line.positions = ends;
-    line.indices = indices;
-    line.lines = true;
-    line.line_width = width;
-    line.color = {1, 1, 0, 1};
-    return line;
-}
-
 class RendererTest : public testing::TestWithParam<Backend> {
 protected:
     Renderer renderer{GetParam()};
@@ -161,7 +150,7 @@ TEST_P(RendererTest, ValuesOutsideTheRangeTakeItsEndsAndNaNIsGrey) {
 
 TEST_P(RendererTest, LinesHaveTheirWidthAndHideBehindSurfaces) {
     const std::vector<Vec3f> ends{{-1.5F, 0, 0}, {1.5F, 0, 0}};
-    const Mesh lines = yellow_line(ends, 8);
+    const Mesh lines = line_between(ends, 8, {1, 1, 0, 1});
     frame.meshes = {lines};
     draw();
     int lit = 0;
@@ -184,7 +173,7 @@ TEST_P(RendererTest, LinesThroughTheEyeAreCutAtTheNearestPlane) {
     frame.camera.position = {0, 0, 0};
     frame.camera.target = {0, 1, 0};
     const std::vector<Vec3f> ends{{0.2F, -1, 0}, {0.2F, 1, 0}};
-    frame.meshes = {yellow_line(ends, 4)};
+    frame.meshes = {line_between(ends, 4, {1, 1, 0, 1})};
     draw();
     EXPECT_GT(at(300, 120).r, 200);
     EXPECT_LT(at(20, 120).r, 60) << "what is behind the eye must not appear on the other side";

@@ -1,4 +1,5 @@
 // Clip planes cut volumes: the closed form of what is left of each ray, wherever the planes lie.
+#include "scenes.hpp"
 #include "support/meshes.hpp"
 #include "volume_compare.hpp"
 
@@ -138,15 +139,8 @@ TEST(ClippedVolume, LeavesLinesInSightThatAreInFrontOfWhatIsKept) {
     VolumeScene scene(test::keep_cells(whole, [](test::Id cell) { return cell / 4 % 4 != 1; }),
                       [](const Vec3d&) { return 0.0; });
     const std::vector<Vec3f> ends{{0, 0.4F, 0.5F}, {1, 0.4F, 0.5F}};
-    const std::vector<Index> both{0, 1};
-    Mesh line;
-    line.positions = ends;
-    line.indices = both;
-    line.lines = true;
-    line.line_width = 6;
-    line.color = {1, 1, 1, 1};
     Frame frame = frame_of({"", {0.001, -1, 0.002}, 0});
-    frame.meshes = {line};
+    frame.meshes = {line_between(ends, 6)};
     frame.volumes.push_back(scene.volume({0, 1, 0}, 60));
     frame.volumes[0].scale.range = {0, 1}; // black
     frame.volumes[0].opacity_points = {{0, 1}};

@@ -1,5 +1,6 @@
 // A few thick slabs, where what a fragment does along its ray is most of the picture: it follows the property by its
 // gradient from where it knows it to both ends of its piece, within what its cell has.
+#include "scenes.hpp"
 #include "support/meshes.hpp"
 #include "volume_compare.hpp"
 
@@ -102,15 +103,8 @@ TEST(ClippedSheets, HideLinesBehindTheFirstPartThatIsKept) {
         for (int gap = first; gap <= 4; ++gap) {
             const float place = static_cast<float>(gap) / 4 - 0.0625F; // of the line; gap 0 is in front of everything
             const std::vector<Vec3f> ends{{0, place, 0.5F}, {1, place, 0.5F}};
-            const std::vector<Index> both{0, 1};
-            Mesh line;
-            line.positions = ends;
-            line.indices = both;
-            line.lines = true;
-            line.line_width = 6;
-            line.color = {1, 1, 1, 1};
             Frame frame = frame_of({"", {0.001, -1, 0.002}, 0}, {0, -0.1, 0}, {1, 1.1, 1});
-            frame.meshes = {line};
+            frame.meshes = {line_between(ends, 6)};
             frame.clip = {{0, 1, 0, 0.1F - static_cast<float>(first) / 4}};
             frame.volumes = {scene.volume({0, 1, 0}, 64)};
             frame.volumes[0].scale.range = {0, 1}; // black
