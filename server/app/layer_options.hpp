@@ -26,7 +26,8 @@ struct LayerOptions {
     void add_to(CLI::App& command);
     [[nodiscard]] bool has_layers() const { return surface || points || feature_edges; }
     [[nodiscard]] bool any() const {
-        return has_layers() || edges || flat || opacity || volume_slices || !patches.empty() || !contours.empty() || !contour_map.empty() || !clips.empty() || threshold;
+        return has_layers() || edges || flat || opacity || volume_slices || !patches.empty() || !contours.empty() ||
+               !contour_map.empty() || !clips.empty() || threshold;
     }
     // Adds the layers that were asked for behind those that are there, and the styles to all. Throws UsageError on an
     // option that cannot be read, or that has nothing to work on.

@@ -157,6 +157,7 @@ std::string lower_case_extension(const std::string& file) {
 
 std::vector<double> parse_numbers(const std::string& option, const std::string& text) {
     std::vector<double> numbers;
+    if (text.empty()) throw UsageError(std::string(option).append(" lacks a number"));
     const char* at = text.data();
     const char* const end = at + text.size();
     while (true) {

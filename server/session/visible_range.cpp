@@ -12,7 +12,8 @@ namespace {
 
 constexpr int frame_height = 1000; // any: only the shape of the picture counts
 
-// Of the places that a view shows: all of them without one, and none that a clip plane has taken away.
+// Of the places that a view shows: all of them without one, and none that a
+// clip plane has taken away.
 class SeenValues {
 public:
     SeenValues(const Geometry& geometry, const scene::Scene& scene, std::optional<double> aspect)
@@ -58,8 +59,8 @@ private:
 } // namespace
 
 std::optional<std::array<double, 2>> visible_range(const Geometry& geometry, const scene::Scene& scene,
-                                                   const std::vector<std::string>& layers,
-                                                   std::optional<double> aspect, bool of_contours) {
+                                                   const std::vector<std::string>& layers, std::optional<double> aspect,
+                                                   bool of_contours) {
     const auto is_asked = [&](const std::string& layer) { return std::ranges::find(layers, layer) != layers.end(); };
     SeenValues seen(geometry, scene, aspect);
     for (const Drawable& drawable : geometry.drawables) {

@@ -32,10 +32,13 @@ describe("what lies over the picture", { skip }, () => {
     const before = await lines(client);
     assert.ok(before.length >= 8);
     stage.server.pause();
-    await client.dragCanvas([0.4, 0.5], [0.7, 0.6]);
-    await client.page.waitForTimeout(300);
-    assert.deepEqual(await lines(client), before, "no picture has come");
-    stage.server.goOn();
+    try {
+      await client.dragCanvas([0.4, 0.5], [0.7, 0.6]);
+      await client.page.waitForTimeout(300);
+      assert.deepEqual(await lines(client), before, "no picture has come");
+    } finally {
+      stage.server.goOn();
+    }
     await client.settled();
     const after = await lines(client);
     assert.ok(after.length > 0 && after.some((place, i) => Math.abs(place - (before[i] ?? 0)) > 5), "it has");

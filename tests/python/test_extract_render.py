@@ -253,6 +253,7 @@ REFUSED = [
     ("threshold of nothing", ["render", "--iso", "r=0.5", "--threshold", "r=0,1", "-o", "p.png"], "give --surface", 2),
     ("short threshold", ["render", "--surface", "--threshold", "r=0", "-o", "p.png"], "ARRAY=MIN,MAX", 2),
     ("clip across nothing", ["render", "--surface", "--clip", "w=0", "-o", "p.png"], "x=VALUE", 2),
+    ("clip nowhere", ["render", "--surface", "--clip", "x=", "-o", "p.png"], "--clip lacks a number", 2),
     ("short clip plane", ["render", "--surface", "--clip", "0,0,0", "-o", "p.png"], "ox,oy,oz,nx,ny,nz", 2),
     ("seven clips", ["render", "--surface", *["--clip=x=0"] * 7, "-o", "p.png"], "at most 6 clip planes", 1),
     ("scene file and colours", ["render", "--scene", "wrong.json", "--color", "x", "-o", "p.png"], "leave out", 2),
