@@ -1,13 +1,19 @@
 import { describe, expect, test } from "vitest";
 import type { SliceLayer } from "../src/generated/protocol";
 import { applyPatch } from "../src/protocol/merge_patch";
-import { contoursPatch, evenValues, ofArray } from "../src/scene/contours";
+import { contoursPatch, evenValues, mapBeside, ofArray } from "../src/scene/contours";
 
 describe("contour lines", () => {
   test("values to begin with are those that even ones had", () => {
     expect(evenValues({ array: "p", count: 3 }, [0, 1])).toEqual([0.25, 0.5, 0.75]);
     expect(evenValues({ array: "p", count: 1, range: [2, 3] }, [0, 1])).toEqual([2.5]);
     expect(evenValues({ array: "p" }, [0, 11])).toEqual([1, 2, 3, 4, 5, 6, 7, 8, 9, 10]);
+  });
+
+  test("lines begin with another map than the slice below them", () => {
+    expect(
+      [undefined, {}, { array: "p" }, { array: "p", map: "viridis" }, { array: "p", map: "vik" }].map(mapBeside),
+    ).toEqual(["viridis", "viridis", "inferno", "inferno", "viridis"]);
   });
 
   test("another array has other values, and what colours the lines follows it", () => {

@@ -1,8 +1,15 @@
 // Contour lines of slices: of which array, at which values, in one colour or in those of their values.
 import type { JSX } from "preact";
-import { DEFAULT_MAP } from "../display/color_maps";
 import type { Contours, Range, SliceLayer } from "../generated/protocol";
-import { contoursPatch, DEFAULT_COUNT, evenValues, MOST_COUNT, ofArray, type ContoursChange } from "../scene/contours";
+import {
+  contoursPatch,
+  DEFAULT_COUNT,
+  evenValues,
+  mapBeside,
+  MOST_COUNT,
+  ofArray,
+  type ContoursChange,
+} from "../scene/contours";
 import { clamp } from "../scene/numbers";
 import { firstScalar, scalarsOf } from "../scene/scalars";
 import { ColoringFields } from "./coloring";
@@ -111,7 +118,7 @@ function LooksFields({ contours, slices, set }: FieldsProps & { slices: [string,
       <Check
         label="Lines in the colours of their values"
         checked={coloring !== undefined}
-        onChange={(on) => set({ coloring: on ? { map: DEFAULT_MAP } : null })}
+        onChange={(on) => set({ coloring: on ? { map: mapBeside(slices[0]?.[1].color) } : null })}
       />
       {coloring !== undefined && (
         <ColoringFields

@@ -1,5 +1,6 @@
 // Contour lines of several slices, which are changed together.
-import type { Contours, Range, SliceLayer } from "../generated/protocol";
+import { DEFAULT_MAP } from "../display/color_maps";
+import type { Coloring, Contours, Range, SliceLayer } from "../generated/protocol";
 import type { JsonObject } from "../protocol/merge_patch";
 
 export const DEFAULT_COUNT = 10;
@@ -15,6 +16,10 @@ export function evenValues({ count = DEFAULT_COUNT, range }: Contours, data: Ran
   const [low, high] = range ?? data;
   return Array.from({ length: count }, (_, i) => Number((low + ((high - low) * (i + 1)) / (count + 1)).toPrecision(6)));
 }
+
+/** A map whose lines are seen on a slice of these colours: not the slice's own. */
+export const mapBeside = (slice: Coloring | undefined): string =>
+  slice?.array !== undefined && (slice.map ?? DEFAULT_MAP) === DEFAULT_MAP ? "inferno" : DEFAULT_MAP;
 
 /** The lines of another array: the values and the ranges belonged to the one before. */
 export const ofArray = ({ coloring }: Contours, array: string): ContoursChange => ({
