@@ -1,5 +1,6 @@
 #include "session/clip.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace ciel::session {
@@ -7,6 +8,9 @@ namespace {
 
 // Of the diagonal: some fifty times the rounding of positions, and a fiftieth of a pixel of a large picture.
 constexpr double slack_of_diagonal = 5e-6;
+
+// Beyond any mesh, and still a float: an infinite distance is no distance to a graphics card, which drops everything.
+constexpr double farthest = 1e30;
 
 template <class F>
 void for_planes(const scene::Scene& scene, F&& f) {
@@ -24,6 +28,7 @@ std::vector<HalfSpace> clip_planes(const scene::Scene& scene, const Vec3d& origi
             kept.normal[axis] = -clip.normal[axis];
             kept.offset += clip.normal[axis] * (clip.origin[axis] - origin[axis]);
         }
+        kept.offset = std::clamp(kept.offset, -farthest, farthest);
         planes.push_back(kept);
     });
     return planes;

@@ -323,6 +323,20 @@ TEST_F(Methods, color_range_is_that_of_the_values_in_view) {
     EXPECT_EQ(client.error_code("color.range", params), -32001);
 }
 
+TEST_F(Methods, a_clip_plane_far_beyond_the_mesh_takes_all_away_or_nothing) {
+    json params{{"width", 60}, {"height", 40}, {"scene", json::parse(R"({"dataset": "box",
+        "layers": {"s": {"type": "surface"}}})")}};
+    const json whole = client.call("picture.render", params)["data"];
+    json& clip = params["scene"]["layers"]["c"];
+    clip = {{"type", "clip"}, {"origin", {1e300, 3, 0}}, {"normal", {1, 1, 0}}};
+    EXPECT_EQ(client.call("picture.render", params)["data"], whole);
+    clip["invert"] = true;
+    const json nothing = client.call("picture.render", params)["data"];
+    EXPECT_NE(nothing, whole);
+    params["scene"]["layers"] = json::object();
+    EXPECT_EQ(client.call("picture.render", params)["data"], nothing);
+}
+
 TEST_F(Methods, a_scene_without_a_camera_is_seen_from_where_its_pictures_are) {
     json params{{"width", 300}, {"height", 200}, {"scene", json::parse(R"({"dataset": "box",
         "annotations": {"axes": true, "title": "A title"},
