@@ -50,7 +50,8 @@ struct Frame {
     // Opaque triangles, then lines, then points, then transparent triangles of all meshes: sorted from the back to the
     // front, or peeled where there are several samples or volumes.
     std::vector<Mesh> meshes;
-    // In front of what is behind them and behind what is in front, but one volume after the other.
+    // In front of what is behind them and behind what is in front, mixed where they are in the same place. All have
+    // slabs across one direction.
     std::vector<Volume> volumes;
     int samples = 1; // 4: multisampled, for stills
     // At most 6: only what has dot(xyz, position) + w >= 0 is drawn, and of meshes found by pick.

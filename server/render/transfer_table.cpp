@@ -23,8 +23,8 @@ std::vector<Rgb8> colors_of(const ColorScale& scale) {
     return colors;
 }
 
-Color at(const Volume& volume, const std::vector<Rgb8>& map, double place) {
-    const double tau = extinction_of(opacity_at(volume.opacity_points, place));
+Color at(const Volume& volume, double share, const std::vector<Rgb8>& map, double place) {
+    const double tau = extinction_of(share * opacity_at(volume.opacity_points, place));
     const double entry = std::clamp(place, 0.0, 1.0) * (color_entries - 1);
     const auto low = static_cast<std::size_t>(entry);
     const std::size_t high = std::min<std::size_t>(low + 1, color_entries - 1);
@@ -35,11 +35,11 @@ Color at(const Volume& volume, const std::vector<Rgb8>& map, double place) {
 }
 
 // Integrals from the low end, at the ends of the samples.
-std::vector<Color> integrals(const Volume& volume) {
+std::vector<Color> integrals(const Volume& volume, double share) {
     const std::vector<Rgb8> map = colors_of(volume.scale);
     std::vector<Color> sum(samples + 1);
     for (std::size_t i = 0; i < samples; ++i) {
-        const Color here = at(volume, map, (static_cast<double>(i) + 0.5) / samples);
+        const Color here = at(volume, share, map, (static_cast<double>(i) + 0.5) / samples);
         for (std::size_t c = 0; c < 4; ++c) sum[i + 1][c] = sum[i][c] + here[c] / samples;
     }
     return sum;
@@ -68,8 +68,8 @@ double opacity_at(std::span<const std::array<double, 2>> points, double place) {
     return std::lerp(low, high, (place - from) / (to - from));
 }
 
-TransferTable make_transfer_table(const Volume& volume) {
-    const std::vector<Color> sum = integrals(volume);
+TransferTable make_transfer_table(const Volume& volume, double share) {
+    const std::vector<Color> sum = integrals(volume, share);
     const std::vector<Rgb8> map = colors_of(volume.scale);
     TransferTable table;
     table.texels.reserve(std::size_t{4} * TransferTable::columns * TransferTable::rows);
@@ -82,7 +82,7 @@ TransferTable make_transfer_table(const Volume& volume) {
             const double low = std::max(middle - width / 2, 0.0), high = std::min(middle + width / 2, 1.0);
             const Color below = interpolated(sum, low), above = interpolated(sum, high);
             const double tau = above[3] - below[3];
-            const Color plain = at(volume, map, middle);
+            const Color plain = at(volume, share, map, middle);
             for (std::size_t c = 0; c < 3; ++c)
                 table.texels.push_back(static_cast<float>(tau > 0 ? (above[c] - below[c]) / tau : plain[c]));
             table.texels.push_back(static_cast<float>(tau / (high - low)));

@@ -14,7 +14,8 @@ struct TransferTable {
     std::vector<float> texels; // RGB 0..1, then extinction per unit length; row by row
 };
 
-[[nodiscard]] TransferTable make_transfer_table(const Volume& volume);
+// With so much of the opacity of its points.
+[[nodiscard]] TransferTable make_transfer_table(const Volume& volume, double share = 1);
 
 // -ln(1 - opacity): what a ray loses in a unit length, as an exponent. Opacity 1 is 0.999: it has to be finite.
 [[nodiscard]] double extinction_of(double opacity);

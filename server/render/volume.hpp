@@ -26,8 +26,10 @@ struct Volume {
     std::vector<std::array<double, 2>> opacity_points{{0, 0}, {1, 1}};
     double unit_length = 1;
     bool shaded = true;
-    float opacity = 1; // of the whole
-    // Resolution of the volume's picture is that of the frame divided by this.
+    // Of the whole: the picture of all volumes is faded by the largest of theirs, and a volume with less has so much
+    // less of its points' opacity.
+    float opacity = 1;
+    // Resolution of the volumes' picture is that of the frame divided by the largest of this.
     int coarseness = 1;
     std::uint64_t identity = 0, revision = 0; // as a mesh's
 };

@@ -3,6 +3,7 @@
 #include "render/volume_shaders.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstddef>
 
@@ -45,6 +46,16 @@ std::vector<std::vector<Index>> triangles_of_slabs(const Volume& volume, double 
             lists[slab].insert(lists[slab].end(), triangle, triangle + 3);
     }
     return lists;
+}
+
+// FNV-1a, by words.
+std::uint64_t places_of(const SlabMesh& mesh) {
+    std::uint64_t hash = 0xcbf29ce484222325U;
+    const auto add = [&](std::uint32_t word) { hash = (hash ^ word) * 0x100000001b3U; };
+    for (const SlabVertex& vertex : mesh.vertices)
+        for (const float coordinate : vertex.position) add(std::bit_cast<std::uint32_t>(coordinate));
+    for (const Index corner : mesh.triangles) add(corner);
+    return hash;
 }
 
 } // namespace
@@ -119,6 +130,7 @@ void VolumeBuffers::upload_boundary(const Volume& volume) {
     const std::size_t slabs = (volume.slices.size() + volume.stride - 1) / volume.stride;
     const auto lists = triangles_of_slabs(volume, volume.thickness * static_cast<double>(volume.stride), slabs);
     std::vector<Index> indices = mesh.triangles;
+    boundary_places_ = places_of(mesh);
     whole_boundary_ = {0, static_cast<GLsizei>(indices.size()), 0};
     boundary_of_slab_.clear();
     for (const std::vector<Index>& list : lists) {

@@ -27,6 +27,8 @@ public:
     [[nodiscard]] const std::vector<IndexRange>& slices() const { return slice_of_slab_; }
     [[nodiscard]] const std::vector<IndexRange>& boundary_of_slabs() const { return boundary_of_slab_; }
     [[nodiscard]] const IndexRange& whole_boundary() const { return whole_boundary_; }
+    // The same number for boundaries of the same triangles, whatever the property.
+    [[nodiscard]] std::uint64_t boundary_places() const { return boundary_places_; }
 
 private:
     struct Arrays {
@@ -42,6 +44,7 @@ private:
     IndexRange whole_boundary_;
     std::uint64_t identity_ = 0, revision_ = 0;
     std::size_t stride_ = 0;
+    std::uint64_t boundary_places_ = 0;
 };
 
 } // namespace ciel::render

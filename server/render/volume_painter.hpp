@@ -1,10 +1,11 @@
-// Draws volumes over the picture so far: where rays are inside the mesh, then its slabs from the back to the front into
-// a target of floats, then that onto the picture.
+// Draws volumes over the picture so far: where rays are inside the mesh, then the slabs of all volumes from the back to
+// the front into a target of floats, then that onto the picture.
 #pragma once
 
 #include "render/camera.hpp"
 #include "render/target.hpp"
 #include "render/volume_buffers.hpp"
+#include "render/volume_rays.hpp"
 #include "render/volume_shaders.hpp"
 
 #include <functional>
@@ -27,67 +28,47 @@ public:
     // All volumes in front of a depth texture, or for 0 as far as draw() shows them, premultiplied, on nothing; good
     // until the next call. Leaves another framebuffer and viewport bound, depth test and blending on.
     [[nodiscard]] GLuint picture_until(const Frame& frame, const ViewTransform& transform, GLuint depth);
-    // RGBA32F; A: the window's depth where the last volume begins.
-    [[nodiscard]] GLuint limits() const { return limits_.texture; }
+    // RGBA32F; A: the window's depth where the volumes begin. 0 before there was any.
+    [[nodiscard]] GLuint limits() const { return rays_.limits(); }
 
 private:
-    struct Sheet { // a texture to draw to
-        GLuint texture = 0, framebuffer = 0;
-        int width = 0, height = 0;
-    };
-    [[nodiscard]] Sheet make_sheet() const;
-    void size(Sheet& sheet, GLint format, int width, int height) const;
-    void begin(const Sheet& sheet) const;
-
-    // Of a pixel at (x, y): sideways per depth corner + step * (x, y), from there at depth 0 on.
-    struct Rays {
-        glm::dvec2 corner, step, side_corner, side_step;
-    };
-
-    void draw_each(const Frame& frame, const ViewTransform& transform, GLuint depth,
-                   const std::function<void()>& bind_picture);
-    void draw_volume(const Volume& volume, std::size_t slot);
-    int find_parts(const VolumeBuffers& buffers);
-    bool find_next_part(const VolumeBuffers& buffers, int part);
-    void find_kept();
-    void find_limits(int parts);
-    void load_table(const Volume& volume, std::size_t slot);
-    void draw_slabs(const Volume& volume, const VolumeBuffers& buffers, int parts);
-    [[nodiscard]] Rays rays_of_pixels() const;
-    void bind_later_parts(const ShaderProgram& program, int parts) const;
-    void set_rays(const ShaderProgram& program) const;
-    void set_slabs(const ShaderProgram& program, const Volume& volume, double thickness, int parts) const;
-    void put_on_picture(const Volume& volume) const;
-    [[nodiscard]] std::vector<std::size_t> back_to_front(const Volume& volume, std::size_t slabs) const;
-    [[nodiscard]] bool is_clipped() const { return !frame_->clip.empty(); }
-    [[nodiscard]] glm::vec2 parallel_depths() const; // nearest and span; zero for a perspective
-    [[nodiscard]] bool eye_is_in_bounds() const;
-    [[nodiscard]] double eye_place(const Volume& volume) const; // across the slabs
-    [[nodiscard]] VolumeBuffers& buffers_of(std::size_t slot);
-    const ShaderProgram& slice_program(const SlabProgramKind& kind);
-    const ShaderProgram& edge_program(const SlabProgramKind& kind);
-
     struct Table {
         GLuint texture = 0;
         bool is_made = false;
         ColorScale scale; // what it was made from
         std::vector<std::array<double, 2>> opacity_points;
+        double share = 1;
+    };
+    struct Slot { // of one volume
+        explicit Slot(const Gl& gl) : buffers(gl) {}
+        VolumeBuffers buffers;
+        Table table;
+        std::map<SlabProgramKind, ShaderProgram> slice_programs, edge_programs; // whose uniforms are this volume's
+        // Of the frame being drawn.
+        const RaySheets* rays = nullptr;
+        const ShaderProgram *slice = nullptr, *edge = nullptr;
     };
 
-    const Gl& gl_;
-    ShaderProgram first_part_, next_part_, kept_program_, limits_program_, picture_program_;
-    std::map<SlabProgramKind, ShaderProgram> slice_programs_, edge_programs_;
-    Sheet parts_[most_ray_parts], kept_, limits_, picture_, together_;
-    GLuint query_ = 0, no_array_ = 0;
-    GLuint surfaces_ = 0;              // depth of what is opaque, or 0
-    std::list<VolumeBuffers> buffers_; // one per volume of the largest frame so far
-    std::vector<Table> tables_;        // likewise
+    void draw_each(const Frame& frame, const ViewTransform& transform, GLuint depth,
+                   const std::function<void()>& bind_picture);
+    [[nodiscard]] Slot& slot_of(std::size_t volume);
+    void load(const Volume& volume, Slot& slot, double share);
+    void load_table(const Volume& volume, Table& table, double share);
+    void use_programs(const Volume& volume, Slot& slot);
+    void set_slabs(const ShaderProgram& program, const Volume& volume, double thickness) const;
+    void draw_slabs(const Frame& frame);
+    void draw_slab(const Volume& volume, const Slot& slot, std::size_t slab) const;
+    [[nodiscard]] double eye_across(const Frame& frame) const;
+    void put_on_picture(float opacity, bool coarse) const;
 
-    // Of the frame being drawn.
-    const Frame* frame_ = nullptr;
-    const ViewTransform* transform_ = nullptr;
-    GLuint opaque_ = 0;          // depth that volumes end on, or 0
-    int width_ = 0, height_ = 0; // of the volume's sheets
+    const Gl& gl_;
+    ShaderProgram picture_program_;
+    VolumeRays rays_;
+    Sheet picture_, together_;
+    GLuint no_array_ = 0;
+    GLuint surfaces_ = 0;   // depth of what is opaque, or 0
+    std::list<Slot> slots_; // one per volume of the largest frame so far
+    VolumeView view_;       // of the frame being drawn
 };
 
 } // namespace ciel::render

@@ -19,8 +19,9 @@ struct LayerUpdate {
     const render::Camera camera;
     const bool moving;
     const std::size_t most_bytes;
-    std::size_t bytes;                           // of all that is kept
-    std::vector<const scene::ClipLayer*> caps{}; // that surfaces get
+    std::size_t bytes;                            // of all that is kept
+    std::vector<const scene::ClipLayer*> caps{};  // that surfaces get
+    scene::VolumeLayer::Direction slabs_across{}; // of all volumes
 
     // Each appends what the layer shows to `out`, or a sentence about what it lacks. False when stopped. Throws
     // LimitReached.

@@ -15,7 +15,7 @@ bool LayerUpdate::operator()(const scene::Layer& layer, const scene::VolumeLayer
         lack(layer, "is not shown", missing);
         return true;
     }
-    const Vec3d normal = slab_normal(volume, camera, moving);
+    const Vec3d normal = slab_normal(slabs_across, camera, moving);
     const store::ScalarField planes = loaded->plane(out.step, out.origin, normal);
     const std::string place = plane_name(normal, step());
     if (!kept.cut(place, planes, normal, volume.slices, moving, extraction, stop)) return false;

@@ -48,11 +48,20 @@ std::shared_ptr<const Geometry> SceneGeometry::update(const scene::Scene& scene,
     geometry->clip = clip_planes(scene, geometry->origin);
     forget_all_but(scene); // first, for what comes needs the room
     // Any aspect: the default camera looks the same way.
-    LayerUpdate run{extraction_,   loaded,     dataset,
-                    stop,          *geometry,  cuts_,
-                    boundaries_,   volumes_,   camera_of(*geometry, scene, 1),
-                    moving,        most_bytes, memory_bytes(),
-                    capping(scene)};
+    LayerUpdate run{extraction_,
+                    loaded,
+                    dataset,
+                    stop,
+                    *geometry,
+                    cuts_,
+                    boundaries_,
+                    volumes_,
+                    camera_of(*geometry, scene, 1),
+                    moving,
+                    most_bytes,
+                    memory_bytes(),
+                    capping(scene),
+                    slab_direction(scene)};
     for (const scene::Layer& layer : scene.layers) {
         if (!layer.visible) continue;
         const auto make = [&](const auto& kind) { return run(layer, kind); };

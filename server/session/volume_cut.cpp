@@ -87,18 +87,25 @@ std::size_t VolumeCut::memory_bytes() const {
            (boundary ? boundary->memory_bytes() : 0) + (slabs ? slabs->memory_bytes() : 0);
 }
 
-Vec3d slab_normal(const scene::VolumeLayer& volume, const render::Camera& camera, bool moving) {
+scene::VolumeLayer::Direction slab_direction(const scene::Scene& scene) {
+    for (const scene::Layer& layer : scene.layers)
+        if (const auto* volume = std::get_if<scene::VolumeLayer>(&layer.kind); volume != nullptr && layer.visible)
+            return volume->direction;
+    return scene::VolumeLayer::Direction::automatic;
+}
+
+Vec3d slab_normal(scene::VolumeLayer::Direction direction, const render::Camera& camera, bool moving) {
     using Direction = scene::VolumeLayer::Direction;
     Vec3d view{};
     for (std::size_t axis = 0; axis < 3; ++axis) view[axis] = camera.target[axis] - camera.position[axis];
     // Planes that turn with the camera would have to be cut anew for each picture of a turning camera.
-    if (volume.direction == Direction::screen && !moving) return unit_vector(view);
+    if (direction == Direction::screen && !moving) return unit_vector(view);
     std::size_t axis = 0;
-    if (volume.direction == Direction::automatic || volume.direction == Direction::screen) {
+    if (direction == Direction::automatic || direction == Direction::screen) {
         for (std::size_t other = 1; other < 3; ++other)
             if (std::abs(view[other]) > std::abs(view[axis])) axis = other;
     } else {
-        axis = static_cast<std::size_t>(volume.direction) - static_cast<std::size_t>(Direction::x);
+        axis = static_cast<std::size_t>(direction) - static_cast<std::size_t>(Direction::x);
     }
     Vec3d normal{};
     normal[axis] = 1;

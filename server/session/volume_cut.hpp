@@ -41,7 +41,10 @@ struct VolumeCut {
     [[nodiscard]] std::size_t memory_bytes() const;
 };
 
+// That of the first volume that is shown, for all of them: slabs across different directions cannot be mixed in their
+// order.
+[[nodiscard]] scene::VolumeLayer::Direction slab_direction(const scene::Scene& scene);
 // The axis nearest to the view, its sign left out; or the view's own direction.
-[[nodiscard]] Vec3d slab_normal(const scene::VolumeLayer& volume, const render::Camera& camera, bool moving);
+[[nodiscard]] Vec3d slab_normal(scene::VolumeLayer::Direction direction, const render::Camera& camera, bool moving);
 
 } // namespace ciel::session

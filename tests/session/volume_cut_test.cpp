@@ -20,12 +20,16 @@ protected:
     volume_cut() { test::write_small_dataset(folder.path() / "box.ciel"); }
 
     VolumeDrawable show(const json& layer, bool moving = false, std::vector<double> towards = {1, -9, 2}) {
-        json document{{"dataset", "box"}, {"layers", {{"v", layer}}}};
+        return show_all({{"v", layer}}, moving, towards).at(0);
+    }
+    std::vector<VolumeDrawable> show_all(const json& layers, bool moving = false,
+                                         std::vector<double> towards = {1, -9, 2}) {
+        json document{{"dataset", "box"}, {"layers", layers}};
         const Vec3d target = test::box_origin;
         document["camera"] = {{"target", target},
                               {"position", {target[0] - towards[0], target[1] - towards[1], target[2] - towards[2]}}};
         if (!loaded) loaded = catalog.open("box");
-        return geometry.update(scene::parse(document), loaded, {}, SIZE_MAX, moving)->volumes.at(0);
+        return geometry.update(scene::parse(document), loaded, {}, SIZE_MAX, moving)->volumes;
     }
     static json volume(int slices) { return {{"type", "volume"}, {"array", "p"}, {"slices", slices}}; }
     static std::size_t cut_slices(const VolumeDrawable& drawable) {
@@ -81,6 +85,23 @@ TEST_F(volume_cut, the_axis_is_the_one_nearest_to_the_view_or_the_one_that_is_as
     const Vec3d normal = show(layer, false, {0, 3, 4}).slabs->normal;
     EXPECT_NEAR(normal[1], 0.6, 1e-12);
     EXPECT_NEAR(normal[2], 0.8, 1e-12);
+}
+
+TEST_F(volume_cut, all_volumes_have_slabs_across_the_direction_of_the_first_that_is_shown) {
+    const auto across = [](const char* direction, double order, bool visible = true) {
+        json layer = volume(3);
+        layer["direction"] = direction;
+        layer["order"] = order;
+        layer["visible"] = visible;
+        return layer;
+    };
+    const json layers{{"a", across("x", 3)}, {"b", across("screen", 2)}, {"hidden", across("z", 1, false)}};
+    const std::vector<VolumeDrawable> still = show_all(layers, false, {0, 3, 4});
+    ASSERT_EQ(still.size(), 2U);
+    EXPECT_NEAR(still[0].slabs->normal[2], 0.8, 1e-12);
+    EXPECT_EQ(still[1].slabs->normal, still[0].slabs->normal);
+    for (const VolumeDrawable& moving : show_all(layers, true, {0, 3, 4}))
+        EXPECT_EQ(moving.slabs->normal, (Vec3d{0, 0, 1}));
 }
 
 TEST_F(volume_cut, range_and_unit_length_are_the_scenes_or_the_arrays_and_the_bounds) {

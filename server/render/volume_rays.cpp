@@ -1,0 +1,193 @@
+#include "render/volume_rays.hpp"
+
+#include "render/shaders.hpp"
+
+#include <algorithm>
+#include <glm/matrix.hpp>
+
+namespace ciel::render {
+namespace {
+
+constexpr float never = 1e30F; // as in the programs
+
+enum Unit : int { limits_unit = 0, opaque_unit = 2, first_part_unit = 3, kept_unit = 7 };
+static_assert(first_part_unit + most_ray_parts <= kept_unit);
+
+void set_later_parts(const ShaderProgram& program) {
+    for (int i = 1; i < most_ray_parts; ++i) program.set(("part_" + std::to_string(i)).c_str(), first_part_unit + i);
+}
+
+void bind_later_parts(const Gl& gl, const RaySheets& rays) {
+    for (int i = 1; i < most_ray_parts; ++i)
+        bind(gl, first_part_unit + i, i < rays.count ? rays.parts[static_cast<std::size_t>(i)].texture() : 0);
+}
+
+} // namespace
+
+VolumeView::Rays VolumeView::rays_of_pixels() const {
+    const glm::dvec2 corner(1 / transform->projection[0][0], 1 / transform->projection[1][1]);
+    const glm::dvec2 step = 2.0 * corner / glm::dvec2(width, height);
+    if (frame->camera.parallel) return {{}, {}, -corner, step};
+    return {-corner, step, {}, {}};
+}
+
+void VolumeView::set_rays(const ShaderProgram& program) const {
+    const Rays rays = rays_of_pixels();
+    program.set("ray_corner", glm::vec2(rays.corner));
+    program.set("ray_step", glm::vec2(rays.step));
+    program.set("side_corner", glm::vec2(rays.side_corner));
+    program.set("side_step", glm::vec2(rays.side_step));
+}
+
+glm::vec2 VolumeView::parallel_depths() const {
+    if (!frame->camera.parallel) return {0, 0};
+    // z = a * -depth + b runs from -1 to 1.
+    const double a = transform->projection[2][2], b = transform->projection[3][2];
+    return {static_cast<float>((b + 1) / a), static_cast<float>(-2 / a)};
+}
+
+double VolumeView::eye_along(const Vec3d& normal) const {
+    return glm::dot(glm::dvec3(normal[0], normal[1], normal[2]), glm::dvec3(glm::inverse(transform->view)[3]));
+}
+
+// An inner wall in front of an eye inside is an exit and an entry at once, and either may come first.
+bool VolumeView::eye_is_in_bounds() const {
+    const Vec3d& eye = frame->camera.position;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        if (eye[axis] < frame->bounds_min[axis] || eye[axis] > frame->bounds_max[axis]) return false;
+    return !frame->camera.parallel;
+}
+
+VolumeRays::VolumeRays(const Gl& gl)
+    : gl_(gl), first_part_(make_part_program(gl, true)), next_part_(make_part_program(gl, false)),
+      kept_program_(make_kept_program(gl)), limits_program_(make_limits_program(gl)), kept_(gl) {
+    gl_.GenQueries(1, &query_);
+    gl_.GenVertexArrays(1, &no_array_);
+}
+
+void VolumeRays::begin(const VolumeView& view) {
+    view_ = view;
+    in_use_ = 0;
+    gl_.Disable(GL_BLEND);
+    if (view_.is_clipped()) find_kept();
+}
+
+const RaySheets& VolumeRays::find(const VolumeBuffers& buffers) {
+    const auto end = std::next(sheets_.begin(), static_cast<std::ptrdiff_t>(in_use_));
+    const auto found = std::find_if(sheets_.begin(), end,
+                                    [&](const RaySheets& rays) { return rays.boundary == buffers.boundary_places(); });
+    if (found != end) return *found;
+    RaySheets& rays = end != sheets_.end() ? *end : sheets_.emplace_back(gl_);
+    rays.boundary = buffers.boundary_places();
+    find_parts(buffers, rays);
+    find_limits(rays);
+    ++in_use_;
+    return rays;
+}
+
+void VolumeRays::find_parts(const VolumeBuffers& buffers, RaySheets& rays) {
+    const glm::mat4 transform(view_.transform->projection * view_.transform->view);
+    for (const ShaderProgram* program : {&first_part_, &next_part_}) {
+        program->use();
+        program->set("transform", transform);
+        program->set("parallel_depths", view_.parallel_depths());
+    }
+    gl_.Enable(GL_BLEND);
+    gl_.BlendEquation(GL_MIN);
+    buffers.bind_boundary();
+    gl_.ClearColor(never, never, never, never);
+    rays.parts[0].size(GL_RG32F, view_.width, view_.height);
+    rays.parts[0].begin();
+    gl_.Clear(GL_COLOR_BUFFER_BIT);
+    first_part_.use();
+    first_part_.set("eye_in_bounds", view_.eye_is_in_bounds() ? 1.0F : 0.0F);
+    buffers.draw(buffers.whole_boundary());
+    rays.count = 1;
+    next_part_.use();
+    next_part_.set("before", int{first_part_unit});
+    gl_.Enable(GL_CULL_FACE);
+    while (rays.count < most_ray_parts && find_next_part(buffers, rays, rays.count)) ++rays.count;
+    gl_.Disable(GL_CULL_FACE);
+    gl_.BlendEquation(GL_FUNC_ADD);
+    gl_.Disable(GL_BLEND);
+}
+
+// False, and to be ignored, where no ray enters the mesh again.
+bool VolumeRays::find_next_part(const VolumeBuffers& buffers, RaySheets& rays, int part) {
+    Sheet& sheet = rays.parts[static_cast<std::size_t>(part)];
+    sheet.size(GL_RG32F, view_.width, view_.height);
+    sheet.begin();
+    gl_.Clear(GL_COLOR_BUFFER_BIT);
+    render::bind(gl_, first_part_unit, rays.parts[static_cast<std::size_t>(part - 1)].texture());
+    gl_.CullFace(GL_BACK);
+    gl_.BeginQuery(GL_ANY_SAMPLES_PASSED, query_);
+    buffers.draw(buffers.whole_boundary());
+    gl_.EndQuery(GL_ANY_SAMPLES_PASSED);
+    GLuint any = 0;
+    gl_.GetQueryObjectuiv(query_, GL_QUERY_RESULT, &any);
+    if (any == 0) return false;
+    gl_.CullFace(GL_FRONT);
+    buffers.draw(buffers.whole_boundary());
+    return true;
+}
+
+void VolumeRays::find_kept() {
+    kept_.size(GL_RG32F, view_.width, view_.height);
+    kept_.begin();
+    const glm::dmat4 to_eye = glm::transpose(glm::inverse(view_.transform->view));
+    std::array<glm::vec4, most_clip_planes> planes;
+    planes.fill({0, 0, 0, 1});
+    for (std::size_t i = 0; i < view_.frame->clip.size(); ++i) {
+        const auto& [x, y, z, offset] = view_.frame->clip[i];
+        planes[i] = glm::vec4(to_eye * glm::dvec4(x, y, z, offset));
+    }
+    kept_program_.use();
+    view_.set_rays(kept_program_);
+    kept_program_.set("planes", planes);
+    cover();
+}
+
+void VolumeRays::find_limits(RaySheets& rays) {
+    rays.limits.size(GL_RGBA32F, view_.width, view_.height);
+    rays.limits.begin();
+    render::bind(gl_, opaque_unit, view_.opaque);
+    render::bind(gl_, kept_unit, view_.is_clipped() ? kept_.texture() : 0);
+    render::bind(gl_, first_part_unit, rays.parts[0].texture());
+    limits_program_.use();
+    limits_program_.set("first_part", int{first_part_unit});
+    set_later_parts(limits_program_);
+    bind_later_parts(gl_, rays);
+    limits_program_.set("parts", rays.count);
+    limits_program_.set("between_planes", int{kept_unit});
+    limits_program_.set("has_planes", view_.is_clipped() ? 1.0F : 0.0F);
+    limits_program_.set("opaque", int{opaque_unit});
+    limits_program_.set("has_opaque", view_.opaque != 0 ? 1.0F : 0.0F);
+    limits_program_.set("viewport", glm::vec2(view_.width, view_.height));
+    const glm::dmat4& projection = view_.transform->projection;
+    limits_program_.set("depth_row", glm::vec2(projection[2][2], projection[3][2]));
+    limits_program_.set("parallel", view_.frame->camera.parallel ? 1.0F : 0.0F);
+    cover();
+}
+
+void VolumeRays::set_units(const ShaderProgram& program) {
+    program.set("limits", int{limits_unit});
+    program.set("between_planes", int{kept_unit});
+    set_later_parts(program);
+}
+
+void VolumeRays::bind(const RaySheets& rays) const {
+    render::bind(gl_, limits_unit, rays.limits.texture());
+    render::bind(gl_, kept_unit, view_.is_clipped() ? kept_.texture() : 0);
+    bind_later_parts(gl_, rays);
+}
+
+GLuint VolumeRays::limits() const {
+    return in_use_ == 0 ? 0 : std::next(sheets_.begin(), static_cast<std::ptrdiff_t>(in_use_) - 1)->limits.texture();
+}
+
+void VolumeRays::cover() const {
+    gl_.BindVertexArray(no_array_);
+    gl_.DrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+} // namespace ciel::render

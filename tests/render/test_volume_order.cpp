@@ -1,0 +1,65 @@
+#include "render/volume_order.hpp"
+
+#include <cmath>
+#include <gtest/gtest.h>
+#include <limits>
+#include <random>
+
+namespace ciel::render {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+std::vector<SlabOfVolume> order(const std::vector<SlabRow>& rows, double eye) { return back_to_front(rows, eye); }
+
+TEST(VolumeOrder, OfOneVolumeRunsToTheEyeFromBothEnds) {
+    EXPECT_EQ(order({{0, 1, 3}}, infinity), (std::vector<SlabOfVolume>{{0, 0}, {0, 1}, {0, 2}}));
+    EXPECT_EQ(order({{0, 1, 3}}, -infinity), (std::vector<SlabOfVolume>{{0, 2}, {0, 1}, {0, 0}}));
+    EXPECT_EQ(order({{0, 1, 4}}, 1.5), (std::vector<SlabOfVolume>{{0, 0}, {0, 3}, {0, 2}, {0, 1}}));
+}
+
+TEST(VolumeOrder, SlabsInTheSamePlaceTakeTurns) {
+    EXPECT_EQ(order({{0, 1, 3}, {0, 1, 3}}, infinity),
+              (std::vector<SlabOfVolume>{{0, 0}, {1, 0}, {1, 1}, {0, 1}, {0, 2}, {1, 2}}));
+    EXPECT_EQ(order({{0, 1, 2}, {1e-9, 1, 2}, {0, 1, 2}}, -infinity),
+              (std::vector<SlabOfVolume>{{2, 1}, {1, 1}, {0, 1}, {0, 0}, {1, 0}, {2, 0}}));
+}
+
+TEST(VolumeOrder, ThickSlabsStandInTheMiddleOfTheThinOnesInThem) {
+    EXPECT_EQ(order({{0, 2, 2}, {0, 1, 4}}, infinity),
+              (std::vector<SlabOfVolume>{{1, 0}, {0, 0}, {1, 1}, {1, 2}, {0, 1}, {1, 3}}));
+    EXPECT_EQ(order({{0, 3, 1}, {0, 1, 3}}, infinity), (std::vector<SlabOfVolume>{{1, 0}, {0, 0}, {1, 1}, {1, 2}}));
+}
+
+// Whatever the rows and the eye: each slab once, and on each side of the eye middles run to it.
+TEST(VolumeOrder, RunsToTheEyeWhateverTheRows) {
+    std::mt19937 random(5); // NOLINT(cert-msc32-c,cert-msc51-cpp): the same in every run
+    std::uniform_real_distribution<double> place(-3, 3);
+    for (int run = 0; run < 200; ++run) {
+        std::vector<SlabRow> rows;
+        std::size_t slabs = 0;
+        for (int i = 0; i < 1 + run % 4; ++i) {
+            rows.push_back({place(random), 0.05 + std::abs(place(random)) / 4, 1 + random() % 40});
+            slabs += rows.back().count;
+        }
+        const double eye = run % 5 == 0 ? infinity : place(random);
+        const std::vector<SlabOfVolume> all = order(rows, eye);
+        ASSERT_EQ(all.size(), slabs);
+        std::vector<std::vector<bool>> seen;
+        for (const SlabRow& row : rows) seen.emplace_back(row.count, false);
+        double below = -infinity, above = infinity;
+        for (const auto& [volume, slab] : all) {
+            const SlabRow& row = rows[volume];
+            ASSERT_FALSE(seen[volume][slab]);
+            seen[volume][slab] = true;
+            const double end = row.first + static_cast<double>(slab + 1) * row.thickness,
+                         middle = end - row.thickness / 2;
+            double& last = end <= eye ? below : above;
+            EXPECT_GE((end <= eye ? 1 : -1) * (middle - last), -1e-5);
+            last = middle;
+        }
+    }
+}
+
+} // namespace
+} // namespace ciel::render
