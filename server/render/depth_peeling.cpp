@@ -1,6 +1,7 @@
 #include "render/depth_peeling.hpp"
 
 #include "render/peeling_shaders.hpp"
+#include "render/per_sample.hpp"
 
 namespace ciel::render {
 namespace {
@@ -10,14 +11,14 @@ constexpr int most_layers_in_volumes = 8; // for each of them the volumes are dr
 // A layer's pixels take 20 bytes: with twice the resolution no more than a third of a gigabyte.
 constexpr int most_pixels_at_twice_the_resolution = 4 << 20;
 
-enum Unit : int { layer_unit = 0, volumes_unit = 3 };
+enum Unit : int { layer_unit = 0, opaque_unit = 1, volumes_unit = 3 };
 
 } // namespace
 
 DepthPeeling::DepthPeeling(const Gl& gl)
     : gl_(gl), surfaces_(make_peeling_program(gl)), lines_(make_peeling_line_program(gl)),
       copy_depth_(make_depth_copy_program(gl)), add_(make_layer_sum_program(gl)),
-      picture_(make_layers_picture_program(gl)) {
+      picture_(make_layers_picture_program(gl, false)), sample_picture_(make_layers_picture_program(gl, true)) {
     for (Layer& layer : layers_) {
         gl_.GenFramebuffers(1, &layer.framebuffer);
         gl_.GenTextures(1, &layer.depth);
@@ -104,7 +105,7 @@ void DepthPeeling::draw(const Scene& scene, Target& target) {
         if (!draw_layer(scene, layer, layers_[(i + 1) % 2])) break;
         add_to_sum(volumes(layer.depth));
     }
-    put_on(target, volumes(0));
+    put_on(scene, target, volumes(0));
 }
 
 // False where nothing is behind the nearer layer any more.
@@ -150,17 +151,22 @@ void DepthPeeling::add_to_sum(GLuint volumes) const {
     cover();
 }
 
-void DepthPeeling::put_on(Target& target, GLuint volumes) const {
+void DepthPeeling::put_on(const Scene& scene, Target& target, GLuint volumes) const {
+    const bool per_sample = scene.samples > 1 && scene.has_opaque;
     target.bind_again();
     gl_.Disable(GL_DEPTH_TEST);
     gl_.BlendFuncSeparate(GL_ONE, GL_SRC_ALPHA, GL_ZERO, GL_ONE);
     bind(layer_unit, sum_);
     bind(volumes_unit, volumes);
-    picture_.use();
-    picture_.set("sum", int{layer_unit});
-    picture_.set("volumes", int{volumes_unit});
-    picture_.set("viewport", glm::vec2(width_, height_));
-    cover();
+    const ShaderProgram& program = per_sample ? sample_picture_ : picture_;
+    program.use();
+    program.set("sum", int{layer_unit});
+    program.set("volumes", int{volumes_unit});
+    program.set("viewport", glm::vec2(width_, height_));
+    if (per_sample)
+        draw_per_sample(gl_, program, {opaque_, opaque_unit}, [this] { cover(); });
+    else
+        cover();
     gl_.BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
     gl_.Enable(GL_DEPTH_TEST);
 }

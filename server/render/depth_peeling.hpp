@@ -22,6 +22,7 @@ public:
     struct Scene {
         int width = 0, height = 0; // of the picture
         int samples = 1;           // several: layers are drawn at twice the picture's resolution where memory allows
+        bool has_opaque = false;   // anything opaque, whose outlines are seen through layers and volumes
         std::function<void()> draw_surfaces; // with the peeling programs in use, lines as well
         // The picture of the volumes (premultiplied, RGBA) in front of a depth texture, or of all
         // opaque surfaces for 0; empty where there are none.
@@ -45,13 +46,13 @@ private:
     void attach(GLuint framebuffer, GLuint color, GLuint depth) const;
     [[nodiscard]] bool draw_layer(const Scene& scene, const Layer& layer, const Layer& nearer) const;
     void add_to_sum(GLuint volumes) const;
-    void put_on(Target& target, GLuint volumes) const;
+    void put_on(const Scene& scene, Target& target, GLuint volumes) const;
     void bind(int unit, GLuint texture) const;
     void cover() const;
 
     const Gl& gl_;
     Program surfaces_, lines_;
-    ShaderProgram copy_depth_, add_, picture_;
+    ShaderProgram copy_depth_, add_, picture_, sample_picture_;
     Layer layers_[2];
     GLuint color_ = 0; // of the layer being drawn
     GLuint opaque_ = 0, opaque_framebuffer_ = 0;

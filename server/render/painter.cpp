@@ -291,7 +291,8 @@ void Painter::draw_transparent(const Frame& frame) {
 }
 
 void Painter::peel_transparent(const Frame& frame) {
-    DepthPeeling::Scene layers{frame.width, frame.height, frame.samples, {}, {}};
+    const bool has_opaque = std::ranges::any_of(frame.meshes, is_opaque);
+    DepthPeeling::Scene layers{frame.width, frame.height, frame.samples, has_opaque, {}, {}};
     layers.draw_surfaces = [&] {
         use(peeling_.surfaces(), frame);
         gl_.Uniform1i(peeling_.surfaces().nearer, DepthPeeling::nearer_unit);

@@ -1,5 +1,7 @@
 #include "render/peeling_shaders.hpp"
 
+#include "render/per_sample.hpp"
+
 namespace ciel::render {
 namespace {
 
@@ -22,14 +24,15 @@ void main() {
 )";
 
 // Where there are two by two of the layers' pixels to one, the filter takes their mean.
-constexpr const char* layers_picture_fragment = R"(#version 330 core
+constexpr const char* layers_picture_fragment = R"(
 uniform sampler2D sum;
 uniform sampler2D volumes;
 uniform vec2 viewport;
 out vec4 picture;
 void main() {
-    vec4 layers = texture(sum, gl_FragCoord.xy / viewport);
-    vec4 volume = texture(volumes, gl_FragCoord.xy / viewport);
+    vec2 place = seen_from() / viewport;
+    vec4 layers = texture(sum, place);
+    vec4 volume = texture(volumes, place);
     picture = vec4(layers.rgb + layers.a * volume.rgb, layers.a * (1.0 - volume.a));
 }
 )";
@@ -38,6 +41,9 @@ void main() {
 
 ShaderProgram make_depth_copy_program(const Gl& gl) { return make_cover_program(gl, depth_copy_fragment); }
 ShaderProgram make_layer_sum_program(const Gl& gl) { return make_cover_program(gl, layer_sum_fragment); }
-ShaderProgram make_layers_picture_program(const Gl& gl) { return make_cover_program(gl, layers_picture_fragment); }
+ShaderProgram make_layers_picture_program(const Gl& gl, bool per_sample) {
+    return make_cover_program(gl, std::string("#version 330 core\n") + seen_from_glsl(per_sample) +
+                                      layers_picture_fragment);
+}
 
 } // namespace ciel::render

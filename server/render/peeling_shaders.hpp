@@ -9,7 +9,8 @@ namespace ciel::render {
 [[nodiscard]] ShaderProgram make_depth_copy_program(const Gl& gl);
 // One layer seen through the volumes in front of it; blended with what the nearer ones let through.
 [[nodiscard]] ShaderProgram make_layer_sum_program(const Gl& gl);
-// All layers and volumes onto the picture; alpha: the share of what is opaque that comes through.
-[[nodiscard]] ShaderProgram make_layers_picture_program(const Gl& gl);
+// All layers and volumes onto the picture; alpha: the share of what is opaque that comes through. Per sample as
+// draw_per_sample() does it.
+[[nodiscard]] ShaderProgram make_layers_picture_program(const Gl& gl, bool per_sample);
 
 } // namespace ciel::render

@@ -1,6 +1,7 @@
 #include "render/volume_painter.hpp"
 
 #include "render/mesh_buffers.hpp"
+#include "render/per_sample.hpp"
 #include "render/shaders.hpp"
 #include "render/transfer_table.hpp"
 #include "render/volume_order.hpp"
@@ -51,12 +52,14 @@ void check_directions(const Frame& frame) {
 } // namespace
 
 VolumePainter::VolumePainter(const Gl& gl)
-    : gl_(gl), picture_program_(make_volume_picture_program(gl)), rays_(gl), picture_(gl), together_(gl) {
+    : gl_(gl), picture_program_(make_volume_picture_program(gl, false)),
+      sample_program_(make_volume_picture_program(gl, true)), rays_(gl), picture_(gl), together_(gl) {
     gl_.GenVertexArrays(1, &no_array_);
 }
 
 void VolumePainter::draw(const Frame& frame, const ViewTransform& transform, Target& target) {
-    draw_each(frame, transform, surfaces_, [&target] { target.bind_again(); });
+    draw_each(
+        frame, transform, surfaces_, [&target] { target.bind_again(); }, frame.samples > 1 && surfaces_ != 0);
 }
 
 GLuint VolumePainter::picture_until(const Frame& frame, const ViewTransform& transform, GLuint depth) {
@@ -64,12 +67,13 @@ GLuint VolumePainter::picture_until(const Frame& frame, const ViewTransform& tra
     together_.begin();
     gl_.ClearColor(0, 0, 0, 0);
     gl_.Clear(GL_COLOR_BUFFER_BIT);
-    draw_each(frame, transform, depth == 0 ? surfaces_ : depth, [this] { together_.begin(); });
+    draw_each(
+        frame, transform, depth == 0 ? surfaces_ : depth, [this] { together_.begin(); }, false);
     return together_.texture();
 }
 
 void VolumePainter::draw_each(const Frame& frame, const ViewTransform& transform, GLuint depth,
-                              const std::function<void()>& bind_picture) {
+                              const std::function<void()>& bind_picture, bool per_sample) {
     check_directions(frame);
     const int coarseness = coarseness_of(frame);
     const float opacity = largest_opacity(frame);
@@ -83,7 +87,7 @@ void VolumePainter::draw_each(const Frame& frame, const ViewTransform& transform
     }
     draw_slabs(frame);
     bind_picture();
-    put_on_picture(opacity, coarseness > 1);
+    put_on_picture(opacity, coarseness > 1, per_sample);
     gl_.ProvokingVertex(GL_LAST_VERTEX_CONVENTION);
     gl_.BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
     gl_.Enable(GL_DEPTH_TEST);
@@ -201,16 +205,22 @@ double VolumePainter::eye_across(const Frame& frame) const {
     return glm::dot(vector_of(normal), back) > 0 ? infinity : -infinity;
 }
 
-void VolumePainter::put_on_picture(float opacity, bool coarse) const {
-    gl_.ActiveTexture(GL_TEXTURE0);
-    gl_.BindTexture(GL_TEXTURE_2D, picture_.texture());
+void VolumePainter::put_on_picture(float opacity, bool coarse, bool per_sample) const {
+    bind(gl_, 0, picture_.texture());
     filter(gl_, coarse ? GL_LINEAR : GL_NEAREST);
-    picture_program_.use();
-    picture_program_.set("volume", 0);
-    picture_program_.set("viewport", glm::vec2(view_.frame->width, view_.frame->height));
-    picture_program_.set("opacity", opacity);
-    gl_.BindVertexArray(no_array_);
-    gl_.DrawArrays(GL_TRIANGLES, 0, 3);
+    const ShaderProgram& program = per_sample ? sample_program_ : picture_program_;
+    program.use();
+    program.set("volume", 0);
+    program.set("viewport", glm::vec2(view_.frame->width, view_.frame->height));
+    program.set("opacity", opacity);
+    const auto cover = [&] {
+        gl_.BindVertexArray(no_array_);
+        gl_.DrawArrays(GL_TRIANGLES, 0, 3);
+    };
+    if (per_sample)
+        draw_per_sample(gl_, program, {view_.opaque, 1}, cover);
+    else
+        cover();
 }
 
 } // namespace ciel::render

@@ -50,7 +50,7 @@ private:
     };
 
     void draw_each(const Frame& frame, const ViewTransform& transform, GLuint depth,
-                   const std::function<void()>& bind_picture);
+                   const std::function<void()>& bind_picture, bool per_sample);
     [[nodiscard]] Slot& slot_of(std::size_t volume);
     void load(const Volume& volume, Slot& slot, double share);
     void load_table(const Volume& volume, Table& table, double share);
@@ -59,10 +59,10 @@ private:
     void draw_slabs(const Frame& frame);
     void draw_slab(const Volume& volume, const Slot& slot, std::size_t slab) const;
     [[nodiscard]] double eye_across(const Frame& frame) const;
-    void put_on_picture(float opacity, bool coarse) const;
+    void put_on_picture(float opacity, bool coarse, bool per_sample) const;
 
     const Gl& gl_;
-    ShaderProgram picture_program_;
+    ShaderProgram picture_program_, sample_program_;
     VolumeRays rays_;
     Sheet picture_, together_;
     GLuint no_array_ = 0;

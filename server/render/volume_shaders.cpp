@@ -12,6 +12,8 @@
 // is in one stretch, for what they keep is convex.
 #include "render/volume_shaders.hpp"
 
+#include "render/per_sample.hpp"
+
 #include <string>
 
 namespace ciel::render {
@@ -315,7 +317,7 @@ uniform sampler2D volume;
 uniform vec2 viewport;
 uniform float opacity;
 out vec4 picture;
-void main() { picture = texture(volume, gl_FragCoord.xy / viewport) * opacity; }
+void main() { picture = texture(volume, seen_from() / viewport) * opacity; }
 )";
 
 std::string slab_defines(const SlabProgramKind& kind) {
@@ -350,8 +352,8 @@ ShaderProgram make_slice_program(const Gl& gl, const SlabProgramKind& kind) {
 }
 ShaderProgram make_edge_program(const Gl& gl, const SlabProgramKind& kind) { return make_slab_program(gl, true, kind); }
 
-ShaderProgram make_volume_picture_program(const Gl& gl) {
-    return make_cover_program(gl, std::string(version) + picture_fragment);
+ShaderProgram make_volume_picture_program(const Gl& gl, bool per_sample) {
+    return make_cover_program(gl, std::string(version) + seen_from_glsl(per_sample) + picture_fragment);
 }
 
 } // namespace ciel::render

@@ -35,7 +35,7 @@ struct SlabProgramKind {
 };
 [[nodiscard]] ShaderProgram make_slice_program(const Gl& gl, const SlabProgramKind& kind);
 [[nodiscard]] ShaderProgram make_edge_program(const Gl& gl, const SlabProgramKind& kind);
-// The finished volume onto the picture.
-[[nodiscard]] ShaderProgram make_volume_picture_program(const Gl& gl);
+// The finished volumes onto the picture; per sample as draw_per_sample() does it.
+[[nodiscard]] ShaderProgram make_volume_picture_program(const Gl& gl, bool per_sample);
 
 } // namespace ciel::render
