@@ -152,7 +152,7 @@ void DepthPeeling::add_to_sum(GLuint volumes) const {
 }
 
 void DepthPeeling::put_on(const Scene& scene, Target& target, GLuint volumes) const {
-    const bool per_sample = scene.samples > 1 && scene.has_opaque;
+    const bool per_sample = scene.samples > 1 && scene.outlines != 0;
     target.bind_again();
     gl_.Disable(GL_DEPTH_TEST);
     gl_.BlendFuncSeparate(GL_ONE, GL_SRC_ALPHA, GL_ZERO, GL_ONE);
@@ -164,7 +164,7 @@ void DepthPeeling::put_on(const Scene& scene, Target& target, GLuint volumes) co
     program.set("volumes", int{volumes_unit});
     program.set("viewport", glm::vec2(width_, height_));
     if (per_sample)
-        draw_per_sample(gl_, program, {opaque_, opaque_unit}, [this] { cover(); });
+        draw_per_sample(gl_, program, {scene.outlines, opaque_unit}, [this] { cover(); });
     else
         cover();
     gl_.BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);

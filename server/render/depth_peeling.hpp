@@ -22,7 +22,8 @@ public:
     struct Scene {
         int width = 0, height = 0; // of the picture
         int samples = 1;           // several: layers are drawn at twice the picture's resolution where memory allows
-        bool has_opaque = false;   // anything opaque, whose outlines are seen through layers and volumes
+        // Window depths in the middle of each pixel, whose outlines are seen through volumes, for per_sample.hpp; or 0.
+        GLuint outlines = 0;
         std::function<void()> draw_surfaces; // with the peeling programs in use, lines as well
         // The picture of the volumes (premultiplied, RGBA) in front of a depth texture, or of all
         // opaque surfaces for 0; empty where there are none.

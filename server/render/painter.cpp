@@ -291,8 +291,7 @@ void Painter::draw_transparent(const Frame& frame) {
 }
 
 void Painter::peel_transparent(const Frame& frame) {
-    const bool has_opaque = std::ranges::any_of(frame.meshes, is_opaque);
-    DepthPeeling::Scene layers{frame.width, frame.height, frame.samples, has_opaque, {}, {}};
+    DepthPeeling::Scene layers{frame.width, frame.height, frame.samples, 0, {}, {}};
     layers.draw_surfaces = [&] {
         use(peeling_.surfaces(), frame);
         gl_.Uniform1i(peeling_.surfaces().nearer, DepthPeeling::nearer_unit);
@@ -307,6 +306,8 @@ void Painter::peel_transparent(const Frame& frame) {
     };
     if (!frame.volumes.empty())
         layers.volumes = [&](GLuint depth) { return volumes_.picture_until(frame, transform_, depth); };
+    if (!frame.volumes.empty() && std::ranges::any_of(frame.meshes, is_opaque))
+        layers.outlines = opaque_depth_.texture();
     enable_clip_planes(false);
     peeling_.draw(layers, target_);
     enable_clip_planes(true);

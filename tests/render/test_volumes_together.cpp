@@ -109,8 +109,8 @@ TEST(VolumesTogether, DoNotDependOnTheirOrderFromSixSides) {
         for (const bool shaded : {false, true}) {
             const View view{"", from, 30};
             Frame frame = frame_of(view);
-            Volume a = bright.made(one.volume(nearest_axis(from), 100));
-            const Volume b = dark.made(other.volume(nearest_axis(from), 100));
+            Volume a = bright.made(one.volume(nearest_axis(from), 40));
+            const Volume b = dark.made(other.volume(nearest_axis(from), 40));
             a.shaded = shaded;
             std::array<Image, 2> images;
             for (const bool swapped : {false, true}) {

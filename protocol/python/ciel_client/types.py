@@ -161,18 +161,18 @@ OpacityPoint = list[float]
 
 
 class VolumeLayer(TypedDict):
-    """Light that passes through the mesh, through the map and range of color and the opacity of opacity_points"""
+    """Light that passes through the mesh, through the map and range of color and the opacity of opacity_points. Several volumes are mixed place by place, whatever their order."""
 
     type: Literal["volume"]
     order: NotRequired[float]
     visible: NotRequired[bool]
-    opacity: NotRequired[float]  # fades the finished volume; how dense it is, opacity_points say
+    opacity: NotRequired[float]  # fades the finished volume; how dense it is, opacity_points say. Of several volumes, which are mixed place by place, the largest opacity fades the mixture, and in one of less the opacities of opacity_points are less in proportion.
     array: str
     color: NotRequired[Coloring]
     opacity_points: NotRequired[list[OpacityPoint]]  # by position; straight between two points, constant before the first and after the last. A position twice is a step.
     unit_length: NotRequired[float | None]  # the length, in the dataset's length units, after which a ray through a value has lost the share of its light that opacity_points say; null or absent: a tenth of the diagonal of the bounds
     slices: NotRequired[int]  # of a still; while something moves there are fewer, without a change of brightness
-    direction: NotRequired[Literal["auto", "x", "y", "z", "screen"]]  # normal of the slices: auto is the axis nearest the view, screen the view's own direction (auto while it moves)
+    direction: NotRequired[Literal["auto", "x", "y", "z", "screen"]]  # normal of the slices: auto is the axis nearest the view, screen the view's own direction (auto while it moves). Of several volumes the first that is shown decides for all.
     shaded: NotRequired[bool]  # by the array's gradient, with a light at the eye
 
 
