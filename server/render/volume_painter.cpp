@@ -14,7 +14,8 @@
 namespace ciel::render {
 namespace {
 
-constexpr int table_unit = 1; // beside those of the rays
+constexpr int table_unit = 1;                                                             // beside those of the rays
+enum Unit : int { picture_unit = 0, opaque_unit = 1, covered_unit = 2, limits_unit = 3 }; // of the finished picture
 
 glm::dvec3 vector_of(const Vec3d& v) { return {v[0], v[1], v[2]}; }
 
@@ -53,7 +54,7 @@ void check_directions(const Frame& frame) {
 
 VolumePainter::VolumePainter(const Gl& gl)
     : gl_(gl), picture_program_(make_volume_picture_program(gl, false)),
-      sample_program_(make_volume_picture_program(gl, true)), rays_(gl), picture_(gl), together_(gl) {
+      sample_program_(make_volume_picture_program(gl, true)), rays_(gl), coverage_(gl), picture_(gl), together_(gl) {
     gl_.GenVertexArrays(1, &no_array_);
 }
 
@@ -86,6 +87,7 @@ void VolumePainter::draw_each(const Frame& frame, const ViewTransform& transform
         load(volume, slot_of(i), opacity > 0 ? static_cast<double>(volume.opacity) / opacity : 0);
     }
     draw_slabs(frame);
+    if (has_coverage()) find_coverage(frame);
     bind_picture();
     put_on_picture(opacity, coarseness > 1, per_sample);
     gl_.ProvokingVertex(GL_LAST_VERTEX_CONVENTION);
@@ -158,6 +160,19 @@ void VolumePainter::set_slabs(const ShaderProgram& program, const Volume& volume
     VolumeRays::set_units(program);
 }
 
+// Of a still; what clip planes leave has outlines that no face of the mesh has.
+bool VolumePainter::has_coverage() const {
+    return view_.frame->samples > 1 && !view_.is_clipped() && view_.width == view_.frame->width;
+}
+
+void VolumePainter::find_coverage(const Frame& frame) {
+    coverage_.begin(frame.width, frame.height, frame.samples);
+    const glm::mat4 transform(view_.transform->projection * view_.transform->view);
+    for (std::size_t i = 0; i < frame.volumes.size(); ++i) coverage_.add(slot_of(i).buffers, transform);
+    coverage_.finish();
+    gl_.Enable(GL_BLEND);
+}
+
 void VolumePainter::draw_slabs(const Frame& frame) {
     picture_.size(GL_RGBA32F, view_.width, view_.height);
     picture_.begin();
@@ -206,19 +221,24 @@ double VolumePainter::eye_across(const Frame& frame) const {
 }
 
 void VolumePainter::put_on_picture(float opacity, bool coarse, bool per_sample) const {
-    bind(gl_, 0, picture_.texture());
+    bind(gl_, picture_unit, picture_.texture());
     filter(gl_, coarse ? GL_LINEAR : GL_NEAREST);
     const ShaderProgram& program = per_sample ? sample_program_ : picture_program_;
     program.use();
-    program.set("volume", 0);
+    program.set("volume", int{picture_unit});
     program.set("viewport", glm::vec2(view_.frame->width, view_.frame->height));
     program.set("opacity", opacity);
+    program.set("has_covered", has_coverage() ? 1.0F : 0.0F);
+    program.set("covered", int{covered_unit});
+    program.set("limits", int{limits_unit});
+    bind(gl_, covered_unit, has_coverage() ? coverage_.texture() : 0);
+    bind(gl_, limits_unit, rays_.limits());
     const auto cover = [&] {
         gl_.BindVertexArray(no_array_);
         gl_.DrawArrays(GL_TRIANGLES, 0, 3);
     };
     if (per_sample)
-        draw_per_sample(gl_, program, {view_.opaque, 1}, cover);
+        draw_per_sample(gl_, program, {view_.opaque, opaque_unit}, cover);
     else
         cover();
 }

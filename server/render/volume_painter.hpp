@@ -5,6 +5,7 @@
 #include "render/camera.hpp"
 #include "render/target.hpp"
 #include "render/volume_buffers.hpp"
+#include "render/volume_coverage.hpp"
 #include "render/volume_rays.hpp"
 #include "render/volume_shaders.hpp"
 
@@ -56,14 +57,17 @@ private:
     void load_table(const Volume& volume, Table& table, double share);
     void use_programs(const Volume& volume, Slot& slot);
     void set_slabs(const ShaderProgram& program, const Volume& volume, double thickness) const;
+    void find_coverage(const Frame& frame);
     void draw_slabs(const Frame& frame);
     void draw_slab(const Volume& volume, const Slot& slot, std::size_t slab) const;
+    [[nodiscard]] bool has_coverage() const;
     [[nodiscard]] double eye_across(const Frame& frame) const;
     void put_on_picture(float opacity, bool coarse, bool per_sample) const;
 
     const Gl& gl_;
     ShaderProgram picture_program_, sample_program_;
     VolumeRays rays_;
+    VolumeCoverage coverage_;
     Sheet picture_, together_;
     GLuint no_array_ = 0;
     GLuint surfaces_ = 0;   // depth of what is opaque, or 0

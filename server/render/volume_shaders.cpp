@@ -312,12 +312,33 @@ std::string with_parts(std::string body, int parts, bool edge) {
     return samplers + body;
 }
 
+// A pixel that the mesh covers in part has so much of its light, or of a pixel's beside it whose ray met the mesh.
 constexpr const char* picture_fragment = R"(
 uniform sampler2D volume;
+uniform sampler2D covered;
+uniform sampler2D limits;
+uniform float has_covered;
 uniform vec2 viewport;
 uniform float opacity;
 out vec4 picture;
-void main() { picture = texture(volume, seen_from() / viewport) * opacity; }
+const float never = 1e30;
+bool misses(ivec2 pixel) { return texelFetch(limits, pixel, 0).x >= never; }
+vec2 beside(vec2 place) {
+    ivec2 pixel = ivec2(place), last = textureSize(limits, 0) - 1;
+    if (!misses(pixel)) return place;
+    for (int reach = 1; reach <= 2; ++reach) // beside first, then across a corner
+        for (int y = -1; y <= 1; ++y)
+            for (int x = -1; x <= 1; ++x)
+                if (abs(x) + abs(y) == reach && !misses(clamp(pixel + ivec2(x, y), ivec2(0), last)))
+                    return clamp(place + vec2(x, y), vec2(0.5), vec2(last) + 0.5);
+    return place;
+}
+void main() {
+    vec2 place = seen_from();
+    float share = has_covered > 0.5 ? texelFetch(covered, ivec2(gl_FragCoord.xy), 0).r : 1.0;
+    if (share > 0.0 && share < 1.0) place = beside(place);
+    picture = texture(volume, place / viewport) * (share * opacity);
+}
 )";
 
 std::string slab_defines(const SlabProgramKind& kind) {

@@ -117,6 +117,50 @@ TEST_F(OutlineInFog, IsSmoothWithLinesAround) {
     EXPECT_LT(roughness(), smooth);
 }
 
+// One that is opaque within a pixel or two.
+TEST(OutlineOfAVolume, IsSmooth) {
+    VolumeScene rock(test::hexahedra(Box{{2, 2, 2}, 0, 1, 0.5}), [](const Vec3d&) { return 1.0; });
+    for (const View& view : {View{"perspective", {0.3, -1, 0.4}, 30}, View{"parallel", {0.3, -1, 0.4}, 0}})
+        for (const bool among_layers : {false, true}) {
+            Frame frame = frame_of(view);
+            frame.samples = 4;
+            Volume volume = rock.volume({0, 1, 0}, 60);
+            volume.scale.points = {{0, {255, 255, 255}}, {1, {255, 255, 255}}};
+            volume.scale.range = {0, 1};
+            volume.opacity_points = {{0, 1}};
+            volume.unit_length = 0.002;
+            frame.volumes = {volume};
+            const Shape behind = square(0.99); // in the dark
+            Mesh sheet = behind.mesh();
+            sheet.scalars = {};
+            sheet.color = {0, 0, 0, 0.5F};
+            if (among_layers) frame.meshes.push_back(sheet);
+            const auto mean = [&](int x, int y) {
+                double sum = 0;
+                for (int i = 0; i < parts * parts; ++i) {
+                    const auto [from, to] =
+                        inside_box(ray_of(frame, x + (i % parts + 0.5) / parts, y + (i / parts + 0.5) / parts),
+                                   {0, 0, 0}, {1, 1, 1});
+                    if (from < to) sum += 1.0 / (parts * parts);
+                }
+                return sum;
+            };
+            Image image;
+            renderer().draw(frame, image);
+            double off = 0;
+            int pixels = 0;
+            for (int y = 0; y < frame.height; ++y)
+                for (int x = 0; x < frame.width; ++x) {
+                    const double wanted = mean(x, y);
+                    if (wanted == 0 || wanted == 1) continue;
+                    off += std::abs(image.rgb[3 * static_cast<std::size_t>(y * frame.width + x)] / 255.0 - wanted);
+                    ++pixels;
+                }
+            EXPECT_GT(pixels, 100);
+            EXPECT_LT(off / pixels, smooth) << view.name << (among_layers ? ", among layers" : "");
+        }
+}
+
 // In front of all of it, so that its picture is made of layers.
 TEST_F(OutlineInFog, IsSmoothBehindATransparentSheet) {
     add(square(-0.1)).color[3] = 0.4F;
