@@ -12,6 +12,11 @@ using test::Box;
 constexpr double fog_opacity = 0.9;
 constexpr int parts = 8; // of a pixel along a side
 
+Ray ray_of_part(const Frame& frame, int x, int y, int part) {
+    const int column = part % parts, row = part / parts;
+    return ray_of(frame, x + (column + 0.5) / parts, y + (row + 0.5) / parts);
+}
+
 struct Ball {
     Vec3d center;
     double radius;
@@ -64,7 +69,7 @@ protected:
                 double mean = 0, least = 1, most = 0;
                 int on_ball = 0;
                 for (int i = 0; i < parts * parts; ++i) {
-                    const Ray ray = ray_of(frame, x + (i % parts + 0.5) / parts, y + (i / parts + 0.5) / parts);
+                    const Ray ray = ray_of_part(frame, x, y, i);
                     const double here = light(ray);
                     on_ball += std::isfinite(ball.hit(ray)) ? 1 : 0;
                     mean += here / (parts * parts);
@@ -138,9 +143,7 @@ TEST(OutlineOfAVolume, IsSmooth) {
             const auto mean = [&](int x, int y) {
                 double sum = 0;
                 for (int i = 0; i < parts * parts; ++i) {
-                    const auto [from, to] =
-                        inside_box(ray_of(frame, x + (i % parts + 0.5) / parts, y + (i / parts + 0.5) / parts),
-                                   {0, 0, 0}, {1, 1, 1});
+                    const auto [from, to] = inside_box(ray_of_part(frame, x, y, i), {0, 0, 0}, {1, 1, 1});
                     if (from < to) sum += 1.0 / (parts * parts);
                 }
                 return sum;

@@ -46,6 +46,7 @@ TEST(VolumeOrder, RunsToTheEyeWhateverTheRows) {
         const std::vector<SlabOfVolume> all = order(rows, eye);
         ASSERT_EQ(all.size(), slabs);
         std::vector<std::vector<bool>> seen;
+        seen.reserve(rows.size());
         for (const SlabRow& row : rows) seen.emplace_back(row.count, false);
         double below = -infinity, above = infinity;
         for (const auto& [volume, slab] : all) {
