@@ -23,6 +23,7 @@ public:
     void set(const char* name, float value) const { gl_->Uniform1f(at(name), value); }
     void set(const char* name, glm::vec2 value) const { gl_->Uniform2f(at(name), value.x, value.y); }
     void set(const char* name, glm::vec3 value) const { gl_->Uniform3f(at(name), value.x, value.y, value.z); }
+    void set(const char* name, glm::vec4 value) const { gl_->Uniform4f(at(name), value.x, value.y, value.z, value.w); }
     void set(const char* name, std::span<const glm::vec4> values) const {
         gl_->Uniform4fv(at(name), static_cast<GLsizei>(values.size()), &values[0][0]);
     }

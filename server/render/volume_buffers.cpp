@@ -1,10 +1,10 @@
 #include "render/volume_buffers.hpp"
 
+#include "render/boundary_of_slabs.hpp"
 #include "render/volume_shaders.hpp"
 
 #include <algorithm>
 #include <bit>
-#include <cmath>
 #include <cstddef>
 
 namespace ciel::render {
@@ -26,26 +26,15 @@ void check(const SlabMesh& mesh) {
                     std::to_string(mesh.vertices.size()) + " vertices");
 }
 
-// The triangles that each slab has a part of. One on the border of two is in both lists: the program that draws them
-// decides pixel by pixel.
-std::vector<std::vector<Index>> triangles_of_slabs(const Volume& volume, double thickness, std::size_t slabs) {
-    std::vector<std::vector<Index>> lists(slabs);
-    const SlabMesh& mesh = *volume.boundary;
-    const auto place = [&](Index vertex) {
-        const Vec3f& p = mesh.vertices[vertex].position;
-        return (volume.normal[0] * p[0] + volume.normal[1] * p[1] + volume.normal[2] * p[2] - volume.first) / thickness;
-    };
-    const double last = static_cast<double>(slabs) - 1;
-    for (std::size_t i = 0; i < mesh.triangles.size(); i += 3) {
-        const Index* triangle = &mesh.triangles[i];
-        const auto [low, high] = std::minmax({place(triangle[0]), place(triangle[1]), place(triangle[2])});
-        constexpr double rounding = 1e-3;
-        const auto begin = static_cast<std::size_t>(std::clamp(std::floor(low - rounding), 0.0, last));
-        const auto end = static_cast<std::size_t>(std::clamp(std::floor(high + rounding), 0.0, last));
-        for (std::size_t slab = begin; slab <= end; ++slab)
-            lists[slab].insert(lists[slab].end(), triangle, triangle + 3);
-    }
-    return lists;
+VolumeBuffers::Bounds bounds_of(const SlabMesh& mesh) {
+    VolumeBuffers::Bounds bounds{mesh.vertices.empty() ? Vec3f{} : mesh.vertices[0].position, {}};
+    bounds.high = bounds.low;
+    for (const SlabVertex& vertex : mesh.vertices)
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            bounds.low[axis] = std::min(bounds.low[axis], vertex.position[axis]);
+            bounds.high[axis] = std::max(bounds.high[axis], vertex.position[axis]);
+        }
+    return bounds;
 }
 
 // FNV-1a, by words.
@@ -82,55 +71,56 @@ VolumeBuffers::Arrays VolumeBuffers::make_arrays() const {
 }
 
 void VolumeBuffers::load(const Volume& volume) {
-    if (identity_ == volume.identity && revision_ == volume.revision && stride_ == volume.stride && revision_ != 0)
-        return;
+    const bool same_slices = identity_ == volume.identity && revision_ == volume.revision && revision_ != 0;
+    if (same_slices && stride_ == volume.stride) return;
     if (volume.boundary == nullptr || volume.stride == 0 || !(volume.thickness > 0) || volume.slices.empty())
         throw Error("a volume to draw lacks slices, a boundary, or a thickness of its slabs");
-    const bool same_slices = identity_ == volume.identity && revision_ == volume.revision && revision_ != 0;
     revision_ = 0; // until all has gone well
-    if (!same_slices) upload_slices(volume);
-    upload_boundary(volume);
-    const std::size_t slabs = boundary_of_slab_.size();
-    slice_of_slab_.assign(slabs, {});
-    for (std::size_t slab = 0; slab < slabs; ++slab)
-        if (const std::size_t slice = slab * volume.stride + volume.stride / 2; slice < all_slices_.size())
-            slice_of_slab_[slab] = all_slices_[slice];
+    if (!same_slices)
+        for (const SlabMesh& slice : volume.slices) check(slice);
+    check(*volume.boundary);
+    const auto boundary = render::boundary_of_slabs(volume);
+    upload_slices(sort_slices(volume, boundary));
+    upload_boundary(*volume.boundary, boundary);
     identity_ = volume.identity;
     revision_ = volume.revision;
     stride_ = volume.stride;
 }
 
-void VolumeBuffers::upload_slices(const Volume& volume) {
+// Only those that are drawn.
+void VolumeBuffers::upload_slices(const std::vector<SortedSlice>& slices) {
     GLsizeiptr vertex_bytes = 0, index_bytes = 0;
-    for (const SlabMesh& slice : volume.slices) {
-        check(slice);
-        vertex_bytes += bytes(slice.vertices);
-        index_bytes += bytes(slice.triangles);
+    for (const SortedSlice& sorted : slices) {
+        if (sorted.slice != nullptr) vertex_bytes += bytes(sorted.slice->vertices) + bytes(sorted.more);
+        index_bytes += bytes(sorted.triangles);
     }
     gl_.BindVertexArray(slices_.array);
     gl_.BindBuffer(GL_ARRAY_BUFFER, slices_.vertices);
     gl_.BufferData(GL_ARRAY_BUFFER, vertex_bytes, nullptr, GL_STATIC_DRAW);
     gl_.BufferData(GL_ELEMENT_ARRAY_BUFFER, index_bytes, nullptr, GL_STATIC_DRAW);
-    all_slices_.clear();
+    slice_of_slab_.clear();
     std::size_t vertices = 0, indices = 0;
-    for (const SlabMesh& slice : volume.slices) {
-        gl_.BufferSubData(GL_ARRAY_BUFFER, static_cast<GLintptr>(vertices * sizeof(SlabVertex)), bytes(slice.vertices),
-                          slice.vertices.data());
+    const auto append = [&](const std::vector<SlabVertex>& more) {
+        gl_.BufferSubData(GL_ARRAY_BUFFER, static_cast<GLintptr>(vertices * sizeof(SlabVertex)), bytes(more),
+                          more.data());
+        vertices += more.size();
+    };
+    for (const SortedSlice& sorted : slices) {
+        const auto base = static_cast<GLint>(vertices);
+        if (sorted.slice != nullptr) append(sorted.slice->vertices);
+        append(sorted.more);
         gl_.BufferSubData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLintptr>(indices * sizeof(Index)),
-                          bytes(slice.triangles), slice.triangles.data());
-        all_slices_.push_back({indices, static_cast<GLsizei>(slice.triangles.size()), static_cast<GLint>(vertices)});
-        vertices += slice.vertices.size();
-        indices += slice.triangles.size();
+                          bytes(sorted.triangles), sorted.triangles.data());
+        const auto all = static_cast<GLsizei>(sorted.triangles.size()), outer = static_cast<GLsizei>(sorted.outer);
+        slice_of_slab_.push_back({{indices, outer, base}, {indices + sorted.outer, all - outer, base}});
+        indices += sorted.triangles.size();
     }
 }
 
-void VolumeBuffers::upload_boundary(const Volume& volume) {
-    const SlabMesh& mesh = *volume.boundary;
-    check(mesh);
-    const std::size_t slabs = (volume.slices.size() + volume.stride - 1) / volume.stride;
-    const auto lists = triangles_of_slabs(volume, volume.thickness * static_cast<double>(volume.stride), slabs);
+void VolumeBuffers::upload_boundary(const SlabMesh& mesh, const std::vector<std::vector<Index>>& lists) {
     std::vector<Index> indices = mesh.triangles;
     boundary_places_ = places_of(mesh);
+    bounds_ = bounds_of(mesh);
     whole_boundary_ = {0, static_cast<GLsizei>(indices.size()), 0};
     boundary_of_slab_.clear();
     for (const std::vector<Index>& list : lists) {

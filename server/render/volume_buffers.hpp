@@ -2,6 +2,7 @@
 #pragma once
 
 #include "render/gl.hpp"
+#include "render/inner_polygons.hpp"
 #include "render/volume.hpp"
 
 namespace ciel::render {
@@ -15,6 +16,13 @@ struct IndexRange {
 
 class VolumeBuffers {
 public:
+    struct Bounds { // of positions
+        Vec3f low, high;
+    };
+    struct Slice {
+        IndexRange outer, inner; // triangles
+    };
+
     explicit VolumeBuffers(const Gl& gl);
 
     // Uploads what has changed. Throws Error when indices are beyond the vertices: the GL would read past their end.
@@ -24,9 +32,10 @@ public:
     void draw(const IndexRange& range) const;
 
     // Slab by slab, each `stride` of the volume's: its slice, and the boundary triangles that it has a part of.
-    [[nodiscard]] const std::vector<IndexRange>& slices() const { return slice_of_slab_; }
+    [[nodiscard]] const std::vector<Slice>& slices() const { return slice_of_slab_; }
     [[nodiscard]] const std::vector<IndexRange>& boundary_of_slabs() const { return boundary_of_slab_; }
     [[nodiscard]] const IndexRange& whole_boundary() const { return whole_boundary_; }
+    [[nodiscard]] const Bounds& bounds() const { return bounds_; } // of the boundary
     // The same number for boundaries of the same triangles, whatever the property.
     [[nodiscard]] std::uint64_t boundary_places() const { return boundary_places_; }
 
@@ -35,13 +44,15 @@ private:
         GLuint array = 0, vertices = 0, indices = 0;
     };
     [[nodiscard]] Arrays make_arrays() const;
-    void upload_slices(const Volume& volume);
-    void upload_boundary(const Volume& volume);
+    void upload_slices(const std::vector<SortedSlice>& slices);
+    void upload_boundary(const SlabMesh& mesh, const std::vector<std::vector<Index>>& lists);
 
     const Gl& gl_;
     Arrays slices_, boundary_;
-    std::vector<IndexRange> all_slices_, slice_of_slab_, boundary_of_slab_;
+    std::vector<Slice> slice_of_slab_;
+    std::vector<IndexRange> boundary_of_slab_;
     IndexRange whole_boundary_;
+    Bounds bounds_{};
     std::uint64_t identity_ = 0, revision_ = 0;
     std::size_t stride_ = 0;
     std::uint64_t boundary_places_ = 0;

@@ -3,6 +3,7 @@
 #include "render/mesh_buffers.hpp"
 #include "render/per_sample.hpp"
 #include "render/shaders.hpp"
+#include "render/slab_angle.hpp"
 #include "render/transfer_table.hpp"
 #include "render/volume_order.hpp"
 
@@ -79,12 +80,14 @@ void VolumePainter::draw_each(const Frame& frame, const ViewTransform& transform
     const int coarseness = coarseness_of(frame);
     const float opacity = largest_opacity(frame);
     view_ = {&frame, &transform, depth, std::max(1, frame.width / coarseness), std::max(1, frame.height / coarseness)};
+    load_buffers(frame);
+    slab_angle_ = frame.volumes.empty() ? 0 : slab_angle(view_, frame.volumes[0].normal);
     gl_.Disable(GL_DEPTH_TEST);
     gl_.ProvokingVertex(GL_FIRST_VERTEX_CONVENTION);
     rays_.begin(view_);
     for (std::size_t i = 0; i < frame.volumes.size(); ++i) {
         const Volume& volume = frame.volumes[i];
-        load(volume, slot_of(i), opacity > 0 ? static_cast<double>(volume.opacity) / opacity : 0);
+        prepare(volume, slot_of(i), opacity > 0 ? static_cast<double>(volume.opacity) / opacity : 0);
     }
     draw_slabs(frame);
     if (has_coverage()) find_coverage(frame);
@@ -100,8 +103,19 @@ VolumePainter::Slot& VolumePainter::slot_of(std::size_t volume) {
     return *std::next(slots_.begin(), static_cast<std::ptrdiff_t>(volume));
 }
 
-void VolumePainter::load(const Volume& volume, Slot& slot, double share) {
-    slot.buffers.load(volume);
+void VolumePainter::load_buffers(const Frame& frame) {
+    for (std::size_t i = 0; i < frame.volumes.size(); ++i) {
+        VolumeBuffers& buffers = slot_of(i).buffers;
+        buffers.load(frame.volumes[i]);
+        const auto& [low, high] = buffers.bounds();
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            view_.low[axis] = i == 0 ? low[axis] : std::min(view_.low[axis], double{low[axis]});
+            view_.high[axis] = i == 0 ? high[axis] : std::max(view_.high[axis], double{high[axis]});
+        }
+    }
+}
+
+void VolumePainter::prepare(const Volume& volume, Slot& slot, double share) {
     load_table(volume, slot.table, share);
     slot.rays = &rays_.find(slot.buffers);
     use_programs(volume, slot);
@@ -124,13 +138,17 @@ void VolumePainter::load_table(const Volume& volume, Table& kept, double share) 
 }
 
 void VolumePainter::use_programs(const Volume& volume, Slot& slot) {
-    const SlabProgramKind kind{slot.rays->count, volume.shaded, view_.is_clipped(), TransferTable::rows};
-    const auto made = [&](auto& programs, auto make) {
-        const auto found = programs.find(kind);
-        return &(found != programs.end() ? found : programs.emplace(kind, make(gl_, kind)).first)->second;
+    const SlabProgramKind kind{slot.rays->count, volume.shaded, view_.is_clipped(), view_.opaque != 0,
+                               TransferTable::rows};
+    const auto made = [&](auto& programs, auto make, const SlabProgramKind& wanted) {
+        const auto found = programs.find(wanted);
+        return &(found != programs.end() ? found : programs.emplace(wanted, make(gl_, wanted)).first)->second;
     };
-    slot.slice = made(slot.slice_programs, make_slice_program);
-    slot.edge = made(slot.edge_programs, make_edge_program);
+    slot.inner = made(slot.inner_programs, make_inner_program, {1, volume.shaded, false, false, TransferTable::rows});
+    slot.inner->use();
+    set_light(*slot.inner, volume);
+    slot.slice = made(slot.slice_programs, make_slice_program, kind);
+    slot.edge = made(slot.edge_programs, make_edge_program, kind);
     set_slabs(*slot.slice, volume, thickness_of(volume));
     set_slabs(*slot.edge, volume, thickness_of(volume));
     slot.edge->set("first_place", static_cast<float>(volume.first));
@@ -139,10 +157,8 @@ void VolumePainter::use_programs(const Volume& volume, Slot& slot) {
 
 void VolumePainter::set_slabs(const ShaderProgram& program, const Volume& volume, double thickness) const {
     program.use();
+    set_light(program, volume);
     view_.set_rays(program);
-    program.set("transform", glm::mat4(view_.transform->projection * view_.transform->view));
-    program.set("view", glm::mat4(view_.transform->view));
-    program.set("to_share", normalisation(volume.scale.range));
     program.set("parallel_depths", view_.parallel_depths());
     const VolumeView::Rays rays = view_.rays_of_pixels();
     const glm::dvec3 normal = glm::dmat3(view_.transform->view) * vector_of(volume.normal); // along the eye's axes
@@ -153,11 +169,18 @@ void VolumePainter::set_slabs(const ShaderProgram& program, const Volume& volume
                 static_cast<float>(view_.eye_along(volume.normal) + glm::dot(sideways, rays.side_corner)));
     program.set("start_step", glm::vec2(sideways * rays.side_step));
     program.set("half_slab", static_cast<float>(thickness / 2));
+    VolumeRays::set_units(program);
+}
+
+// What all three programs of a slab have; of the program in use.
+void VolumePainter::set_light(const ShaderProgram& program, const Volume& volume) const {
+    program.set("transform", glm::mat4(view_.transform->projection * view_.transform->view));
+    program.set("view", glm::mat4(view_.transform->view));
+    program.set("to_share", normalisation(volume.scale.range));
     program.set("density", static_cast<float>(1 / volume.unit_length));
     // Where the property changes by less than a third of its range along the whole mesh there is no surface to light.
     program.set("steepness", static_cast<float>(0.1 * view_.transform->scale * view_.transform->scale));
     program.set("table", int{table_unit});
-    VolumeRays::set_units(program);
 }
 
 // Of a still; what clip planes leave has outlines that no face of the mesh has.
@@ -208,7 +231,29 @@ void VolumePainter::draw_slab(const Volume& volume, const Slot& slot, std::size_
     slot.slice->use();
     slot.slice->set("slice_place", place);
     slot.buffers.bind_slices();
-    slot.buffers.draw(slot.buffers.slices()[slab]);
+    const auto& [outer, inner] = slot.buffers.slices()[slab];
+    slot.buffers.draw(outer);
+    if (inner.count == 0) return;
+    const double from_eye = place - view_.eye_along(volume.normal);
+    if (is_full(volume, from_eye)) {
+        slot.inner->use();
+        slot.inner->set("half_of", half_of_slab(volume, from_eye));
+    }
+    slot.buffers.draw(inner);
+}
+
+// Whether nothing but the mesh is in the slab wherever the boundary is not.
+bool VolumePainter::is_full(const Volume& volume, double from_eye) const {
+    if (view_.opaque != 0 || view_.is_clipped() || slab_angle_ > widest_inner) return false;
+    // The slab of an eye inside the mesh is shared with the next one.
+    return view_.frame->camera.parallel || std::abs(from_eye) > 1.01 * thickness_of(volume);
+}
+
+glm::vec4 VolumePainter::half_of_slab(const Volume& volume, double from_eye) const {
+    const auto half = static_cast<float>(thickness_of(volume) / 2);
+    if (!view_.frame->camera.parallel) return {0, 0, 0, half / static_cast<float>(std::abs(from_eye))};
+    const glm::dvec3 normal = glm::dmat3(view_.transform->view) * vector_of(volume.normal);
+    return {0, 0, -half / static_cast<float>(std::abs(normal.z)), 0};
 }
 
 // In the measure of their places.
@@ -237,10 +282,14 @@ void VolumePainter::put_on_picture(float opacity, bool coarse, bool per_sample) 
         gl_.BindVertexArray(no_array_);
         gl_.DrawArrays(GL_TRIANGLES, 0, 3);
     };
+    const PixelBox box = view_.seen_box(view_.frame->width, view_.frame->height);
+    gl_.Scissor(box.left, box.bottom, box.width, box.height);
+    gl_.Enable(GL_SCISSOR_TEST);
     if (per_sample)
         draw_per_sample(gl_, program, {view_.opaque, opaque_unit}, cover);
     else
         cover();
+    gl_.Disable(GL_SCISSOR_TEST);
 }
 
 } // namespace ciel::render

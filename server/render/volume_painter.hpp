@@ -44,23 +44,28 @@ private:
         explicit Slot(const Gl& gl) : buffers(gl) {}
         VolumeBuffers buffers;
         Table table;
-        std::map<SlabProgramKind, ShaderProgram> slice_programs, edge_programs; // whose uniforms are this volume's
+        std::map<SlabProgramKind, ShaderProgram> slice_programs, inner_programs,
+            edge_programs; // whose uniforms are this volume's
         // Of the frame being drawn.
         const RaySheets* rays = nullptr;
-        const ShaderProgram *slice = nullptr, *edge = nullptr;
+        const ShaderProgram *slice = nullptr, *inner = nullptr, *edge = nullptr;
     };
 
     void draw_each(const Frame& frame, const ViewTransform& transform, GLuint depth,
                    const std::function<void()>& bind_picture, bool per_sample);
     [[nodiscard]] Slot& slot_of(std::size_t volume);
-    void load(const Volume& volume, Slot& slot, double share);
+    void load_buffers(const Frame& frame);
+    void prepare(const Volume& volume, Slot& slot, double share);
     void load_table(const Volume& volume, Table& table, double share);
     void use_programs(const Volume& volume, Slot& slot);
     void set_slabs(const ShaderProgram& program, const Volume& volume, double thickness) const;
     void find_coverage(const Frame& frame);
+    void set_light(const ShaderProgram& program, const Volume& volume) const;
     void draw_slabs(const Frame& frame);
     void draw_slab(const Volume& volume, const Slot& slot, std::size_t slab) const;
     [[nodiscard]] bool has_coverage() const;
+    [[nodiscard]] bool is_full(const Volume& volume, double from_eye) const;
+    [[nodiscard]] glm::vec4 half_of_slab(const Volume& volume, double from_eye) const; // as the inner program has it
     [[nodiscard]] double eye_across(const Frame& frame) const;
     void put_on_picture(float opacity, bool coarse, bool per_sample) const;
 
@@ -72,7 +77,9 @@ private:
     GLuint no_array_ = 0;
     GLuint surfaces_ = 0;   // depth of what is opaque, or 0
     std::list<Slot> slots_; // one per volume of the largest frame so far
-    VolumeView view_;       // of the frame being drawn
+    // Of the frame being drawn.
+    VolumeView view_;
+    double slab_angle_ = 0; // of its rays
 };
 
 } // namespace ciel::render

@@ -58,6 +58,28 @@ bool VolumeView::eye_is_in_bounds() const {
     return !frame->camera.parallel;
 }
 
+PixelBox VolumeView::seen_box(int pixels_across, int pixels_up) const {
+    const glm::dmat4 to_clip = transform->projection * transform->view;
+    const glm::dvec2 size(pixels_across, pixels_up);
+    glm::dvec2 from = size, to(0);
+    for (unsigned corner = 0; corner < 8; ++corner) {
+        glm::dvec4 offset(0, 0, 0, 1);
+        for (int axis = 0; axis < 3; ++axis) {
+            const auto a = static_cast<std::size_t>(axis);
+            offset[axis] = (corner >> a & 1U) != 0 ? high[a] : low[a];
+        }
+        const glm::dvec4 clip = to_clip * offset;
+        if (!(clip.w > 0)) return {0, 0, pixels_across, pixels_up};
+        const glm::dvec2 at = (glm::dvec2(clip) / clip.w + 1.0) * 0.5 * size;
+        from = glm::min(from, at);
+        to = glm::max(to, at);
+    }
+    constexpr double beside = 2; // pixels, for rounding and for what looks at a pixel's neighbours
+    const glm::ivec2 first(glm::clamp(glm::floor(from - beside), glm::dvec2(0), size));
+    const glm::ivec2 last(glm::clamp(glm::ceil(to + beside), glm::dvec2(first), size));
+    return {first.x, first.y, last.x - first.x, last.y - first.y};
+}
+
 VolumeRays::VolumeRays(const Gl& gl)
     : gl_(gl), first_part_(make_part_program(gl, true)), next_part_(make_part_program(gl, false)),
       kept_program_(make_kept_program(gl)), limits_program_(make_limits_program(gl)), kept_(gl) {
@@ -144,12 +166,14 @@ void VolumeRays::find_kept() {
     kept_program_.use();
     view_.set_rays(kept_program_);
     kept_program_.set("planes", planes);
-    cover();
+    cover_box();
 }
 
 void VolumeRays::find_limits(RaySheets& rays) {
     rays.limits.size(GL_RGBA32F, view_.width, view_.height);
     rays.limits.begin();
+    gl_.ClearColor(never, never, never, 1);
+    gl_.Clear(GL_COLOR_BUFFER_BIT);
     render::bind(gl_, opaque_unit, view_.opaque);
     render::bind(gl_, kept_unit, view_.is_clipped() ? kept_.texture() : 0);
     render::bind(gl_, first_part_unit, rays.parts[0].texture());
@@ -166,17 +190,19 @@ void VolumeRays::find_limits(RaySheets& rays) {
     const glm::dmat4& projection = view_.transform->projection;
     limits_program_.set("depth_row", glm::vec2(projection[2][2], projection[3][2]));
     limits_program_.set("parallel", view_.frame->camera.parallel ? 1.0F : 0.0F);
-    cover();
+    cover_box();
 }
 
 void VolumeRays::set_units(const ShaderProgram& program) {
     program.set("limits", int{limits_unit});
+    program.set("first_part", int{first_part_unit});
     program.set("between_planes", int{kept_unit});
     set_later_parts(program);
 }
 
 void VolumeRays::bind(const RaySheets& rays) const {
     render::bind(gl_, limits_unit, rays.limits.texture());
+    render::bind(gl_, first_part_unit, rays.parts[0].texture());
     render::bind(gl_, kept_unit, view_.is_clipped() ? kept_.texture() : 0);
     bind_later_parts(gl_, rays);
 }
@@ -185,9 +211,13 @@ GLuint VolumeRays::limits() const {
     return in_use_ == 0 ? 0 : std::next(sheets_.begin(), static_cast<std::ptrdiff_t>(in_use_) - 1)->limits.texture();
 }
 
-void VolumeRays::cover() const {
+void VolumeRays::cover_box() const {
+    const PixelBox box = view_.seen_box(view_.width, view_.height);
+    gl_.Scissor(box.left, box.bottom, box.width, box.height);
+    gl_.Enable(GL_SCISSOR_TEST);
     gl_.BindVertexArray(no_array_);
     gl_.DrawArrays(GL_TRIANGLES, 0, 3);
+    gl_.Disable(GL_SCISSOR_TEST);
 }
 
 } // namespace ciel::render

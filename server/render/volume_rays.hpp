@@ -3,6 +3,7 @@
 
 #include "render/camera.hpp"
 #include "render/sheet.hpp"
+#include "render/touched_tiles.hpp"
 #include "render/volume_buffers.hpp"
 #include "render/volume_shaders.hpp"
 
@@ -16,6 +17,8 @@ struct VolumeView {
     const ViewTransform* transform = nullptr;
     GLuint opaque = 0;         // window depths that rays end on, or 0
     int width = 0, height = 0; // in rays
+    // All volumes' meshes are in this box: offsets from the frame's origin.
+    Vec3d low{}, high{};
 
     // Of a pixel at (x, y): sideways per depth corner + step * (x, y), from there at depth 0 on.
     struct Rays {
@@ -27,6 +30,8 @@ struct VolumeView {
     [[nodiscard]] double eye_along(const Vec3d& normal) const;
     [[nodiscard]] bool is_clipped() const { return !frame->clip.empty(); }
     [[nodiscard]] bool eye_is_in_bounds() const;
+    // The box as it is seen, in a picture of width x height: no ray elsewhere meets a volume.
+    [[nodiscard]] PixelBox seen_box(int width, int height) const;
 };
 
 // What is found for one boundary, good until the next begin().
@@ -60,7 +65,7 @@ private:
     void find_parts(const VolumeBuffers& buffers, RaySheets& rays);
     bool find_next_part(const VolumeBuffers& buffers, RaySheets& rays, int part);
     void find_limits(RaySheets& rays);
-    void cover() const;
+    void cover_box() const;
 
     const Gl& gl_;
     ShaderProgram first_part_, next_part_, kept_program_, limits_program_;

@@ -142,6 +142,10 @@ uniform vec2 to_share;
 out float middle;
 out vec3 slope;
 flat out vec2 bounds;
+#ifdef INNER
+uniform vec4 half_of; // half a slab along a ray: so much, and so much of the way from the eye
+out vec3 half_piece;
+#endif
 invariant gl_Position;
 void main() {
     gl_Position = transform * vec4(position, 1.0);
@@ -149,24 +153,19 @@ void main() {
     slope = mat3(view) * gradient * to_share.x;
     vec2 ends = limits * to_share.x + to_share.y;
     bounds = clamp(vec2(min(ends.x, ends.y), max(ends.x, ends.y)), 0.0, 1.0);
+#ifdef INNER
+    half_piece = half_of.xyz + half_of.w * vec3(view * vec4(position, 1.0));
+#endif
 }
 )";
 
 constexpr const char* ray = R"(
-uniform sampler2D limits;
-uniform sampler2D table;
 uniform float across_corner; // how far a ray gets across the slabs per depth: at the picture's corner
 uniform vec2 across_step;    // and per pixel
 uniform float start_corner;  // where across the slabs it is at depth 0
 uniform vec2 start_step;
 uniform float slice_place;
 uniform float half_slab;
-uniform float density; // 1 / unit length
-uniform float steepness;
-in float middle;
-in vec3 slope;
-flat in vec2 bounds;
-out vec4 picture;
 const float never = 1e30;
 
 struct Ray {
@@ -189,21 +188,42 @@ Ray ray_here() { // of each fragment: sums of products that do not depend on the
     return ray;
 }
 
-// The light of the piece of a ray between two depths, the property known at `t` between or near them.
-vec4 light(vec3 along, float t, float from, float to) {
-    float rise = dot(slope, along);
-    float a = clamp(middle + rise * (from - t), bounds.x, bounds.y);
-    float b = clamp(middle + rise * (to - t), bounds.x, bounds.y);
+// Its first part, and how far opaque surfaces let one see.
+#ifdef OPAQUE
+uniform sampler2D limits;
+vec3 limits_of(ivec2 pixel) { return texelFetch(limits, pixel, 0).xyz; }
+#else
+uniform sampler2D first_part;
+vec3 limits_of(ivec2 pixel) {
+    vec2 part = texelFetch(first_part, pixel, 0).xy;
+    return vec3(part.x > part.y ? -never : part.x, part.y, never); // the eye is inside
+}
+#endif
+)";
+
+constexpr const char* light = R"(
+uniform sampler2D table;
+uniform float density; // 1 / unit length
+uniform float steepness;
+in float middle;
+in vec3 slope;
+flat in vec2 bounds;
+out vec4 picture;
+
+// Of a piece of a ray: by how much the property rises along `way`, of which `length` is so many that the piece is
+// `length` long; the property at its ends.
+vec4 light(vec3 way, float rise, float first, float last, float length) {
+    float a = clamp(first, bounds.x, bounds.y);
+    float b = clamp(last, bounds.x, bounds.y);
     vec4 mean = texture(table, vec2(0.5 * (a + b), (abs(b - a) * (ROWS - 1.0) + 0.5) / ROWS));
-    float ahead = dot(along, along);
-    float loss = mean.a * max(to - from, 0.0) * (sqrt(ahead) * density);
+    float loss = mean.a * length * density;
     // exp alone has too few digits where thin slabs add up.
     float opacity = loss < 0.25 ? loss * (1.0 - loss * (0.5 - loss * (1.0 / 6.0 - loss * (1.0 / 24.0))))
                                 : 1.0 - exp(-loss);
     vec3 color = mean.rgb;
 #ifdef SHADED
     float steep = dot(slope, slope);
-    float facing = min(rise * rise / max(steep * ahead, 1e-30), 1.0);
+    float facing = min(rise * rise / max(steep * dot(way, way), 1e-30), 1.0);
     float part = steep / (steep + steepness);
     float shine = facing * facing;
     shine *= shine;
@@ -211,6 +231,23 @@ vec4 light(vec3 along, float t, float from, float to) {
     color = color * (1.0 - part * 0.6 * (1.0 - sqrt(facing))) + 0.12 * part * shine;
 #endif
     return vec4(color * opacity, opacity);
+}
+)";
+
+// Of the piece between two depths, the property known at `t` between or near them.
+constexpr const char* light_between = R"(
+vec4 light_between(vec3 along, float t, float from, float to) {
+    float rise = dot(slope, along);
+    return light(along, rise, middle + rise * (from - t), middle + rise * (to - t),
+                 max(to - from, 0.0) * sqrt(dot(along, along)));
+}
+)";
+
+constexpr const char* inner_fragment = R"(
+in vec3 half_piece; // from the slice to the back of the slab
+void main() {
+    float rise = dot(slope, half_piece);
+    picture = light(half_piece, rise, middle - rise, middle + rise, 2.0 * sqrt(dot(half_piece, half_piece)));
 }
 )";
 
@@ -248,11 +285,11 @@ void main() {
     float t = ray.slice;
     float half_depth = ray.half_depth;
     ivec2 pixel = ivec2(gl_FragCoord.xy);
-    vec4 first = texelFetch(limits, pixel, 0);
+    vec3 first = limits_of(pixel);
     vec2 part = first.xy;
     LATER_PARTS
     vec2 piece = kept(vec2(max(front(t, part, half_depth), part.x), back(t, part, half_depth, first.z)), pixel);
-    picture = t > first.z || yields(t, part, half_depth) ? vec4(0.0) : light(ray.along, t, piece.x, piece.y);
+    picture = t > first.z || yields(t, part, half_depth) ? vec4(0.0) : light_between(ray.along, t, piece.x, piece.y);
 }
 )";
 
@@ -270,7 +307,7 @@ void main() {
     float slice = ray.slice;
     float half_depth = ray.half_depth;
     ivec2 pixel = ivec2(gl_FragCoord.xy);
-    vec4 first = texelFetch(limits, pixel, 0);
+    vec3 first = limits_of(pixel);
     vec2 part = first.xy;
     LATER_PARTS
     float from = t, to = t;
@@ -286,7 +323,7 @@ void main() {
         to = min(t, first.z);
     }
     vec2 piece = kept(vec2(from, to), pixel);
-    picture = light(ray.along, t, piece.x, piece.y);
+    picture = light_between(ray.along, t, piece.x, piece.y);
 }
 )";
 
@@ -343,13 +380,13 @@ void main() {
 
 std::string slab_defines(const SlabProgramKind& kind) {
     return std::string(version) + (kind.shaded ? "#define SHADED\n" : "") + (kind.clipped ? "#define CLIPPED\n" : "") +
-           "#define ROWS " + std::to_string(kind.table_rows) + ".0\n";
+           (kind.opaque ? "#define OPAQUE\n" : "") + "#define ROWS " + std::to_string(kind.table_rows) + ".0\n";
 }
 
 ShaderProgram make_slab_program(const Gl& gl, bool edge, const SlabProgramKind& kind) {
     const std::string defines = slab_defines(kind);
     return make_shader_program(gl, defines + slab_vertex,
-                               defines + depth + ray_uniforms + ray + ownership + clipping +
+                               defines + depth + ray_uniforms + ray + light + light_between + ownership + clipping +
                                    with_parts(edge ? edge_fragment : slice_fragment, kind.parts, edge));
 }
 
@@ -370,6 +407,10 @@ ShaderProgram make_limits_program(const Gl& gl) {
 
 ShaderProgram make_slice_program(const Gl& gl, const SlabProgramKind& kind) {
     return make_slab_program(gl, false, kind);
+}
+ShaderProgram make_inner_program(const Gl& gl, const SlabProgramKind& kind) {
+    const std::string defines = slab_defines(kind);
+    return make_shader_program(gl, defines + "#define INNER\n" + slab_vertex, defines + light + inner_fragment);
 }
 ShaderProgram make_edge_program(const Gl& gl, const SlabProgramKind& kind) { return make_slab_program(gl, true, kind); }
 

@@ -29,11 +29,14 @@ inline constexpr int most_ray_parts = 4;
 // Slices: each for what a ray has in common with its slab; and boundary faces: for what no slice stands for.
 struct SlabProgramKind {
     int parts = 1; // of a ray
-    bool shaded = false, clipped = false;
+    bool shaded = false, clipped = false, opaque = false;
     int table_rows = 1;
     auto operator<=>(const SlabProgramKind&) const = default; // NOLINT(modernize-use-nullptr): takes <=> for a 0
 };
 [[nodiscard]] ShaderProgram make_slice_program(const Gl& gl, const SlabProgramKind& kind);
+// Polygons of a slice where a ray has nothing but the mesh in the slab: no boundary, no clip plane, no opaque surface,
+// no eye. Parts of the ray and clip planes are nothing to it.
+[[nodiscard]] ShaderProgram make_inner_program(const Gl& gl, const SlabProgramKind& kind);
 [[nodiscard]] ShaderProgram make_edge_program(const Gl& gl, const SlabProgramKind& kind);
 // The finished volumes onto the picture; per sample as draw_per_sample() does it.
 [[nodiscard]] ShaderProgram make_volume_picture_program(const Gl& gl, bool per_sample);

@@ -1,0 +1,221 @@
+#include "render/inner_polygons.hpp"
+
+#include "ciel/parallel.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <numeric>
+
+namespace ciel::render {
+namespace {
+
+constexpr int cells = 256;             // of the grid over a slab, each way
+constexpr double worth_splitting = 20; // cells that a triangle is long
+
+glm::dvec3 vector_of(const Vec3d& v) { return {v[0], v[1], v[2]}; }
+glm::dvec3 vector_of(const Vec3f& v) { return {v[0], v[1], v[2]}; }
+
+// Of positions: across the slabs, and along them, there from 0 to `cells` over the mesh's boundary.
+class Places {
+public:
+    Places(const Volume& volume) : across_(vector_of(volume.normal)) { // NOLINT(google-explicit-constructor)
+        const glm::dvec3 other = std::abs(across_.x) < 0.7 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
+        along_[0] = glm::normalize(glm::cross(across_, other));
+        along_[1] = glm::cross(across_, along_[0]);
+        glm::dvec2 high(-1e300);
+        low_ = glm::dvec2(1e300);
+        for (const SlabVertex& vertex : volume.boundary->vertices) {
+            const glm::dvec3 p = vector_of(vertex.position);
+            const glm::dvec2 at(glm::dot(along_[0], p), glm::dot(along_[1], p));
+            low_ = glm::min(low_, at);
+            high = glm::max(high, at);
+        }
+        per_length_ = static_cast<double>(cells) / glm::max(high - low_, glm::dvec2(1e-300));
+    }
+    [[nodiscard]] double across(const glm::dvec3& p) const { return glm::dot(across_, p); }
+    [[nodiscard]] glm::dvec2 along(const Vec3f& position) const {
+        const glm::dvec3 p = vector_of(position);
+        return (glm::dvec2(glm::dot(along_[0], p), glm::dot(along_[1], p)) - low_) * per_length_;
+    }
+    [[nodiscard]] glm::dvec2 cells_of(double length) const { return length * per_length_; }
+
+private:
+    glm::dvec3 across_;
+    std::array<glm::dvec3, 2> along_;
+    glm::dvec2 low_, per_length_;
+};
+
+struct Point {
+    glm::dvec2 along;
+    double across;
+};
+
+struct Box {
+    glm::dvec2 low{1e300}, high{-1e300};
+    void add(glm::dvec2 point) {
+        low = glm::min(low, point);
+        high = glm::max(high, point);
+    }
+};
+
+int cell_of(double place) { return place > 0 ? static_cast<int>(std::min(place, cells - 1.0)) : 0; }
+
+// Which edge, from corner i to the next.
+std::size_t longest_edge(const std::array<glm::dvec2, 3>& corners) {
+    const auto length = [&](std::size_t i) { return glm::distance(corners[i], corners[(i + 1) % 3]); };
+    std::size_t longest = 0;
+    for (std::size_t i = 1; i < 3; ++i)
+        if (length(i) > length(longest)) longest = i;
+    return longest;
+}
+
+// Of one slab: where rays may meet the boundary in it.
+class NearBoundary {
+public:
+    NearBoundary(const Places& places, double middle, double half)
+        : places_(places), middle_(middle), half_(half), margin_(places.cells_of(widest_inner * half)) {}
+
+    void add(const Vec3f& a, const Vec3f& b, const Vec3f& c) { add({point_of(a), point_of(b), point_of(c)}); }
+
+    [[nodiscard]] bool has_any(const Box& box) const {
+        for (int y = cell_of(box.low.y); y <= cell_of(box.high.y); ++y)
+            for (int x = cell_of(box.low.x); x <= cell_of(box.high.x); ++x)
+                if (is_near_[index(x, y)] != 0) return true;
+        return false;
+    }
+
+private:
+    using Triangle = std::array<Point, 3>;
+
+    [[nodiscard]] Point point_of(const Vec3f& position) const {
+        return {places_.along(position), places_.across(vector_of(position))};
+    }
+    static std::size_t index(int x, int y) { return static_cast<std::size_t>(y) * cells + static_cast<std::size_t>(x); }
+
+    // Halved until a piece is about as small as a cell, for its box to say where it is.
+    void add(const Triangle& triangle) {
+        Box box;
+        double low = triangle[0].across, high = low;
+        for (const Point& point : triangle) {
+            box.add(point.along);
+            low = std::min(low, point.across);
+            high = std::max(high, point.across);
+        }
+        constexpr double tolerance = 1.1; // rounding, here and in the programs
+        if (low > middle_ + tolerance * half_ || high < middle_ - tolerance * half_) return;
+        const glm::dvec2 size = box.high - box.low;
+        if (!(std::max(size.x, size.y) > 2)) return mark(box);
+        const std::size_t longest = longest_edge({triangle[0].along, triangle[1].along, triangle[2].along});
+        const Point &a = triangle[longest], &b = triangle[(longest + 1) % 3], &c = triangle[(longest + 2) % 3];
+        const Point middle{0.5 * (a.along + b.along), 0.5 * (a.across + b.across)};
+        add({a, middle, c});
+        add({middle, b, c});
+    }
+    void mark(const Box& box) {
+        const glm::dvec2 low = box.low - margin_, high = box.high + margin_;
+        for (int y = cell_of(low.y); y <= cell_of(high.y); ++y)
+            std::fill_n(is_near_.begin() + static_cast<std::ptrdiff_t>(index(cell_of(low.x), y)),
+                        cell_of(high.x) - cell_of(low.x) + 1, std::uint8_t{1});
+    }
+
+    const Places& places_;
+    double middle_, half_;
+    glm::dvec2 margin_;
+    std::vector<std::uint8_t> is_near_ = std::vector<std::uint8_t>(std::size_t{cells} * cells);
+};
+
+// Of one slice.
+class Sorter {
+public:
+    Sorter(const SlabMesh& slice, const Places& places, const NearBoundary& near) : slice_(slice), near_(near) {
+        sorted_.slice = &slice;
+        sorted_.triangles.reserve(slice.triangles.size());
+        inner_.reserve(slice.triangles.size());
+        places_.reserve(slice.vertices.size());
+        for (const SlabVertex& vertex : slice.vertices) places_.push_back(places.along(vertex.position));
+    }
+
+    SortedSlice sort() && {
+        const std::vector<Index>& corners = slice_.triangles;
+        for (std::size_t i = 0; i < corners.size(); i += 3) add({corners[i], corners[i + 1], corners[i + 2]});
+        sorted_.outer = sorted_.triangles.size();
+        sorted_.triangles.insert(sorted_.triangles.end(), inner_.begin(), inner_.end());
+        return std::move(sorted_);
+    }
+
+private:
+    using Triangle = std::array<Index, 3>;
+
+    [[nodiscard]] const SlabVertex& vertex(Index i) const {
+        return i < slice_.vertices.size() ? slice_.vertices[i] : sorted_.more[i - slice_.vertices.size()];
+    }
+
+    void add(const Triangle& triangle) {
+        Box box;
+        for (const Index corner : triangle) box.add(places_[corner]);
+        if (!near_.has_any(box)) {
+            inner_.insert(inner_.end(), triangle.begin(), triangle.end());
+        } else if (const glm::dvec2 size = box.high - box.low; std::max(size.x, size.y) > worth_splitting) {
+            split(triangle);
+        } else {
+            sorted_.triangles.insert(sorted_.triangles.end(), triangle.begin(), triangle.end());
+        }
+    }
+
+    void split(const Triangle& triangle) {
+        const std::size_t edge = longest_edge({places_[triangle[0]], places_[triangle[1]], places_[triangle[2]]});
+        const Index a = triangle[edge], b = triangle[(edge + 1) % 3], c = triangle[(edge + 2) % 3];
+        SlabVertex middle = halfway(vertex(a), vertex(b));
+        middle.limits = vertex(triangle[0]).limits;
+        const auto m = static_cast<Index>(slice_.vertices.size() + sorted_.more.size());
+        sorted_.more.push_back(middle);
+        places_.push_back(0.5 * (places_[a] + places_[b]));
+        add({m, c, a});
+        add({m, b, c});
+    }
+
+    static SlabVertex halfway(const SlabVertex& a, const SlabVertex& b) {
+        SlabVertex middle{};
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            middle.position[axis] = std::midpoint(a.position[axis], b.position[axis]);
+            middle.gradient[axis] = std::midpoint(a.gradient[axis], b.gradient[axis]);
+        }
+        middle.value = std::midpoint(a.value, b.value);
+        return middle;
+    }
+
+    const SlabMesh& slice_;
+    const NearBoundary& near_;
+    std::vector<glm::dvec2> places_; // of the vertices, in cells
+    SortedSlice sorted_;
+    std::vector<Index> inner_;
+};
+
+} // namespace
+
+std::vector<SortedSlice> sort_slices(const Volume& volume, std::span<const std::vector<Index>> boundary_of_slab) {
+    std::vector<SortedSlice> out(boundary_of_slab.size());
+    const Places places(volume);
+    const double thickness = volume.thickness * static_cast<double>(volume.stride);
+    parallel_for(out.size(), 1, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t slab = begin; slab < end; ++slab) {
+            const std::size_t i = slab * volume.stride + volume.stride / 2;
+            if (i >= volume.slices.size()) continue;
+            const SlabMesh& slice = volume.slices[i];
+            const double middle = volume.first + (static_cast<double>(slab) + 0.5) * thickness;
+            NearBoundary near(places, middle, thickness / 2);
+            const std::vector<Index>& list = boundary_of_slab[slab];
+            for (std::size_t k = 0; k < list.size(); k += 3)
+                near.add(volume.boundary->vertices[list[k]].position, volume.boundary->vertices[list[k + 1]].position,
+                         volume.boundary->vertices[list[k + 2]].position);
+            out[slab] = Sorter(slice, places, near).sort();
+        }
+    });
+    return out;
+}
+
+} // namespace ciel::render
