@@ -70,7 +70,8 @@ void add_log(Marks& marks, int most) {
 int exponent_of(const ColorScale& scale) { return scale.log ? 0 : common_exponent(scale.range[0], scale.range[1]); }
 
 std::string label_on(const ColorScale& scale, double value) {
-    if (scale.log) return number_label(value);
+    // Over a power of ten and more the eye reads no more digits off a logarithmic bar.
+    if (scale.log) return number_label(value, scale.range[1] >= 10 * scale.range[0] ? 3 : 6);
     return number_label(value, static_cast<double>(scale.range[1]) - scale.range[0], exponent_of(scale));
 }
 

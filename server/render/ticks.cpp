@@ -80,13 +80,13 @@ std::string number_label(double value, double span, int exponent) {
     return without_trailing_zeros(with_decimals(value * std::pow(10.0, -exponent), 2 - magnitude(size) + exponent));
 }
 
-std::string number_label(double value) {
+std::string number_label(double value, int digits) {
     const int exponent = common_exponent(value, value);
     const double mantissa = value * std::pow(10.0, -exponent);
     if (!std::isfinite(mantissa)) return "n/a";
     const int places = mantissa == 0 ? 0 : magnitude(std::abs(mantissa));
-    const std::string digits = without_trailing_zeros(with_decimals(mantissa, 5 - places));
-    return exponent != 0 && digits == "1" ? power_of_ten(exponent) : digits + times_power_of_ten(exponent);
+    const std::string text = without_trailing_zeros(with_decimals(mantissa, digits - 1 - places));
+    return exponent != 0 && text == "1" ? power_of_ten(exponent) : text + times_power_of_ten(exponent);
 }
 
 std::string times_power_of_ten(int exponent) { return exponent == 0 ? "" : " ×" + power_of_ten(exponent); }

@@ -24,8 +24,8 @@ struct Scale {
 [[nodiscard]] int common_exponent(double low, double high);
 // With the digits that tell apart thousandths of `span`; no trailing zeros, U+2212 as minus sign.
 [[nodiscard]] std::string number_label(double value, double span, int exponent);
-// As it stands, with six digits and its own power of ten: a time, say, or a number on a logarithmic scale.
-[[nodiscard]] std::string number_label(double value);
+// As it stands, with so many digits at most and its own power of ten: a time, say, or a number on a logarithmic scale.
+[[nodiscard]] std::string number_label(double value, int digits = 6);
 // " ×10⁵", or nothing for 0
 [[nodiscard]] std::string times_power_of_ten(int exponent);
 // m^2/s^2 -> m²/s²: what importers write, as people write it.

@@ -1,4 +1,5 @@
 // Ticks and numbers against a table, and their laws for random ranges.
+#include "render/color_ticks.hpp"
 #include "render/ticks.hpp"
 
 #include <cmath>
@@ -98,6 +99,17 @@ TEST(Numbers, HaveTheDigitsOfTheirSpan) {
     EXPECT_EQ(number_label(2.5e-6), "2.5 ×10⁻⁶");
     EXPECT_EQ(number_label(0), "0");
     EXPECT_EQ(number_label(infinity), "n/a");
+    EXPECT_EQ(number_label(4.39584e-6, 3), "4.4 ×10⁻⁶");
+    EXPECT_EQ(number_label(4395.84, 3), "4396");
+}
+
+TEST(Numbers, OfALogarithmicScaleHaveThreeDigitsOverAPowerOfTen) {
+    ColorScale scale;
+    scale.log = true;
+    scale.range = {4.39584e-6F, 4.39584F};
+    EXPECT_EQ(label_on(scale, 4.39584), "4.4");
+    scale.range = {4.39584F, 4.39876F};
+    EXPECT_EQ(label_on(scale, 4.39876), "4.39876");
 }
 
 TEST(Units, AreWrittenAsPeopleDo) {

@@ -48,5 +48,7 @@ describe("numbers, as the server writes them", () => {
       "2.5 \u00d710\u207b\u2075",
       "10\u207b\u2075",
     ]);
+    const wide = { ...logarithmic, range: [4.39584e-6, 4.39584] as [number, number] };
+    expect([labelOn(wide, 4.39584), labelOn(wide, 0.001)]).toEqual(["4.4", "0.001"]);
   });
 });

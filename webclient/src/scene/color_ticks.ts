@@ -18,9 +18,14 @@ const MOST_MARKED_DECADES = 8;
 /** The power of ten that is taken out of the numbers of a scale and stands in its title; 0 on a logarithmic one. */
 export const exponentOf = (scale: ColorScale): number => (scale.log ? 0 : commonExponent(...scale.range));
 
-/** A value as it stands beside the scale. */
+/**
+ * A value as it stands beside the scale. Over a power of ten and more the eye reads no more than three digits off a
+ * logarithmic bar.
+ */
 export const labelOn = (scale: ColorScale, value: number): string =>
-  scale.log ? numberAlone(value) : numberLabel(value, scale.range[1] - scale.range[0], exponentOf(scale));
+  scale.log
+    ? numberAlone(value, scale.range[1] >= 10 * scale.range[0] ? 3 : 6)
+    : numberLabel(value, scale.range[1] - scale.range[0], exponentOf(scale));
 
 function tick(scale: ColorScale, value: number, label: string): ColorTick {
   return { value, at: clamp(placeOf(scale, value), 0, 1), label };

@@ -51,14 +51,14 @@ export function numberLabel(value: number, span: number, exponent: number): stri
   return withoutTrailingZeros(withDecimals(value * 10 ** -exponent, 2 - magnitude(size) + exponent));
 }
 
-/** As it stands, with six digits and its own power of ten: a time, or a number on a logarithmic scale. */
-export function numberAlone(value: number): string {
+/** As it stands, with so many digits at most and its own power of ten: a time, or a number on a logarithmic scale. */
+export function numberAlone(value: number, digits = 6): string {
   const exponent = commonExponent(value, value);
   const mantissa = value * 10 ** -exponent;
   if (!Number.isFinite(mantissa)) return "n/a";
   const places = mantissa === 0 ? 0 : magnitude(Math.abs(mantissa));
-  const digits = withoutTrailingZeros(withDecimals(mantissa, 5 - places));
-  return exponent !== 0 && digits === "1" ? powerOfTen(exponent) : digits + timesPowerOfTen(exponent);
+  const text = withoutTrailingZeros(withDecimals(mantissa, digits - 1 - places));
+  return exponent !== 0 && text === "1" ? powerOfTen(exponent) : text + timesPowerOfTen(exponent);
 }
 
 function multiples(low: number, high: number, step: number): [first: number, last: number] {
