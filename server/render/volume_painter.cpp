@@ -105,9 +105,10 @@ VolumePainter::Slot& VolumePainter::slot_of(std::size_t volume) {
 
 void VolumePainter::load_buffers(const Frame& frame) {
     for (std::size_t i = 0; i < frame.volumes.size(); ++i) {
-        VolumeBuffers& buffers = slot_of(i).buffers;
-        buffers.load(frame.volumes[i]);
-        const auto& [low, high] = buffers.bounds();
+        Slot& slot = slot_of(i);
+        slot.buffers = frame.volumes[i].stride == 1 ? &slot.all : &slot.some;
+        slot.buffers->load(frame.volumes[i]);
+        const auto& [low, high] = slot.buffers->bounds();
         for (std::size_t axis = 0; axis < 3; ++axis) {
             view_.low[axis] = i == 0 ? low[axis] : std::min(view_.low[axis], double{low[axis]});
             view_.high[axis] = i == 0 ? high[axis] : std::max(view_.high[axis], double{high[axis]});
@@ -117,7 +118,7 @@ void VolumePainter::load_buffers(const Frame& frame) {
 
 void VolumePainter::prepare(const Volume& volume, Slot& slot, double share) {
     load_table(volume, slot.table, share);
-    slot.rays = &rays_.find(slot.buffers);
+    slot.rays = &rays_.find(*slot.buffers);
     use_programs(volume, slot);
 }
 
@@ -152,7 +153,7 @@ void VolumePainter::use_programs(const Volume& volume, Slot& slot) {
     set_slabs(*slot.slice, volume, thickness_of(volume));
     set_slabs(*slot.edge, volume, thickness_of(volume));
     slot.edge->set("first_place", static_cast<float>(volume.first));
-    slot.edge->set("last_slab", static_cast<float>(slot.buffers.slices().size() - 1));
+    slot.edge->set("last_slab", static_cast<float>(slot.buffers->slices().size() - 1));
 }
 
 void VolumePainter::set_slabs(const ShaderProgram& program, const Volume& volume, double thickness) const {
@@ -191,7 +192,7 @@ bool VolumePainter::has_coverage() const {
 void VolumePainter::find_coverage(const Frame& frame) {
     coverage_.begin(frame.width, frame.height, frame.samples);
     const glm::mat4 transform(view_.transform->projection * view_.transform->view);
-    for (std::size_t i = 0; i < frame.volumes.size(); ++i) coverage_.add(slot_of(i).buffers, transform);
+    for (std::size_t i = 0; i < frame.volumes.size(); ++i) coverage_.add(*slot_of(i).buffers, transform);
     coverage_.finish();
     gl_.Enable(GL_BLEND);
 }
@@ -207,7 +208,7 @@ void VolumePainter::draw_slabs(const Frame& frame) {
     std::vector<SlabRow> rows;
     for (const Volume& volume : frame.volumes) {
         slots.push_back(&slot_of(slots.size()));
-        rows.push_back({volume.first, thickness_of(volume), slots.back()->buffers.slices().size()});
+        rows.push_back({volume.first, thickness_of(volume), slots.back()->buffers->slices().size()});
     }
     const Slot* bound = nullptr;
     for (const auto& [volume, slab] : back_to_front(rows, eye_across(frame))) {
@@ -221,25 +222,25 @@ void VolumePainter::draw_slabs(const Frame& frame) {
 
 void VolumePainter::draw_slab(const Volume& volume, const Slot& slot, std::size_t slab) const {
     const auto place = static_cast<float>(volume.first + (static_cast<double>(slab) + 0.5) * thickness_of(volume));
-    if (slot.buffers.boundary_of_slabs()[slab].count > 0) {
+    if (slot.buffers->boundary_of_slabs()[slab].count > 0) {
         slot.edge->use();
         slot.edge->set("slab", static_cast<float>(slab));
         slot.edge->set("slice_place", place);
-        slot.buffers.bind_boundary();
-        slot.buffers.draw(slot.buffers.boundary_of_slabs()[slab]);
+        slot.buffers->bind_boundary();
+        slot.buffers->draw(slot.buffers->boundary_of_slabs()[slab]);
     }
     slot.slice->use();
     slot.slice->set("slice_place", place);
-    slot.buffers.bind_slices();
-    const auto& [outer, inner] = slot.buffers.slices()[slab];
-    slot.buffers.draw(outer);
+    slot.buffers->bind_slices();
+    const auto& [outer, inner] = slot.buffers->slices()[slab];
+    slot.buffers->draw(outer);
     if (inner.count == 0) return;
     const double from_eye = place - view_.eye_along(volume.normal);
     if (is_full(volume, from_eye)) {
         slot.inner->use();
         slot.inner->set("half_of", half_of_slab(volume, from_eye));
     }
-    slot.buffers.draw(inner);
+    slot.buffers->draw(inner);
 }
 
 // Whether nothing but the mesh is in the slab wherever the boundary is not.

@@ -41,12 +41,14 @@ private:
         double share = 1;
     };
     struct Slot { // of one volume
-        explicit Slot(const Gl& gl) : buffers(gl) {}
-        VolumeBuffers buffers;
+        explicit Slot(const Gl& gl) : all(gl), some(gl) {}
+        // Of all slices, and of those that are drawn while the camera moves: it stops and goes on again.
+        VolumeBuffers all, some;
         Table table;
         std::map<SlabProgramKind, ShaderProgram> slice_programs, inner_programs,
             edge_programs; // whose uniforms are this volume's
         // Of the frame being drawn.
+        VolumeBuffers* buffers = nullptr;
         const RaySheets* rays = nullptr;
         const ShaderProgram *slice = nullptr, *inner = nullptr, *edge = nullptr;
     };

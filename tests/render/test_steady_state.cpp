@@ -175,6 +175,13 @@ TEST_P(SteadyStateTest, AVolumeIsSentOnce) {
         turn();
         expect_nothing_sent(draw());
     }
+    frame.volumes[0].stride = 3; // as while the camera moves
+    (void)draw();
+    for (const std::size_t stride : {1, 3, 1}) {
+        frame.volumes[0].stride = stride;
+        turn();
+        expect_nothing_sent(draw());
+    }
     add(ball).color[3] = 0.5F;
     (void)draw();
     turn();
