@@ -45,8 +45,8 @@ private:
         // Of all slices, and of those that are drawn while the camera moves: it stops and goes on again.
         VolumeBuffers all, some;
         Table table;
-        std::map<SlabProgramKind, ShaderProgram> slice_programs, inner_programs,
-            edge_programs; // whose uniforms are this volume's
+        // Whose uniforms are this volume's.
+        std::map<SlabProgramKind, ShaderProgram> slice_programs, inner_programs, edge_programs;
         // Of the frame being drawn.
         VolumeBuffers* buffers = nullptr;
         const RaySheets* rays = nullptr;
