@@ -5,14 +5,16 @@
 namespace ciel::render {
 namespace {
 
-// Depths of the window run straight over a plane: only where they bend is an outline. A thousandth of all that is
-// between the nearest and the farthest place of the picture hides too little of a volume to be seen. A target's own
-// depth lies behind its surfaces (for the lines on them), most of all at their outlines, so the border between what is
-// in front and what is behind is close to what is behind, and where that is nothing, next to it.
+// Depths of the window run straight over a plane: only where they bend is an outline. A hundredth of all that is between
+// the nearest and the farthest place of the picture hides too little of a volume to be seen, and a ball bends by less
+// within itself. A target's own depth lies behind its surfaces (for the lines on them), most of all at their outlines,
+// so the border between what is in front and what is behind is close to what is behind, and where that is nothing, next
+// to it.
 constexpr const char* per_sample = R"(
 uniform sampler2D opaque;
 uniform float behind; // 1: samples that see past what ends there, and all where nothing does; 0: the others
-const float least_bend = 1e-3;
+const float least_bend = 1e-2;
+const float least_turn = 0.5; // of how steep it is
 const ivec2 around[8] = ivec2[](ivec2(-1, 0), ivec2(1, 0), ivec2(0, -1), ivec2(0, 1),
                                 ivec2(-1, -1), ivec2(1, 1), ivec2(-1, 1), ivec2(1, -1));
 vec2 seen_from() {
@@ -24,7 +26,10 @@ vec2 seen_from() {
         near = min(near, z[i]);
         far = max(far, z[i]);
     }
-    for (int i = 0; i < 8; i += 2) bend = max(bend, abs(z[i] + z[i + 1] - 2.0 * own));
+    for (int i = 0; i < 8; i += 2) {
+        float turn = abs(z[i] + z[i + 1] - 2.0 * own);
+        if (turn > least_turn * max(abs(z[i] - own), abs(z[i + 1] - own))) bend = max(bend, turn);
+    }
     gl_FragDepth = 0.0;
     if (bend < least_bend) {
         if (behind < 0.5) discard;
