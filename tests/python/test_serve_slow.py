@@ -37,6 +37,12 @@ def waiting(server: Server) -> float:
     return server.metrics()["ciel_slow_calls_waiting"]
 
 
+def begun(server: Server) -> float:
+    """Pictures that are drawn or being drawn: one that has its turn may not be that far yet."""
+    samples = server.metrics()
+    return samples["ciel_pictures_total"] + samples["ciel_frame_workers_busy"]
+
+
 def idle(server: Server) -> bool:
     samples = server.metrics()
     return samples["ciel_slow_calls"] == samples["ciel_slow_calls_waiting"] == samples["ciel_frame_workers_busy"] == 0
@@ -106,6 +112,7 @@ def test_stopping_finishes_what_is_drawn_and_answers_the_rest(box):
     with Server(box) as server:
         hogs = [post(server, picture()) for _ in range(6)]
         until(lambda: waiting(server) == 4)
+        until(lambda: begun(server) >= 2)
         readers = [threading.Thread(target=read, args=(hog,)) for hog in hogs]
         for reader in readers:
             reader.start()
