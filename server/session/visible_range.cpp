@@ -12,8 +12,7 @@ namespace {
 
 constexpr int frame_height = 1000; // any: only the shape of the picture counts
 
-// Of the places that a view shows: all of them without one, and none that a
-// clip plane has taken away.
+// Of the places that a view shows: all of them without one, and none that a clip plane has taken away.
 class SeenValues {
 public:
     SeenValues(const Geometry& geometry, const scene::Scene& scene, std::optional<double> aspect)
