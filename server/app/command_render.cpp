@@ -176,7 +176,7 @@ int run_command(const RenderCommand& render) {
     render::Renderer renderer(backend);
     renderer.draw(session::picture_of(*geometry, scene, size), image);
     std::vector<std::uint8_t> png;
-    wire::encode_png(image.width, image.height, image.rgb, wire::PngEffort::still, png);
+    wire::encode_png(image.width, image.height, image.rgb, png);
     store::replace_file(std::filesystem::absolute(render.output), std::as_bytes(std::span(png)));
     std::printf("wrote %s: %zu triangles by %s (%s)\n", render.output.c_str(), geometry->triangles,
                 renderer.gl_renderer().c_str(), renderer.selection().c_str());

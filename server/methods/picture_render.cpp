@@ -18,7 +18,7 @@ protocol::PictureRenderResult picture_render(Context& context, const protocol::P
     });
     context.check_wanted();
     std::vector<std::uint8_t> png;
-    wire::encode_png(image.width, image.height, image.rgb, wire::PngEffort::still, png);
+    wire::encode_png(image.width, image.height, image.rgb, png);
     context.server.counters().count_picture(png.size());
     return {"image/png",    params.width, params.height, static_cast<std::int64_t>(source.version().revision),
             geometry->time, base64(png)};

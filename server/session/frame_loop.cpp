@@ -51,7 +51,7 @@ void show_frame(View& view, Worker& worker, bool still) {
             const auto& image = draw(*geometry, request->version->scene, request->size, request->still, worker);
             header.draw_ms = elapsed_ms(drawing);
             if (request->still && request->stop.stop_requested()) return view.give_up();
-            messages.push_back(image_message(header, image, request->still));
+            messages.push_back(image_message(header, image, request->moving));
         } else if (view.is_new_content(content_of(*geometry))) {
             messages = geometry_messages(header, *geometry);
         }

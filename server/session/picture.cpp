@@ -36,11 +36,14 @@ render::Frame picture_of(const Geometry& geometry, const scene::Scene& scene, Vi
     return frame;
 }
 
-std::vector<std::uint8_t> image_message(wire::FrameHeader& header, const render::Image& image, bool still) {
+std::vector<std::uint8_t> image_message(wire::FrameHeader& header, const render::Image& image,
+                                        wire::PictureStream* moving) {
     const auto started = Clock::now();
     std::vector<std::uint8_t> message(wire::frame_header_bytes);
-    wire::encode_png(image.width, image.height, image.rgb,
-                     still ? wire::PngEffort::still : wire::PngEffort::interactive, message);
+    if (moving != nullptr)
+        moving->encode(image.width, image.height, image.rgb, message);
+    else
+        wire::encode_png(image.width, image.height, image.rgb, message);
     header.encode_ms = std::chrono::duration<float, std::milli>(Clock::now() - started).count();
     header.flags |= wire::first_of_frame | wire::last_of_frame;
     header.width = static_cast<std::uint32_t>(image.width);

@@ -19,9 +19,9 @@ void check_picture_size(const Limits& limits, std::int64_t width, std::int64_t h
                                         Worker& worker);
 // A picture that stands for itself, as a file does: a still with the scene's annotations.
 [[nodiscard]] render::Frame picture_of(const Geometry& geometry, const scene::Scene& scene, ViewSize size);
-// Header and PNG; fills in the header's encoding time, sizes and flags.
+// Header and picture, the next of `moving` or a PNG for good; fills in the header's encoding time, sizes and flags.
 [[nodiscard]] std::vector<std::uint8_t> image_message(wire::FrameHeader& header, const render::Image& image,
-                                                      bool still);
+                                                      wire::PictureStream* moving);
 // Writes the frame number into a finished message: it is known only when the frame is sent.
 void number_frame(std::vector<std::uint8_t>& message, std::uint32_t frame);
 

@@ -68,7 +68,7 @@ void Sessions::close(const std::string& id) {
 }
 
 std::shared_ptr<View> Sessions::open_view(Session& session, const std::shared_ptr<Connection>& connection,
-                                          ViewSize size, Stream stream) {
+                                          ViewSize size, Stream stream, MovingCodec moving) {
     const auto shared = find(session.id());
     std::uint32_t id = 0;
     {
@@ -76,7 +76,7 @@ std::shared_ptr<View> Sessions::open_view(Session& session, const std::shared_pt
         if (stopped_) throw LimitReached("the server is about to stop and opens no new views");
         id = ++last_view_;
     }
-    auto view = std::make_shared<View>(id, shared, connection, services_, size, stream);
+    auto view = std::make_shared<View>(id, shared, connection, services_, size, stream, moving);
     shared->subscribe(connection->id);
     shared->add_view(view);
     const std::scoped_lock lock(mutex_);

@@ -21,7 +21,7 @@ public:
 
     // Views have ids of their own in the process; only the connection that opened one may use it.
     [[nodiscard]] std::shared_ptr<View> open_view(Session& session, const std::shared_ptr<Connection>& connection,
-                                                  ViewSize size, Stream stream);
+                                                  ViewSize size, Stream stream, MovingCodec moving);
     [[nodiscard]] std::shared_ptr<View> view(std::uint32_t id, std::uint64_t connection); // throws NotFound
     void close_view(std::uint32_t id, std::uint64_t connection);                          // throws NotFound
 

@@ -14,9 +14,9 @@ constexpr std::chrono::milliseconds patience{500}; // younger interactive work i
 } // namespace
 
 View::View(std::uint32_t id, std::shared_ptr<Session> session, std::shared_ptr<Connection> connection,
-           const Services& services, ViewSize size, Stream stream)
+           const Services& services, ViewSize size, Stream stream, MovingCodec moving)
     : id_(id), session_(std::move(session)), connection_(std::move(connection)), services_(services), size_(size),
-      stream_(stream) {}
+      stream_(stream), moving_(moving) {}
 
 void View::offer(std::shared_ptr<const SceneVersion> version) {
     const std::scoped_lock lock(mutex_);
@@ -44,8 +44,9 @@ void View::resize(ViewSize size) {
     again();
 }
 
-void View::set_stream(Stream stream) {
+void View::set_stream(Stream stream, std::optional<MovingCodec> moving) {
     const std::scoped_lock lock(mutex_);
+    moving_ = moving.value_or(moving_);
     if (stream_ == stream) return;
     stream_ = stream;
     again();
@@ -87,13 +88,19 @@ std::optional<FrameRequest> View::take(bool still) {
         schedule();
         return {};
     }
-    FrameRequest request{still ? still_wanted_ : *mailbox_.take(), size_, stream_, still, {}, Clock::now()};
+    FrameRequest request{still ? still_wanted_ : *mailbox_.take(), size_, stream_, still, nullptr, {}, Clock::now()};
+    if (!still && stream_ == Stream::image) request.moving = &pictures_now();
     stop_ = std::stop_source();
     request.stop = stop_.get_token();
     started_ = request.started;
     working_ = true;
     working_on_still_ = still;
     return request;
+}
+
+wire::PictureStream& View::pictures_now() {
+    if (!pictures_.stream || pictures_.codec != moving_) pictures_ = {moving_, wire::make_picture_stream(moving_)};
+    return *pictures_.stream;
 }
 
 void View::deliver(const FrameRequest& request, std::vector<std::vector<std::uint8_t>> messages,

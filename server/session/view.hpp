@@ -4,6 +4,7 @@
 #include "session/mailbox.hpp"
 #include "session/services.hpp"
 #include "session/session.hpp"
+#include "wire/picture_stream.hpp"
 
 #include <memory>
 #include <stop_token>
@@ -11,6 +12,7 @@
 namespace ciel::session {
 
 enum class Stream { image, geometry };
+using wire::MovingCodec; // of interactive pictures; a still is a PNG
 
 struct ViewSize {
     std::uint32_t width = 0, height = 0;
@@ -22,6 +24,7 @@ struct FrameRequest {
     ViewSize size;
     Stream stream = Stream::image;
     bool still = false;
+    wire::PictureStream* moving = nullptr; // the view's, that an interactive picture is one of
     std::stop_token stop;
     Clock::time_point started;
 };
@@ -34,7 +37,7 @@ using ContentKey = std::string;
 class View : public std::enable_shared_from_this<View> {
 public:
     View(std::uint32_t id, std::shared_ptr<Session> session, std::shared_ptr<Connection> connection,
-         const Services& services, ViewSize size, Stream stream);
+         const Services& services, ViewSize size, Stream stream, MovingCodec moving);
 
     [[nodiscard]] std::uint32_t id() const { return id_; }
     [[nodiscard]] std::uint64_t connection_id() const { return connection_->id; }
@@ -42,8 +45,8 @@ public:
 
     void offer(std::shared_ptr<const SceneVersion> version);
     void resize(ViewSize size);
-    void set_stream(Stream stream);
-    void acknowledge(std::uint32_t frame); // and all before it
+    void set_stream(Stream stream, std::optional<MovingCodec> moving); // none: as it was
+    void acknowledge(std::uint32_t frame);                             // and all before it
     void close();
 
     // For the frame loop, which follows a take() that returned something by exactly one of deliver, give_up and fail.
@@ -61,6 +64,7 @@ public:
 private:
     void again();  // REQUIRES: the lock; the same scene, because size or stream changed
     void finish(); // REQUIRES: the lock
+    [[nodiscard]] wire::PictureStream& pictures_now(); // REQUIRES: the lock, and that none has taken
     void schedule();
     [[nodiscard]] bool has_room() const { return sent_ - acknowledged_ < services_.limits.unacknowledged_frames; }
 
@@ -72,6 +76,11 @@ private:
     std::mutex mutex_;
     ViewSize size_;
     Stream stream_;
+    MovingCodec moving_;
+    struct {
+        MovingCodec codec{};
+        std::unique_ptr<wire::PictureStream> stream; // null: none has been asked for
+    } pictures_;                                     // for who has taken
     Mailbox<std::shared_ptr<const SceneVersion>> mailbox_;
     std::shared_ptr<const SceneVersion> newest_;       // last offered
     std::shared_ptr<const SceneVersion> still_wanted_; // shown, and no still of it yet

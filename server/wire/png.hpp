@@ -1,4 +1,4 @@
-// PNG (ISO/IEC 15948) by libpng.
+// PNG (ISO/IEC 15948) by libpng, coded for size: for stills and files.
 #pragma once
 
 #include <cstdint>
@@ -7,10 +7,7 @@
 
 namespace ciel::wire {
 
-enum class PngEffort { interactive, still }; // level 1 + SUB + run lengths against libpng's own choices at level 6
-
 // rgb: rows from the top, 3 bytes a pixel. Appends to `out`. Throws Error when sizes do not agree.
-void encode_png(int width, int height, std::span<const std::uint8_t> rgb, PngEffort effort,
-                std::vector<std::uint8_t>& out);
+void encode_png(int width, int height, std::span<const std::uint8_t> rgb, std::vector<std::uint8_t>& out);
 
 } // namespace ciel::wire

@@ -289,6 +289,32 @@ describe("hands", { skip }, () => {
     await client.settled();
   });
 
+  test("moving pictures as JPEG, which follow the hand as the others do; the still is the same", async () => {
+    const kindsSeen = async (): Promise<string[]> =>
+      client.page.evaluate(() => (globalThis as { kinds?: string[] }).kinds ?? []);
+    const before = await client.picture();
+    const kinds = `globalThis.kinds = [];
+      const asked = globalThis.createImageBitmap;
+      globalThis.createImageBitmap = (blob) => (globalThis.kinds.push(blob.type), asked(blob));`;
+    await client.page.evaluate(kinds);
+    await client.page.getByLabel("Stream").selectOption("jpeg");
+    await client.dragCanvas([0.5, 0.5], [0.6, 0.5]);
+    await client.settled();
+    const seen = await kindsSeen();
+    assert.equal(seen.at(-1), "image/png");
+    assert.ok(seen.includes("image/jpeg"), seen.join());
+    await client.button("Undo").click();
+    await client.settled();
+    assert.equal(difference(before, await client.picture()), 0);
+    await client.page.getByLabel("Stream").selectOption("image");
+    await client.page.evaluate("globalThis.kinds = []");
+    await client.dragCanvas([0.5, 0.5], [0.6, 0.5]);
+    await client.settled();
+    assert.ok(!(await kindsSeen()).includes("image/jpeg"));
+    await client.button("Undo").click();
+    await client.settled();
+  });
+
   test("the automatic stream: pictures from a server as fast as this machine, polygons for a graphics card", async () => {
     await client.page.getByLabel("Stream").selectOption("auto");
     await client.dragCanvas([0.5, 0.5], [0.55, 0.5]);

@@ -6,7 +6,10 @@ import io
 import json
 import socket
 
+import numpy
 import pytest
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkIOImage import vtkJPEGReader, vtkPNGReader
 
 import box_dataset
 from serve_process import PATIENCE, UPGRADE, Frame, Server, client, iso, until
@@ -44,6 +47,43 @@ def test_frames_follow_the_scene(server):
             assert pictures[0] != pictures[1]
             numbers = [frame.number for frame in caller.frames]
             assert numbers == sorted(set(numbers))
+
+    run(attempt)
+
+
+def pixels(reader, payload: bytes) -> numpy.ndarray:
+    reader.SetMemoryBuffer(payload)
+    reader.SetMemoryBufferLength(len(payload))
+    reader.Update()
+    image = reader.GetOutput()
+    width, height, _ = image.GetDimensions()
+    return vtk_to_numpy(image.GetPointData().GetScalars()).reshape(height, width, 3).astype(int)
+
+
+def test_moving_pictures_are_jpeg_where_the_view_asks_for_it_and_stills_never(server):
+    async def attempt():
+        async with client(server) as caller:
+            session = (await caller.call("session.open", dataset="box"))["session"]
+            view = (await caller.call("view.open", session=session, width=333, height=240, moving="jpeg"))["view"]
+            for value in (0.5, 0.8, 0.6):
+                revision = (await caller.call("scene.patch", session=session, patch=iso(value)))["revision"]
+                still = await caller.frame(revision, still=True)
+                moving = [frame for frame in caller.frames if frame.revision == revision and not frame.still]
+                assert still.payload.startswith(b"\x89PNG\r\n\x1a\n") and len(moving) == 1
+                assert moving[0].payload.startswith(b"\xff\xd8\xff") and moving[0].payload.endswith(b"\xff\xd9")
+                exact, near = pixels(vtkPNGReader(), still.payload), pixels(vtkJPEGReader(), moving[0].payload)
+                assert exact.shape == near.shape == (240, 333, 3)
+                assert numpy.abs(exact - near).mean() < 3 and (exact != near).any()
+            asked = ((0.7, None, b"\xff\xd8"), (0.72, "png", b"\x89P"), (0.74, None, b"\x89P"), (0.76, "jpeg", b"\xff\xd8"))
+            for value, codec, signature in asked:
+                await caller.call("view.stream", view=view, stream="image", **({"moving": codec} if codec else {}))
+                revision = (await caller.call("scene.patch", session=session, patch=iso(value)))["revision"]
+                await caller.frame(revision, still=True)
+                frame = next(frame for frame in caller.frames if frame.revision == revision and not frame.still)
+                assert frame.payload.startswith(signature), codec
+            number = await caller.send("view.open", session=session, width=320, height=240, moving="webp")
+            error = (await caller.answer(number))["error"]
+            assert "moving" in json.dumps(error)
 
     run(attempt)
 

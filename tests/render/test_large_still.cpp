@@ -51,7 +51,7 @@ void keep(const Image& image, const char* name) {
     const auto folder = std::filesystem::path(CIEL_BINARY_DIR) / "pictures";
     std::filesystem::create_directories(folder);
     std::vector<std::uint8_t> png;
-    wire::encode_png(image.width, image.height, image.rgb, wire::PngEffort::interactive, png);
+    wire::encode_png(image.width, image.height, image.rgb, png);
     std::ofstream(folder / name, std::ios::binary)
         .write(reinterpret_cast<const char*>(png.data()), static_cast<std::streamsize>(png.size()));
 }

@@ -1,6 +1,6 @@
 import { describe, expect, test } from "vitest";
 import { decodeGeometry } from "../src/decoders/geometry";
-import { pngOf } from "../src/decoders/image";
+import { pictureOf } from "../src/decoders/image";
 import { lineEnds } from "../src/display/lines";
 import { decodeHeader } from "../src/protocol/frame_header";
 import { frameBytes, geometryPayload, PNG_SIGNATURE } from "./frames";
@@ -78,15 +78,23 @@ describe("frame header", () => {
 });
 
 describe("image", () => {
-  test("the payload is the PNG", async () => {
-    const png = Uint8Array.of(...PNG_SIGNATURE, 1, 2, 3);
-    const blob = pngOf(frameBytes({}, png));
-    expect(blob.type).toBe("image/png");
-    expect(new Uint8Array(await blob.arrayBuffer())).toEqual(png);
+  test.each([
+    { type: "image/png", signature: PNG_SIGNATURE },
+    { type: "image/jpeg", signature: [0xff, 0xd8, 0xff] },
+  ])("the payload is the $type", async ({ type, signature }) => {
+    const picture = Uint8Array.of(...signature, 1, 2, 3);
+    const blob = pictureOf(frameBytes({}, picture));
+    expect(blob.type).toBe(type);
+    expect(new Uint8Array(await blob.arrayBuffer())).toEqual(picture);
   });
 
-  test("anything else is refused", () => {
-    expect(() => pngOf(frameBytes({}, Uint8Array.of(0xff, 0xd8, 0xff, 0xe0)))).toThrow("does not hold a PNG");
+  test.each([
+    { payload: [] },
+    { payload: [0xff, 0xd8] },
+    { payload: PNG_SIGNATURE.slice(0, 7) },
+    { payload: [0x47, 0x49, 0x46, 0x38] },
+  ])("$payload is refused", ({ payload }) => {
+    expect(() => pictureOf(frameBytes({}, Uint8Array.from(payload)))).toThrow("neither a PNG nor a JPEG");
   });
 });
 

@@ -50,7 +50,7 @@ beforeEach(() => {
   const host = {
     firstScene: () => Promise.resolve(scene),
     viewSize: () => size,
-    stream: () => "image" as const,
+    stream: () => ({ stream: "image", moving: "jpeg" }) as const,
     viewOpening: () => void views.push(-1),
     viewOpened: (view: number) => void views.push(view),
     opened: () => undefined,
@@ -70,7 +70,7 @@ describe("session", () => {
     await join(scene, 4);
     expect(network.newest.calls("session.open")).toMatchObject([{ params: { session: "s", scene } }]);
     expect(network.newest.calls("view.open")).toMatchObject([
-      { params: { session: "s", width: 800, height: 600, stream: "image" } },
+      { params: { session: "s", width: 800, height: 600, stream: "image", moving: "jpeg" } },
     ]);
     expect(views.at(-1)).toBe(4);
     expect(editor.scene).toEqual(scene);

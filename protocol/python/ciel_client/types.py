@@ -445,6 +445,7 @@ class ViewOpenParams(TypedDict):
     width: int
     height: int
     stream: NotRequired[Literal["image", "geometry"]]
+    moving: NotRequired[Literal["png", "jpeg"]]  # How interactive pictures are coded; a still is a PNG.
 
 
 class ViewOpenResult(TypedDict):
@@ -467,6 +468,7 @@ class ViewStreamParams(TypedDict):
 
     view: int
     stream: Literal["image", "geometry"]
+    moving: NotRequired[Literal["png", "jpeg"]]  # As in view.open; without it this stays as it is.
 
 
 ViewStreamResult = None

@@ -5,6 +5,7 @@
 #include "session/scene_geometry.hpp"
 #include "vs_vtk_render/jpeg.hpp"
 #include "vs_vtk_render/vtk_window.hpp"
+#include "wire/jpeg_stream.hpp"
 
 #include <algorithm>
 #include <cstdio>
@@ -25,7 +26,9 @@ namespace {
 
 constexpr int width = 1280, height = 720;
 
-// As the server makes the frames of a view, but for the JPEG.
+enum class End { pixels, jpeg };
+
+// As the server makes the frames of a view.
 class Own {
 public:
     explicit Own(const bench::Case& data) : data_(data) {
@@ -37,14 +40,15 @@ public:
         scene_.layers = {{"bench", 0, true, 1, iso}};
     }
 
-    std::uint64_t draw(double value, render::Renderer& renderer) {
+    std::uint64_t draw(double value, End end, render::Renderer& renderer) {
         std::get<scene::IsoLayer>(scene_.layers.front().kind).values = {value};
         const auto geometry = geometry_.update(scene_, data_.loaded, {}, std::numeric_limits<std::size_t>::max(), true);
         const render::Frame frame = session::frame_of(*geometry, scene_, width, height, 1);
         camera_ = frame.camera;
         origin_ = frame.origin;
         const render::Image& image = renderer.draw(frame);
-        encode_jpeg_of_rgb(width, height, image.rgb, jpeg_);
+        jpeg_.clear();
+        if (end == End::jpeg) stream_.encode(width, height, image.rgb, jpeg_);
         image_ = &image;
         return geometry->triangles;
     }
@@ -61,6 +65,7 @@ private:
     render::Camera camera_;
     Vec3d origin_{};
     const render::Image* image_ = nullptr; // the renderer's, of the last draw
+    wire::JpegStream stream_;
     std::vector<std::uint8_t> jpeg_;
 };
 
@@ -82,11 +87,11 @@ public:
         origin_ = own.origin();
     }
 
-    std::uint64_t draw(double value) {
+    std::uint64_t draw(double value, End end) {
         set_value_(value);
         window_.set_camera(camera_, origin_);
         pixels_ = window_.draw();
-        encode_jpeg_of_rgba(width, height, pixels_, jpeg_);
+        if (end == End::jpeg) encode_jpeg(width, height, pixels_, jpeg_);
         return static_cast<std::uint64_t>(vtkPolyData::SafeDownCast(surface_())->GetNumberOfCells());
     }
     [[nodiscard]] double covered_share() const { return covered_share_of_rgba(pixels_); }
@@ -138,27 +143,32 @@ void frames(const bench::Case& data, vtkUnstructuredGrid* grid, session::FrameWo
     // Arbitrary polyhedra take VTK half a second each.
     const std::vector<double> values = bench::values_between(low, high, is_linear(data) ? 20 : 4);
     Own own(data);
-    const auto draw = [&](double value) {
-        return drawing.run([&](session::Worker& worker) { return own.draw(value, worker.renderer()); });
+    const auto draw = [&](double value, End end) {
+        return drawing.run([&](session::Worker& worker) { return own.draw(value, end, worker.renderer()); });
     };
-    (void)draw(values.front()); // says the camera
+    (void)draw(values.front(), End::pixels); // says the camera
     std::vector<Named> theirs = pipelines(data, grid, own);
     const auto all = [&](auto&& one) {
         std::uint64_t triangles = 0;
         for (const double value : values) triangles += one(value);
         return triangles;
     };
-    std::vector<Contender> vtk;
-    for (Named& named : theirs)
-        vtk.push_back(
-            {named.name, [&all, &named] { return all([&](double value) { return named.theirs->draw(value); }); }});
+    const auto compare_to = [&](End end, const char* what) {
+        const Contender ciel{"CIEL", [&, end] { return all([&](double value) { return draw(value, end); }); }};
+        std::vector<Contender> vtk;
+        for (Named& named : theirs)
+            vtk.push_back({named.name, [&all, &named, end] {
+                               return all([&](double value) { return named.theirs->draw(value, end); });
+                           }});
+        return duel(std::to_string(values.size()) + what, ciel, vtk);
+    };
     const Asked asked = is_linear(data) ? Asked{0.6, 0.35} : Asked{1.0 / 15, 1.0 / 40};
-    compare(duel(std::to_string(values.size()) + " values, each to a JPEG frame of 1280x720",
-                 {"CIEL", [&] { return all(draw); }}, vtk),
-            asked);
+    compare(compare_to(End::jpeg, " values, each to a JPEG frame of 1280x720"), asked);
+    // CIEL codes what has changed, on all threads, where VTK's pictures are given to libjpeg as they are.
+    compare_to(End::pixels, " values, each to the pixels of that frame");
     const double middle = values[values.size() / 2];
-    (void)draw(middle);
-    (void)theirs.front().theirs->draw(middle);
+    (void)draw(middle, End::jpeg);
+    (void)theirs.front().theirs->draw(middle, End::jpeg);
     std::printf("    %zu bytes by CIEL, %zu by VTK\n", own.bytes(), theirs.front().theirs->bytes());
     compare_covered(own.covered_share(), theirs.front().theirs->covered_share());
 }

@@ -1,4 +1,4 @@
-// JPEG of quality 80 by libjpeg-turbo, for both sides of a bench.
+// JPEG of quality 80 by libjpeg-turbo, as CIEL codes its moving pictures, but in one go.
 #pragma once
 
 #include <cstdint>
@@ -7,10 +7,7 @@
 
 namespace ciel::vs_vtk {
 
-// Replaces `out`; its memory is used again. The program ends with libjpeg's words where it fails.
-void encode_jpeg_of_rgb(int width, int height, std::span<const std::uint8_t> rows_from_top,
-                        std::vector<std::uint8_t>& out);
-void encode_jpeg_of_rgba(int width, int height, std::span<const std::uint8_t> rows_from_bottom,
-                         std::vector<std::uint8_t>& out);
+// RGBA. Replaces `out`; its memory is used again. The program ends with libjpeg's words where it fails.
+void encode_jpeg(int width, int height, std::span<const std::uint8_t> rows_from_bottom, std::vector<std::uint8_t>& out);
 
 } // namespace ciel::vs_vtk

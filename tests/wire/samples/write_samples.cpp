@@ -1,6 +1,7 @@
 // Writes pictures and one surface in every format into a folder, for read_by_others.py.
 #include "../pictures.hpp"
 #include "wire/png.hpp"
+#include "wire/png_stream.hpp"
 #include "wire/surface_files.hpp"
 
 #include <filesystem>
@@ -35,20 +36,22 @@ Surface prism() {
     return surface;
 }
 
+void write(const std::filesystem::path& path, const std::vector<std::uint8_t>& bytes) {
+    std::ofstream(path, std::ios::binary)
+        .write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+}
+
 } // namespace
 
 int main(int, char** arguments) {
     const std::filesystem::path folder = arguments[1];
     for (const wire::Picture& picture : wire::pictures()) {
-        std::ofstream(folder / (picture.name + ".rgb"), std::ios::binary)
-            .write(reinterpret_cast<const char*>(picture.rgb.data()), static_cast<std::streamsize>(picture.rgb.size()));
-        for (const auto effort : {wire::PngEffort::interactive, wire::PngEffort::still}) {
-            std::vector<std::uint8_t> png;
-            wire::encode_png(picture.width, picture.height, picture.rgb, effort, png);
-            const char* suffix = effort == wire::PngEffort::still ? ".still.png" : ".interactive.png";
-            std::ofstream(folder / (picture.name + suffix), std::ios::binary)
-                .write(reinterpret_cast<const char*>(png.data()), static_cast<std::streamsize>(png.size()));
-        }
+        write(folder / (picture.name + ".rgb"), picture.rgb);
+        std::vector<std::uint8_t> still, moving;
+        wire::encode_png(picture.width, picture.height, picture.rgb, still);
+        wire::PngStream().encode(picture.width, picture.height, picture.rgb, moving);
+        write(folder / (picture.name + ".still.png"), still);
+        write(folder / (picture.name + ".interactive.png"), moving);
     }
     const Surface surface = prism();
     wire::ExportSurface sample{surface, {500000.0, 4000000.0, 0.25}, {{"a <b> & \"c\"", {}}}, false};

@@ -1,5 +1,5 @@
 // What this browser remembers: the theme for good, the session for the tab's life.
-import type { Theme } from "./state";
+import type { StreamChoice, Theme } from "./state";
 
 const THEME = "ciel.theme";
 const SESSION = "ciel.session";
@@ -31,9 +31,9 @@ export function savedTheme(): Theme {
 
 export const saveTheme = (theme: Theme): void => write(local, THEME, theme);
 
-export function savedStream(): "image" | "geometry" | "auto" {
+export function savedStream(): StreamChoice {
   const stream = read(local, STREAM);
-  return stream === "geometry" || stream === "auto" ? stream : "image";
+  return stream === "jpeg" || stream === "geometry" || stream === "auto" ? stream : "image";
 }
 
 export const saveStream = (stream: string): void => write(local, STREAM, stream);

@@ -5,7 +5,7 @@ import type { ConnectionState } from "../protocol/connection";
 import type { Result } from "../protocol/rpc";
 import type { Refusal } from "../session/access";
 
-export type StreamChoice = "image" | "geometry" | "auto";
+export type StreamChoice = "image" | "jpeg" | "geometry" | "auto";
 export type Theme = "system" | "dark" | "light";
 
 export interface Readout {

@@ -8,6 +8,7 @@ import { useApp, useAppState } from "./context";
 
 const STREAMS = [
   { value: "image", text: "Images" },
+  { value: "jpeg", text: "Images, JPEG while moving" },
   { value: "geometry", text: "Geometry" },
   { value: "auto", text: "Automatic" },
 ];

@@ -9,11 +9,17 @@ export interface ViewSize {
   height: number;
 }
 
+/** What a view is asked to send; a still is a PNG whatever the moving pictures are. */
+export interface StreamWish {
+  stream: "image" | "geometry";
+  moving: "png" | "jpeg";
+}
+
 export interface SessionHost {
   /** The scene of a session that does not exist yet, or null when there is nothing to show. */
   firstScene(call: Caller): Promise<Scene | null>;
   viewSize(): ViewSize;
-  stream(): "image" | "geometry";
+  stream(): StreamWish;
   /** Frames of a view that is not named yet may come from here on. */
   viewOpening(): void;
   /** 0: no view. */
@@ -87,9 +93,9 @@ export class Session {
     this.call("view.resize", { view: this.view, ...size }).catch((error: unknown) => this.report(error));
   }
 
-  setStream(stream: "image" | "geometry"): void {
+  setStream(wish: StreamWish): void {
     if (this.view === 0) return;
-    this.call("view.stream", { view: this.view, stream }).catch((error: unknown) => this.report(error));
+    this.call("view.stream", { view: this.view, ...wish }).catch((error: unknown) => this.report(error));
   }
 
   /** Opens the session with this scene where there is none: nothing to open it with until now, or refused before. */
@@ -161,7 +167,7 @@ export class Session {
     if (chosen !== null && chosen.dataset !== state.scene.dataset) void this.editor.propose(chosen);
     this.sentSize = this.host.viewSize();
     this.host.viewOpening();
-    const { view } = await rpc.call("view.open", { session, ...this.sentSize, stream: this.host.stream() });
+    const { view } = await rpc.call("view.open", { session, ...this.sentSize, ...this.host.stream() });
     if (this.rpc !== rpc) return;
     this.setView(view);
     this.resize(); // it may have changed meanwhile

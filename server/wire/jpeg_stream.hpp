@@ -1,0 +1,21 @@
+// JPEG (ITU-T T.81) by libjpeg, quality 80.
+#pragma once
+
+#include "wire/jpeg_band.hpp"
+#include "wire/picture_stream.hpp"
+
+namespace ciel::wire {
+
+// A picture is coded in pieces of some 64 x 16 pixels with a restart marker after each (T.81, B.2.4.4), so that pieces
+// are coded side by side and one that has not changed keeps its bytes. Decoded, it is pixel for pixel what libjpeg
+// makes of the same picture in one go.
+class JpegStream final : public PictureStream {
+public:
+    void encode(int width, int height, std::span<const std::uint8_t> rgb, std::vector<std::uint8_t>& out) override;
+
+private:
+    int width_ = 0, height_ = 0;
+    std::vector<JpegBand> bands_; // of the last picture, from the top
+};
+
+} // namespace ciel::wire
