@@ -12,7 +12,7 @@
 #include "render/shaders.hpp"
 #include "render/target.hpp"
 #include "render/transparency.hpp"
-#include "render/volume_painter.hpp"
+#include "render/volume/volume_painter.hpp"
 
 #include <list>
 

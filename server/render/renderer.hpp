@@ -5,7 +5,7 @@
 #include "render/annotations.hpp"
 #include "render/color_scale.hpp"
 #include "render/lighting.hpp"
-#include "render/volume.hpp"
+#include "render/volume/volume.hpp"
 
 #include <cstdint>
 #include <functional>

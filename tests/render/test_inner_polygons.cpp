@@ -1,6 +1,6 @@
 // What is drawn without asking where rays enter and leave the mesh must be where none does.
-#include "render/boundary_of_slabs.hpp"
-#include "render/inner_polygons.hpp"
+#include "render/volume/boundary_of_slabs.hpp"
+#include "render/volume/inner_polygons.hpp"
 #include "scenes.hpp"
 #include "support/meshes.hpp"
 #include "volume_compare.hpp"

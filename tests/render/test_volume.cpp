@@ -1,5 +1,5 @@
 // Volumes against closed forms: Beer and Lambert for a constant property, the integral for a linear one.
-#include "render/transfer_table.hpp"
+#include "render/volume/transfer_table.hpp"
 #include "scenes.hpp"
 #include "support/fields.hpp"
 #include "support/meshes.hpp"

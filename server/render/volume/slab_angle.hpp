@@ -1,7 +1,7 @@
 // How slanted the rays of a picture are to a volume's slabs.
 #pragma once
 
-#include "render/volume_rays.hpp"
+#include "render/volume/volume_rays.hpp"
 
 namespace ciel::render {
 

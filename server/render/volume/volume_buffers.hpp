@@ -2,8 +2,8 @@
 #pragma once
 
 #include "render/gl.hpp"
-#include "render/inner_polygons.hpp"
-#include "render/volume.hpp"
+#include "render/volume/inner_polygons.hpp"
+#include "render/volume/volume.hpp"
 
 namespace ciel::render {
 

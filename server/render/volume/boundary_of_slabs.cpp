@@ -1,4 +1,4 @@
-#include "render/boundary_of_slabs.hpp"
+#include "render/volume/boundary_of_slabs.hpp"
 
 #include <algorithm>
 #include <cmath>

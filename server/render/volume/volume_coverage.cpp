@@ -1,4 +1,4 @@
-#include "render/volume_coverage.hpp"
+#include "render/volume/volume_coverage.hpp"
 
 #include "ciel/types.hpp"
 

@@ -1,4 +1,4 @@
-#include "render/slab_angle.hpp"
+#include "render/volume/slab_angle.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "render/volume_order.hpp"
+#include "render/volume/volume_order.hpp"
 
 #include <algorithm>
 #include <cmath>

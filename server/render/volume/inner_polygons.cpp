@@ -1,4 +1,4 @@
-#include "render/inner_polygons.hpp"
+#include "render/volume/inner_polygons.hpp"
 
 #include "ciel/parallel.hpp"
 

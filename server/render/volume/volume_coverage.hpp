@@ -4,7 +4,7 @@
 
 #include "render/shader_program.hpp"
 #include "render/sheet.hpp"
-#include "render/volume_buffers.hpp"
+#include "render/volume/volume_buffers.hpp"
 
 namespace ciel::render {
 

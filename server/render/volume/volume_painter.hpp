@@ -4,10 +4,10 @@
 
 #include "render/camera.hpp"
 #include "render/target.hpp"
-#include "render/volume_buffers.hpp"
-#include "render/volume_coverage.hpp"
-#include "render/volume_rays.hpp"
-#include "render/volume_shaders.hpp"
+#include "render/volume/volume_buffers.hpp"
+#include "render/volume/volume_coverage.hpp"
+#include "render/volume/volume_rays.hpp"
+#include "render/volume/volume_shaders.hpp"
 
 #include <functional>
 #include <list>

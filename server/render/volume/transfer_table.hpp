@@ -1,7 +1,7 @@
 // Colour map and opacity points -> what a ray meets between two values of the property (pre-integration).
 #pragma once
 
-#include "render/volume.hpp"
+#include "render/volume/volume.hpp"
 
 namespace ciel::render {
 

@@ -4,8 +4,8 @@
 #include "render/camera.hpp"
 #include "render/sheet.hpp"
 #include "render/touched_tiles.hpp"
-#include "render/volume_buffers.hpp"
-#include "render/volume_shaders.hpp"
+#include "render/volume/volume_buffers.hpp"
+#include "render/volume/volume_shaders.hpp"
 
 #include <list>
 

@@ -1,6 +1,6 @@
 // This work is based on: K. Engel, M. Kraus, T. Ertl, High-Quality Pre-Integrated Volume Rendering Using
 // Hardware-Accelerated Pixel Shading (Graphics Hardware 2001).
-#include "render/transfer_table.hpp"
+#include "render/volume/transfer_table.hpp"
 
 #include <algorithm>
 #include <cmath>

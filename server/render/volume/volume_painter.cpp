@@ -1,11 +1,11 @@
-#include "render/volume_painter.hpp"
+#include "render/volume/volume_painter.hpp"
 
 #include "render/mesh_buffers.hpp"
 #include "render/per_sample.hpp"
 #include "render/shaders.hpp"
-#include "render/slab_angle.hpp"
-#include "render/transfer_table.hpp"
-#include "render/volume_order.hpp"
+#include "render/volume/slab_angle.hpp"
+#include "render/volume/transfer_table.hpp"
+#include "render/volume/volume_order.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "render/volume_rays.hpp"
+#include "render/volume/volume_rays.hpp"
 
 #include "render/shaders.hpp"
 

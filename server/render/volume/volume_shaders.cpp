@@ -10,7 +10,7 @@
 // in front. So does the piece from an eye inside the mesh to the first slice belong to the fragment of the slab behind.
 // Clip planes cut slices and faces nowhere: each fragment draws of its piece what lies between the planes, where a ray
 // is in one stretch, for what they keep is convex.
-#include "render/volume_shaders.hpp"
+#include "render/volume/volume_shaders.hpp"
 
 #include "render/per_sample.hpp"
 
