@@ -73,59 +73,126 @@ std::size_t longest_edge(const std::array<glm::dvec2, 3>& corners) {
     return longest;
 }
 
+// The cells of a row, by bits.
+class RowOfCells {
+public:
+    void mark(int first, int last) {
+        for (int word = first / 64; word <= last / 64; ++word) words_[index(word)] |= bits(word, first, last);
+    }
+    [[nodiscard]] bool has_any(int first, int last) const {
+        for (int word = first / 64; word <= last / 64; ++word)
+            if ((words_[index(word)] & bits(word, first, last)) != 0) return true;
+        return false;
+    }
+    void add(const RowOfCells& other) {
+        for (std::size_t i = 0; i < words_.size(); ++i) words_[i] |= other.words_[i];
+    }
+
+private:
+    static std::size_t index(int word) { return static_cast<std::size_t>(word); }
+    static std::uint64_t bits(int word, int first, int last) {
+        const int low = std::max(first - 64 * word, 0), high = std::min(last - 64 * word, 63);
+        return (~std::uint64_t{0} << low) & (~std::uint64_t{0} >> (63 - high));
+    }
+    std::array<std::uint64_t, cells / 64> words_{};
+};
+
 // Of one slab: where rays may meet the boundary in it.
 class NearBoundary {
 public:
     NearBoundary(const Places& places, double middle, double half)
-        : places_(places), middle_(middle), half_(half), margin_(places.cells_of(widest_inner * half)) {}
+        : places_(places), low_(middle - tolerance * half), high_(middle + tolerance * half),
+          margin_(places.cells_of(widest_inner * half)) {}
 
-    void add(const Vec3f& a, const Vec3f& b, const Vec3f& c) { add({point_of(a), point_of(b), point_of(c)}); }
+    void add(const Vec3f& a, const Vec3f& b, const Vec3f& c) {
+        Polygon piece{{point_of(a), point_of(b), point_of(c)}, 3};
+        piece = piece.cut([this](const Point& point) { return point.across - low_; });
+        piece = piece.cut([this](const Point& point) { return high_ - point.across; });
+        for (std::size_t i = 0; i < piece.count; ++i)
+            add_edge(piece.corners[i].along, piece.corners[(i + 1) % piece.count].along);
+        for (int row = first_row_; row <= last_row_; ++row) {
+            Span& span = spans_[index(row)];
+            rows_[index(row)].mark(cell_of(span.low - margin_.x), cell_of(span.high + margin_.x));
+            span = {};
+        }
+        first_row_ = cells;
+        last_row_ = -1;
+    }
+
+    // After the last of them.
+    void finish() {
+        const auto exact = rows_;
+        const int reach = static_cast<int>(std::min(std::ceil(margin_.y), double{cells}));
+        for (int row = 0; row < cells; ++row)
+            for (int other = std::max(row - reach, 0); other <= std::min(row + reach, cells - 1); ++other)
+                rows_[index(row)].add(exact[index(other)]);
+    }
 
     [[nodiscard]] bool has_any(const Box& box) const {
-        for (int y = cell_of(box.low.y); y <= cell_of(box.high.y); ++y)
-            for (int x = cell_of(box.low.x); x <= cell_of(box.high.x); ++x)
-                if (is_near_[index(x, y)] != 0) return true;
+        const int first = cell_of(box.low.x), last = cell_of(box.high.x), last_row = cell_of(box.high.y);
+        for (int row = cell_of(box.low.y); row <= last_row; ++row)
+            if (rows_[index(row)].has_any(first, last)) return true;
         return false;
     }
 
 private:
-    using Triangle = std::array<Point, 3>;
+    static constexpr double tolerance = 1.1; // rounding, here and in the programs
+    struct Span {                            // of a row
+        double low = 1e300, high = -1e300;
+    };
+    struct Polygon { // a triangle cut by two planes
+        std::array<Point, 5> corners;
+        std::size_t count;
+
+        // What is above zero.
+        template <class Height>
+        [[nodiscard]] Polygon cut(const Height& height) const {
+            Polygon kept{{}, 0};
+            for (std::size_t i = 0; i < count; ++i) {
+                const Point &from = corners[i], &to = corners[(i + 1) % count];
+                const double a = height(from), b = height(to);
+                if (a >= 0) kept.corners[kept.count++] = from;
+                if ((a >= 0) == (b >= 0)) continue;
+                const double share = a / (a - b);
+                kept.corners[kept.count++] = {from.along + share * (to.along - from.along),
+                                              from.across + share * (to.across - from.across)};
+            }
+            return kept;
+        }
+    };
 
     [[nodiscard]] Point point_of(const Vec3f& position) const {
         return {places_.along(position), places_.across(vector_of(position))};
     }
-    static std::size_t index(int x, int y) { return static_cast<std::size_t>(y) * cells + static_cast<std::size_t>(x); }
+    static std::size_t index(int row) { return static_cast<std::size_t>(row); }
 
-    // Halved until a piece is about as small as a cell, for its box to say where it is.
-    void add(const Triangle& triangle) {
-        Box box;
-        double low = triangle[0].across, high = low;
-        for (const Point& point : triangle) {
-            box.add(point.along);
-            low = std::min(low, point.across);
-            high = std::max(high, point.across);
+    // To the spans of the rows that it runs through.
+    void add_edge(glm::dvec2 from, glm::dvec2 to) {
+        if (from.y > to.y) std::swap(from, to);
+        const int first = cell_of(from.y), last = cell_of(to.y);
+        const double slant = to.y > from.y ? (to.x - from.x) / (to.y - from.y) : 0;
+        const auto add = [&](int row, double x) {
+            Span& span = spans_[index(row)];
+            span.low = std::min(span.low, x);
+            span.high = std::max(span.high, x);
+        };
+        add(first, from.x);
+        add(last, to.x);
+        for (int row = first; row < last; ++row) {
+            const double x = from.x + slant * (row + 1 - from.y);
+            add(row, x);
+            add(row + 1, x);
         }
-        constexpr double tolerance = 1.1; // rounding, here and in the programs
-        if (low > middle_ + tolerance * half_ || high < middle_ - tolerance * half_) return;
-        const glm::dvec2 size = box.high - box.low;
-        if (!(std::max(size.x, size.y) > 2)) return mark(box);
-        const std::size_t longest = longest_edge({triangle[0].along, triangle[1].along, triangle[2].along});
-        const Point &a = triangle[longest], &b = triangle[(longest + 1) % 3], &c = triangle[(longest + 2) % 3];
-        const Point middle{0.5 * (a.along + b.along), 0.5 * (a.across + b.across)};
-        add({a, middle, c});
-        add({middle, b, c});
-    }
-    void mark(const Box& box) {
-        const glm::dvec2 low = box.low - margin_, high = box.high + margin_;
-        for (int y = cell_of(low.y); y <= cell_of(high.y); ++y)
-            std::fill_n(is_near_.begin() + static_cast<std::ptrdiff_t>(index(cell_of(low.x), y)),
-                        cell_of(high.x) - cell_of(low.x) + 1, std::uint8_t{1});
+        first_row_ = std::min(first_row_, first);
+        last_row_ = std::max(last_row_, last);
     }
 
     const Places& places_;
-    double middle_, half_;
+    double low_, high_;
     glm::dvec2 margin_;
-    std::vector<std::uint8_t> is_near_ = std::vector<std::uint8_t>(std::size_t{cells} * cells);
+    std::array<RowOfCells, cells> rows_{};
+    std::array<Span, cells> spans_; // of the triangle that is being added
+    int first_row_ = cells, last_row_ = -1;
 };
 
 // Of one slice.
@@ -212,6 +279,7 @@ std::vector<SortedSlice> sort_slices(const Volume& volume, std::span<const std::
             for (std::size_t k = 0; k < list.size(); k += 3)
                 near.add(volume.boundary->vertices[list[k]].position, volume.boundary->vertices[list[k + 1]].position,
                          volume.boundary->vertices[list[k + 2]].position);
+            near.finish();
             out[slab] = Sorter(slice, places, near).sort();
         }
     });
