@@ -53,7 +53,7 @@ template <typename T>
 std::vector<T> take(std::span<const std::uint8_t>& bytes, std::size_t count) {
     if (bytes.size() / sizeof(T) < count) throw std::runtime_error("the batch is shorter than it says");
     std::vector<T> values(count);
-    std::memcpy(values.data(), bytes.data(), count * sizeof(T));
+    if (count > 0) std::memcpy(values.data(), bytes.data(), count * sizeof(T)); // no data: a null pointer
     bytes = bytes.subspan(count * sizeof(T));
     return values;
 }
