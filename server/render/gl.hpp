@@ -68,6 +68,8 @@ namespace ciel::render {
     X(RenderbufferStorageMultisample, PFNGLRENDERBUFFERSTORAGEMULTISAMPLEPROC)                                         \
     X(Scissor, PFNGLSCISSORPROC)                                                                                       \
     X(ShaderSource, PFNGLSHADERSOURCEPROC)                                                                             \
+    X(StencilFunc, PFNGLSTENCILFUNCPROC)                                                                               \
+    X(StencilOpSeparate, PFNGLSTENCILOPSEPARATEPROC)                                                                   \
     X(TexImage2D, PFNGLTEXIMAGE2DPROC)                                                                                 \
     X(TexParameteri, PFNGLTEXPARAMETERIPROC)                                                                           \
     X(TexSubImage2D, PFNGLTEXSUBIMAGE2DPROC)                                                                           \

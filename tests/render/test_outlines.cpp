@@ -122,45 +122,97 @@ TEST_F(OutlineInFog, IsSmoothWithLinesAround) {
     EXPECT_LT(roughness(), smooth);
 }
 
-// One that is opaque within a pixel or two.
-TEST(OutlineOfAVolume, IsSmooth) {
-    VolumeScene rock(test::hexahedra(Box{{2, 2, 2}, 0, 1, 0.5}), [](const Vec3d&) { return 1.0; });
-    for (const View& view : {View{"perspective", {0.3, -1, 0.4}, 30}, View{"parallel", {0.3, -1, 0.4}, 0}})
+// Volumes that are opaque within a pixel or two.
+class OutlineOfAVolume : public testing::Test {
+protected:
+    static Volume rock(VolumeScene& scene, const Vec3d& normal = {0, 1, 0}) {
+        Volume volume = scene.volume(normal, 60);
+        volume.scale.points = {{0, {255, 255, 255}}, {1, {255, 255, 255}}};
+        volume.scale.range = {0, 1};
+        volume.opacity_points = {{0, 1}};
+        volume.unit_length = 0.002;
+        return volume;
+    }
+    // Of pixels that are covered in part, how far they are from the share that is; `meets`: whether a ray does.
+    static double roughness(const Frame& frame, const std::function<bool(const Ray&)>& meets) {
+        Image image;
+        renderer().draw(frame, image);
+        double off = 0;
+        int pixels = 0;
+        for (int y = 0; y < frame.height; ++y)
+            for (int x = 0; x < frame.width; ++x) {
+                int met = 0;
+                for (int i = 0; i < parts * parts; ++i) met += meets(ray_of_part(frame, x, y, i)) ? 1 : 0;
+                if (met == 0 || met == parts * parts) continue;
+                off += std::abs(image.rgb[3 * static_cast<std::size_t>(y * frame.width + x)] / 255.0 -
+                                met / double{parts * parts});
+                ++pixels;
+            }
+        EXPECT_GT(pixels, 100);
+        return off / pixels;
+    }
+    static bool meets_cube(const Ray& ray) {
+        const auto [from, to] = inside_box(ray, {0, 0, 0}, {1, 1, 1});
+        return from < to;
+    }
+    VolumeScene cube{test::hexahedra(Box{{2, 2, 2}, 0, 1, 0.5}), [](const Vec3d&) { return 1.0; }};
+};
+
+const std::vector<View> outline_views{{"perspective", {0.3, -1, 0.4}, 30}, {"parallel", {0.3, -1, 0.4}, 0}};
+
+TEST_F(OutlineOfAVolume, IsSmooth) {
+    for (const View& view : outline_views)
         for (const bool among_layers : {false, true}) {
             Frame frame = frame_of(view);
             frame.samples = 4;
-            Volume volume = rock.volume({0, 1, 0}, 60);
-            volume.scale.points = {{0, {255, 255, 255}}, {1, {255, 255, 255}}};
-            volume.scale.range = {0, 1};
-            volume.opacity_points = {{0, 1}};
-            volume.unit_length = 0.002;
-            frame.volumes = {volume};
+            frame.volumes = {rock(cube)};
             const Shape behind = square(0.99); // in the dark
             Mesh sheet = behind.mesh();
             sheet.scalars = {};
             sheet.color = {0, 0, 0, 0.5F};
             if (among_layers) frame.meshes.push_back(sheet);
-            const auto mean = [&](int x, int y) {
-                double sum = 0;
-                for (int i = 0; i < parts * parts; ++i) {
-                    const auto [from, to] = inside_box(ray_of_part(frame, x, y, i), {0, 0, 0}, {1, 1, 1});
-                    if (from < to) sum += 1.0 / (parts * parts);
-                }
-                return sum;
+            EXPECT_LT(roughness(frame, meets_cube), smooth) << view.name << (among_layers ? ", among layers" : "");
+        }
+}
+
+// Without a face of the mesh between two planes only the planes say where there is something.
+TEST_F(OutlineOfAVolume, IsSmoothWherePlanesCutIt) {
+    const Vec3d middle{0.43, 0.57, 0.51};
+    const Cut one{"one plane", {plane_through(middle, {1, -0.6, 0.35})}};
+    const Cut behind{"from behind", {plane_through(middle, {-0.2, 1, 0.3})}};
+    const Cut wedge{"a wedge", {plane_through(middle, {1, 0.2, 0}), plane_through(middle, {-0.2, 1, 0.3})}};
+    const Cut sheet{"a sheet",
+                    {plane_through(middle, {0.2, 1, 0.1}), plane_through({0.45, 0.7, 0.5}, {-0.2, -1, -0.1})}};
+    const Cut box{"a box",
+                  {plane_through({0.3, 0, 0}, {1, 0.1, 0}), plane_through({0.8, 0, 0}, {-1, 0, 0.1}),
+                   plane_through({0, 0.45, 0}, {0, 1, 0.1}), plane_through({0, 0.77, 0}, {0, -1, 0}),
+                   plane_through({0, 0, 0.35}, {0, 0, 1}), plane_through({0, 0, 0.9}, {0.1, 0, -1})}};
+    const View inside{"eye inside", {0.3, -1, 0.4}, 70, 0.3};
+    for (const Cut& cut : {one, behind, wedge, sheet, box})
+        for (const View& view : {outline_views[0], outline_views[1], inside}) {
+            if (view.distance < 1 && cut.planes.size() < 6) continue; // it is all around
+            Frame frame = frame_of(view);
+            frame.samples = 4;
+            frame.volumes = {rock(cube)};
+            frame.clip = cut.planes;
+            const auto meets = [&](const Ray& ray) {
+                const auto [from, to] = cut.kept(ray, inside_box(ray, {0, 0, 0}, {1, 1, 1}));
+                return from < to;
             };
-            Image image;
-            renderer().draw(frame, image);
-            double off = 0;
-            int pixels = 0;
-            for (int y = 0; y < frame.height; ++y)
-                for (int x = 0; x < frame.width; ++x) {
-                    const double wanted = mean(x, y);
-                    if (wanted == 0 || wanted == 1) continue;
-                    off += std::abs(image.rgb[3 * static_cast<std::size_t>(y * frame.width + x)] / 255.0 - wanted);
-                    ++pixels;
-                }
-            EXPECT_GT(pixels, 100);
-            EXPECT_LT(off / pixels, smooth) << view.name << (among_layers ? ", among layers" : "");
+            EXPECT_LT(roughness(frame, meets), smooth) << cut.name << ", " << view.name;
+        }
+}
+
+// The mesh of each is its own, and so is its outline.
+TEST_F(OutlineOfAVolume, IsSmoothOfEachOfSeveral) {
+    VolumeScene slab(test::hexahedra(Box{{4, 1, 1}, 0, 1, 0.25}), [](const Vec3d&) { return 1.0; });
+    for (const View& view : outline_views)
+        for (const bool swapped : {false, true}) {
+            Frame frame = frame_of(view);
+            frame.samples = 4;
+            frame.volumes = {rock(cube), rock(slab)};
+            if (swapped) std::swap(frame.volumes[0], frame.volumes[1]);
+            EXPECT_LT(roughness(frame, meets_cube), smooth) << view.name << (swapped ? ", swapped" : "");
         }
 }
 

@@ -47,6 +47,30 @@ inline Frame frame_of(const View& view, const Vec3d& low = {0, 0, 0}, const Vec3
     return frame;
 }
 
+// dot(xyz, p) + w >= 0 stays.
+inline std::array<float, 4> plane_through(const Vec3d& point, const Vec3d& kept) {
+    const Vec3d n = unit_of(kept);
+    return {static_cast<float>(n[0]), static_cast<float>(n[1]), static_cast<float>(n[2]),
+            static_cast<float>(-(n[0] * point[0] + n[1] * point[1] + n[2] * point[2]))};
+}
+
+struct Cut {
+    const char* name;
+    std::vector<std::array<float, 4>> planes;
+
+    [[nodiscard]] std::array<double, 2> kept(const Ray& ray, std::array<double, 2> span) const {
+        for (const auto& [x, y, z, w] : planes) {
+            const double inside = x * ray[0][0] + y * ray[0][1] + z * ray[0][2] + w;
+            const double rate = x * ray[1][0] + y * ray[1][1] + z * ray[1][2];
+            if (rate > 0) span[0] = std::max(span[0], -inside / rate);
+            if (rate < 0) span[1] = std::min(span[1], -inside / rate);
+            if (rate == 0 && inside < 0) span[1] = span[0];
+        }
+        return span;
+    }
+    friend std::ostream& operator<<(std::ostream& out, const Cut& cut) { return out << cut.name; }
+};
+
 struct Difference {
     double largest = 0, mean = 0; // of 255; the mean with its sign
     int x = 0, y = 0;             // where it is largest

@@ -1,10 +1,13 @@
-// What share of each pixel is covered by the mesh of volumes, in a still: where a volume is all but opaque at once, its
-// outline would have steps, for it has one ray per pixel.
+// What share of each pixel is covered by the mesh of volumes, or what clip planes leave of it, in a still: where a
+// volume is all but opaque at once, its outline would have steps, for it has one ray per pixel.
 #pragma once
 
-#include "render/shader_program.hpp"
+#include "render/shaders.hpp"
 #include "render/sheet.hpp"
-#include "render/volume/volume_buffers.hpp"
+#include "render/volume/volume_rays.hpp"
+
+#include <array>
+#include <optional>
 
 namespace ciel::render {
 
@@ -16,17 +19,26 @@ public:
     VolumeCoverage& operator=(const VolumeCoverage&) = delete;
 
     // Throws Error when the size is more than the GL can do. Leaves another framebuffer bound.
-    void begin(int width, int height, int samples);
-    void add(const VolumeBuffers& buffers, const glm::mat4& transform) const;
+    void begin(const VolumeView& view);
+    void add(const VolumeBuffers& buffers) const;
     void finish();
     [[nodiscard]] GLuint texture() const { return shares_.texture(); } // R8
 
 private:
+    void allocate(int width, int height, int samples);
+    using Planes = std::array<glm::vec4, most_clip_planes>;
+    [[nodiscard]] Planes planes_but(std::optional<std::size_t> left_out) const; // the frame's
+    void draw_boundary(const VolumeBuffers& buffers, const Planes& planes) const;
+    void draw_cut(const VolumeBuffers& buffers, std::size_t plane) const;
+    void draw_facet(const VolumeBuffers& buffers, std::size_t plane) const;
+
     const Gl& gl_;
-    ShaderProgram program_;
+    ShaderProgram boundary_program_, facet_program_;
     Sheet shares_;
-    GLuint framebuffer_ = 0, samples_buffer_ = 0;
+    GLuint framebuffer_ = 0, samples_buffer_ = 0, depth_buffer_ = 0, no_array_ = 0;
     int width_ = 0, height_ = 0, samples_ = 0;
+    // Of the picture being drawn.
+    VolumeView view_;
 };
 
 } // namespace ciel::render

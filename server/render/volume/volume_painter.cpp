@@ -11,6 +11,7 @@
 #include <cmath>
 #include <glm/matrix.hpp>
 #include <limits>
+#include <utility>
 
 namespace ciel::render {
 namespace {
@@ -89,6 +90,7 @@ void VolumePainter::draw_each(const Frame& frame, const ViewTransform& transform
         const Volume& volume = frame.volumes[i];
         prepare(volume, slot_of(i), opacity > 0 ? static_cast<double>(volume.opacity) / opacity : 0);
     }
+    rays_.finish();
     draw_slabs(frame);
     if (has_coverage()) find_coverage(frame);
     bind_picture();
@@ -184,15 +186,14 @@ void VolumePainter::set_light(const ShaderProgram& program, const Volume& volume
     program.set("table", int{table_unit});
 }
 
-// Of a still; what clip planes leave has outlines that no face of the mesh has.
-bool VolumePainter::has_coverage() const {
-    return view_.frame->samples > 1 && !view_.is_clipped() && view_.width == view_.frame->width;
-}
+// Of a still.
+bool VolumePainter::has_coverage() const { return view_.frame->samples > 1 && view_.width == view_.frame->width; }
 
 void VolumePainter::find_coverage(const Frame& frame) {
-    coverage_.begin(frame.width, frame.height, frame.samples);
-    const glm::mat4 transform(view_.transform->projection * view_.transform->view);
-    for (std::size_t i = 0; i < frame.volumes.size(); ++i) coverage_.add(*slot_of(i).buffers, transform);
+    coverage_.begin(view_);
+    const RaySheets* last = nullptr; // volumes of one boundary share it
+    for (std::size_t i = 0; i < frame.volumes.size(); ++i)
+        if (const Slot& slot = slot_of(i); std::exchange(last, slot.rays) != slot.rays) coverage_.add(*slot.buffers);
     coverage_.finish();
     gl_.Enable(GL_BLEND);
 }
@@ -278,7 +279,7 @@ void VolumePainter::put_on_picture(float opacity, bool coarse, bool per_sample) 
     program.set("covered", int{covered_unit});
     program.set("limits", int{limits_unit});
     bind(gl_, covered_unit, has_coverage() ? coverage_.texture() : 0);
-    bind(gl_, limits_unit, rays_.limits());
+    bind(gl_, limits_unit, rays_.begin_of_all());
     const auto cover = [&] {
         gl_.BindVertexArray(no_array_);
         gl_.DrawArrays(GL_TRIANGLES, 0, 3);

@@ -30,7 +30,7 @@ public:
     // until the next call. Leaves another framebuffer and viewport bound, depth test and blending on.
     [[nodiscard]] GLuint picture_until(const Frame& frame, const ViewTransform& transform, GLuint depth);
     // RGBA32F; A: the window's depth where the volumes begin. 0 before there was any.
-    [[nodiscard]] GLuint limits() const { return rays_.limits(); }
+    [[nodiscard]] GLuint limits() const { return rays_.begin_of_all(); }
 
 private:
     struct Table {

@@ -82,7 +82,8 @@ PixelBox VolumeView::seen_box(int pixels_across, int pixels_up) const {
 
 VolumeRays::VolumeRays(const Gl& gl)
     : gl_(gl), first_part_(make_part_program(gl, true)), next_part_(make_part_program(gl, false)),
-      kept_program_(make_kept_program(gl)), limits_program_(make_limits_program(gl)), kept_(gl) {
+      kept_program_(make_kept_program(gl)), limits_program_(make_limits_program(gl)),
+      copy_program_(make_limits_copy_program(gl)), kept_(gl), nearest_(gl) {
     gl_.GenQueries(1, &query_);
     gl_.GenVertexArrays(1, &no_array_);
 }
@@ -207,8 +208,25 @@ void VolumeRays::bind(const RaySheets& rays) const {
     bind_later_parts(gl_, rays);
 }
 
-GLuint VolumeRays::limits() const {
-    return in_use_ == 0 ? 0 : std::next(sheets_.begin(), static_cast<std::ptrdiff_t>(in_use_) - 1)->limits.texture();
+void VolumeRays::finish() {
+    begins_ = in_use_ == 0 ? 0 : sheets_.front().limits.texture();
+    if (in_use_ < 2) return;
+    nearest_.size(GL_RGBA32F, view_.width, view_.height);
+    nearest_.begin();
+    gl_.ClearColor(never, never, never, 1);
+    gl_.Clear(GL_COLOR_BUFFER_BIT);
+    gl_.Enable(GL_BLEND);
+    gl_.BlendEquation(GL_MIN);
+    copy_program_.use();
+    copy_program_.set("limits", int{limits_unit});
+    auto sheet = sheets_.begin();
+    for (std::size_t i = 0; i < in_use_; ++i, ++sheet) {
+        render::bind(gl_, limits_unit, sheet->limits.texture());
+        cover_box();
+    }
+    gl_.BlendEquation(GL_FUNC_ADD);
+    gl_.Disable(GL_BLEND);
+    begins_ = nearest_.texture();
 }
 
 void VolumeRays::cover_box() const {

@@ -58,7 +58,11 @@ public:
     // Of a slab's program in use.
     static void set_units(const ShaderProgram& program);
     void bind(const RaySheets& rays) const; // to these units, which are 0 and from 3 to 7
-    [[nodiscard]] GLuint limits() const;    // those found last; 0 before the first
+    // What they all have is found: where the nearest of them begins.
+    void finish();
+    [[nodiscard]] GLuint begin_of_all() const {
+        return begins_;
+    } // RGBA32F as limits, only A is good; 0 before finish()
 
 private:
     void find_kept();
@@ -68,12 +72,12 @@ private:
     void cover_box() const;
 
     const Gl& gl_;
-    ShaderProgram first_part_, next_part_, kept_program_, limits_program_;
-    Sheet kept_;
+    ShaderProgram first_part_, next_part_, kept_program_, limits_program_, copy_program_;
+    Sheet kept_, nearest_;
     std::list<RaySheets> sheets_;
     std::size_t in_use_ = 0; // of them
     VolumeView view_;
-    GLuint query_ = 0, no_array_ = 0;
+    GLuint query_ = 0, no_array_ = 0, begins_ = 0;
 };
 
 } // namespace ciel::render

@@ -130,6 +130,12 @@ void main() {
 }
 )";
 
+constexpr const char* limits_copy_fragment = R"(
+uniform sampler2D limits;
+out vec4 copy;
+void main() { copy = texelFetch(limits, ivec2(gl_FragCoord.xy), 0); }
+)";
+
 // Values come as shares of the range, gradients along the eye's axes.
 constexpr const char* slab_vertex = R"(
 layout(location = 0) in vec3 position;
@@ -349,7 +355,8 @@ std::string with_parts(std::string body, int parts, bool edge) {
     return samplers + body;
 }
 
-// A pixel that the mesh covers in part has so much of its light, or of a pixel's beside it whose ray met the mesh.
+// A pixel that what is left of the mesh covers in part has so much of its light, or of a pixel's beside it whose ray
+// met that.
 constexpr const char* picture_fragment = R"(
 uniform sampler2D volume;
 uniform sampler2D covered;
@@ -358,8 +365,7 @@ uniform float has_covered;
 uniform vec2 viewport;
 uniform float opacity;
 out vec4 picture;
-const float never = 1e30;
-bool misses(ivec2 pixel) { return texelFetch(limits, pixel, 0).x >= never; }
+bool misses(ivec2 pixel) { return texelFetch(limits, pixel, 0).a >= 1.0; }
 vec2 beside(vec2 place) {
     ivec2 pixel = ivec2(place), last = textureSize(limits, 0) - 1;
     if (!misses(pixel)) return place;
@@ -403,6 +409,10 @@ ShaderProgram make_kept_program(const Gl& gl) {
 
 ShaderProgram make_limits_program(const Gl& gl) {
     return make_cover_program(gl, std::string(version) + limits_fragment);
+}
+
+ShaderProgram make_limits_copy_program(const Gl& gl) {
+    return make_cover_program(gl, std::string(version) + limits_copy_fragment);
 }
 
 ShaderProgram make_slice_program(const Gl& gl, const SlabProgramKind& kind) {

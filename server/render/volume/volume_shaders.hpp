@@ -26,6 +26,8 @@ inline constexpr int most_ray_parts = 4;
 [[nodiscard]] ShaderProgram make_kept_program(const Gl& gl);
 // First part, how far opaque surfaces let one see (B), and the window's depth where there is anything to see (A).
 [[nodiscard]] ShaderProgram make_limits_program(const Gl& gl);
+// The same again, to be blended with others'.
+[[nodiscard]] ShaderProgram make_limits_copy_program(const Gl& gl);
 // Slices: each for what a ray has in common with its slab; and boundary faces: for what no slice stands for.
 struct SlabProgramKind {
     int parts = 1; // of a ray
