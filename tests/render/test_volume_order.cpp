@@ -3,6 +3,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 #include <limits>
+#include <map>
 #include <random>
 
 namespace ciel::render {
@@ -31,6 +32,44 @@ TEST(VolumeOrder, ThickSlabsStandInTheMiddleOfTheThinOnesInThem) {
     EXPECT_EQ(order({{0, 3, 1}, {0, 1, 3}}, infinity), (std::vector<SlabOfVolume>{{1, 0}, {0, 0}, {1, 1}, {1, 2}}));
 }
 
+TEST(VolumeOrder, PiecesOfSlabsInTheSamePlaceStandBetweenEachOther) {
+    const std::vector<SlabRow> alike{{0, 1, 2}, {0, 1, 2}};
+    EXPECT_EQ(back_to_front(std::vector<SlabRow>{{0, 1, 2}}, infinity, {4, 4}),
+              (std::vector<SlabOfVolume>{{0, 0}, {0, 1}}));
+    EXPECT_EQ(back_to_front(alike, infinity, {2, 4}),
+              (std::vector<SlabOfVolume>{{0, 0, 0.5}, {1, 0}, {0, 0, 0.5}, {1, 1, 0.5}, {0, 1}, {1, 1, 0.5}}));
+    EXPECT_EQ(back_to_front(alike, infinity, {9, 1}), back_to_front(alike, infinity));
+    EXPECT_EQ(back_to_front(alike, infinity, {1, 4}), back_to_front(alike, infinity));
+}
+
+TEST(VolumeOrder, SlabsAreDividedAtEachOthersBordersAndAtTheEye) {
+    EXPECT_EQ(back_to_front(std::vector<SlabRow>{{0, 2, 1}, {0, 1, 2}}, infinity, {1, 4}),
+              (std::vector<SlabOfVolume>{{0, 0, 0.5}, {1, 0}, {1, 1}, {0, 0, 0.5}}));
+    // The second slab's slice stands for what is left of the first one's, whose slice the eye has passed.
+    EXPECT_EQ(back_to_front(std::vector<SlabRow>{{0, 1, 2}, {0, 1, 2}}, 0.75, {1.6, 4}),
+              (std::vector<SlabOfVolume>{
+                  {0, 0, 0.5}, {1, 0}, {0, 0, 0.5}, {1, 1, 0.4}, {0, 1, 0.8}, {1, 1, 0.4 + 0.2}, {0, 1, 0.2}}));
+}
+
+// Whatever is divided, all of each slab is drawn.
+TEST(VolumeOrder, PiecesMakeUpTheirSlabs) {
+    std::mt19937 random(7); // NOLINT(cert-msc32-c,cert-msc51-cpp): the same in every run
+    std::uniform_real_distribution<double> place(-3, 3);
+    for (int run = 0; run < 200; ++run) {
+        std::vector<SlabRow> rows;
+        for (int i = 0; i < 2 + run % 3; ++i)
+            rows.push_back({place(random), 0.05 + std::abs(place(random)) / 4, 1 + random() % 40});
+        const double eye = run % 5 == 0 ? infinity : place(random);
+        std::map<std::pair<std::size_t, std::size_t>, double> shares;
+        for (const auto& [volume, slab, share] : back_to_front(rows, eye, {20, 1 + random() % 4}))
+            shares[{volume, slab}] += share;
+        std::size_t slabs = 0;
+        for (const SlabRow& row : rows) slabs += row.count;
+        EXPECT_EQ(shares.size(), slabs);
+        for (const auto& [slab, share] : shares) EXPECT_NEAR(share, 1, 1e-5);
+    }
+}
+
 // Whatever the rows and the eye: each slab once, and on each side of the eye middles run to it.
 TEST(VolumeOrder, RunsToTheEyeWhateverTheRows) {
     std::mt19937 random(5); // NOLINT(cert-msc32-c,cert-msc51-cpp): the same in every run
@@ -49,7 +88,8 @@ TEST(VolumeOrder, RunsToTheEyeWhateverTheRows) {
         seen.reserve(rows.size());
         for (const SlabRow& row : rows) seen.emplace_back(row.count, false);
         double below = -infinity, above = infinity;
-        for (const auto& [volume, slab] : all) {
+        for (const auto& [volume, slab, share] : all) {
+            ASSERT_EQ(share, 1);
             const SlabRow& row = rows[volume];
             ASSERT_FALSE(seen[volume][slab]);
             seen[volume][slab] = true;

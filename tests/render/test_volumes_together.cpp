@@ -62,6 +62,29 @@ TEST(ConstantVolumesTogether, FollowBeerAndLambertOfTheirSumInTheirMixedColour) 
                 }
 }
 
+// Each slab takes a quarter of the light or more, and what is mixed in it is mixed evenly all the same.
+TEST(DenseVolumesTogether, FollowBeerAndLambertOfTheirSumInTheirMixedColour) {
+    VolumeScene one(cube(), [](const Vec3d&) { return 1.0; }), other(cube(), [](const Vec3d&) { return 0.0; });
+    const Fog bright{white, 0.999, 0.999}, dark{black, 0.998, 0.998};
+    const double a = bright.extinction(1), b = dark.extinction(0);
+    for (const View& view : views)
+        for (const auto& [slices, others] : {std::array<std::size_t, 2>{40, 40}, {60, 45}})
+            for (const Vec3d& normal : {nearest_axis(view.from), unit_of(view.from)})
+                for (const bool swapped : {false, true}) {
+                    // Along the slabs some rays have most of their light from half a slab at the cube's side.
+                    if (view.fov > 70 && view.distance > 1 && slices != others) continue;
+                    Frame frame = frame_of(view);
+                    frame.volumes = in_order(bright.made(one.volume(normal, slices)),
+                                             dark.made(other.volume(normal, others)), swapped);
+                    const auto expected = [&](const Ray& ray) {
+                        const auto [from, to] = inside_box(ray, {0, 0, 0}, {1, 1, 1});
+                        return a / (a + b) * (1 - std::exp(-(a + b) * std::max(0.0, to - from)));
+                    };
+                    expect_close(compare(frame, expected, 0.015),
+                                 name_of(view, normal, slices) + (swapped ? ", swapped" : ""));
+                }
+}
+
 double integral(const Ray& ray, const std::function<std::array<double, 2>(const Vec3d&)>& bright_and_dark) {
     const auto [from, to] = inside_box(ray, {0, 0, 0}, {1, 1, 1});
     constexpr int steps = 300;
@@ -224,6 +247,32 @@ TEST(VolumesTogether, MayHaveDifferentBoundaries) {
                                                                   std::exp(-(a + b) * mixed) * light(1, a, after));
         };
         expect_close(compare(frame, expected, 0.02), swapped ? "swapped" : "");
+    }
+}
+
+// In front of the one and behind the other, whichever comes first in the frame.
+TEST(VolumesTogether, HideALineThatIsBehindOneOfThem) {
+    const auto layer = [](test::Id row) {
+        return test::keep_cells(test::hexahedra(Box{{4, 4, 4}, 0, 1, 0.25}),
+                                [=](test::Id cell) { return cell / 4 % 4 == row; });
+    };
+    VolumeScene near(layer(0), [](const Vec3d&) { return 1.0; }), far(layer(3), [](const Vec3d&) { return 1.0; });
+    const std::vector<Vec3f> ends{{-1, 0.5F, 0.5F}, {2, 0.5F, 0.5F}};
+    for (const bool swapped : {false, true}) {
+        Frame frame = frame_of(views[0]);
+        for (VolumeScene* scene : {&near, &far}) {
+            Volume volume = Fog{white, 1, 1}.made(scene->volume({0, 1, 0}, 20));
+            volume.unit_length = 0.002;
+            frame.volumes.push_back(volume);
+        }
+        if (swapped) std::swap(frame.volumes[0], frame.volumes[1]);
+        frame.meshes = {line_between(ends, 6, {1, 0, 0, 1})};
+        Image image;
+        renderer().draw(frame, image);
+        const auto at = [&](int x, int y) { return &image.rgb[3 * static_cast<std::size_t>(y * side + x)]; };
+        EXPECT_GT(at(side / 2, side / 2)[1], 240) << "the line is seen through the volume in front of it";
+        EXPECT_LT(at(5, side / 2)[1], 10);
+        EXPECT_GT(at(5, side / 2)[0], 240) << "beside the volumes there is the line";
     }
 }
 

@@ -1,45 +1,134 @@
 #include "render/volume/volume_order.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <functional>
+#include <limits>
+#include <optional>
 
 namespace ciel::render {
 namespace {
 
-double middle_of(std::span<const SlabRow> rows, const SlabOfVolume& which) {
-    const SlabRow& row = rows[which.volume];
-    return row.first + (static_cast<double>(which.slab) + 0.5) * row.thickness;
-}
+constexpr double rounding = 1e-6; // of a slab
+
+struct Piece {
+    SlabOfVolume of;
+    double middle = 0;     // its place along the rows
+    bool is_odd = false;   // so that turns go on from slab to slab
+    bool is_below = false; // the eye
+};
 
 // Every second place the other way round.
-void take_turns(std::vector<SlabOfVolume>& sorted, std::span<const SlabRow> rows) {
-    constexpr double rounding = 1e-6; // of a slab
+void take_turns(std::vector<Piece>& sorted, std::span<const SlabRow> rows) {
     for (auto begin = sorted.begin(); begin != sorted.end();) {
-        const double middle = middle_of(rows, *begin), near = rounding * rows[begin->volume].thickness;
-        const auto end = std::find_if(
-            begin, sorted.end(), [&](const auto& slab) { return std::abs(middle_of(rows, slab) - middle) > near; });
-        std::sort(begin, end, [](const auto& a, const auto& b) { return a.volume < b.volume; });
-        if (begin->slab % 2 == 1) std::reverse(begin, end);
+        const double middle = begin->middle, near = rounding * rows[begin->of.volume].thickness;
+        const auto end = std::find_if(begin, sorted.end(),
+                                      [&](const Piece& piece) { return std::abs(piece.middle - middle) > near; });
+        std::sort(begin, end, [](const Piece& a, const Piece& b) { return a.of.volume < b.of.volume; });
+        if (begin->is_odd) std::reverse(begin, end);
         begin = end;
     }
 }
 
-} // namespace
+void append(std::vector<SlabOfVolume>& order, const std::vector<Piece>& pieces) {
+    for (const Piece& piece : pieces) {
+        const SlabOfVolume& next = piece.of;
+        if (!order.empty() && order.back().volume == next.volume && order.back().slab == next.slab)
+            order.back().share += next.share;
+        else
+            order.push_back(next);
+    }
+}
 
-std::vector<SlabOfVolume> back_to_front(std::span<const SlabRow> rows, double eye) {
-    std::vector<SlabOfVolume> below, above;
+double middle_of(const SlabRow& row, std::size_t slab) {
+    return row.first + (static_cast<double>(slab) + 0.5) * row.thickness;
+}
+
+std::vector<Piece> whole_slabs(std::span<const SlabRow> rows, double eye) {
+    std::vector<Piece> pieces;
     for (std::size_t volume = 0; volume < rows.size(); ++volume) {
         const auto& [first, thickness, count] = rows[volume];
         const double place = std::clamp(std::floor((eye - first) / thickness), 0.0, static_cast<double>(count));
         for (std::size_t slab = 0; slab < count; ++slab)
-            (slab < static_cast<std::size_t>(place) ? below : above).push_back({volume, slab});
+            pieces.push_back(
+                {{volume, slab}, middle_of(rows[volume], slab), slab % 2 == 1, slab < static_cast<std::size_t>(place)});
     }
-    std::ranges::stable_sort(below, {}, [&](const auto& slab) { return middle_of(rows, slab); });
-    std::ranges::stable_sort(above, {}, [&](const auto& slab) { return -middle_of(rows, slab); });
+    return pieces;
+}
+
+std::vector<double> borders(std::span<const SlabRow> rows, double eye) {
+    std::vector<double> all;
+    double thinnest = std::numeric_limits<double>::infinity();
+    for (const auto& [first, thickness, count] : rows) {
+        for (std::size_t i = 0; i <= count; ++i) all.push_back(first + static_cast<double>(i) * thickness);
+        thinnest = std::min(thinnest, thickness);
+    }
+    if (std::isfinite(eye)) all.push_back(eye);
+    std::ranges::sort(all);
+    const auto rest = std::ranges::unique(all, [&](double a, double b) { return b - a < rounding * thinnest; });
+    all.erase(rest.begin(), rest.end());
+    return all;
+}
+
+// A slice stands for all from an eye in its slab to the end of that, or in the one before and past its slice.
+std::array<double, 2> seen(const SlabRow& row, std::size_t slab, double eye) {
+    const double middle = middle_of(row, slab), half = row.thickness / 2;
+    const double last = row.first + static_cast<double>(row.count) * row.thickness;
+    if (std::abs(middle - eye) >= row.thickness || eye <= row.first || eye >= last)
+        return {middle - half, middle + half};
+    return middle >= eye ? std::array{eye, middle + half} : std::array{middle - half, eye};
+}
+
+// Whose slice stands for what is around a place; none where it is not in a slab.
+std::optional<std::size_t> slab_at(const SlabRow& row, double place, double eye) {
+    double slab = std::floor((place - row.first) / row.thickness);
+    if (slab < 0 || slab >= static_cast<double>(row.count)) return {};
+    const double slice = row.first + (slab + 0.5) * row.thickness;
+    if (place > eye && slice < eye) ++slab;
+    if (place < eye && slice >= eye) --slab;
+    if (slab < 0 || slab >= static_cast<double>(row.count)) return {};
+    return static_cast<std::size_t>(slab);
+}
+
+std::vector<Piece> divided_slabs(std::span<const SlabRow> rows, double eye, const SlabPieces& wanted) {
+    std::vector<Piece> pieces;
+    const std::vector<double> places = borders(rows, eye);
+    for (std::size_t i = 0; i + 1 < places.size(); ++i) {
+        const double length = places[i + 1] - places[i], middle = places[i] + length / 2;
+        const double count = std::clamp(std::ceil(length * wanted.per_length), 1.0, static_cast<double>(wanted.most));
+        for (std::size_t volume = 0; volume < rows.size(); ++volume) {
+            const std::optional<std::size_t> slab = slab_at(rows[volume], middle, eye);
+            if (!slab) continue;
+            const auto [from, to] = seen(rows[volume], *slab, eye);
+            for (std::size_t k = 0; k < static_cast<std::size_t>(count); ++k)
+                pieces.push_back({{volume, *slab, length / count / (to - from)},
+                                  places[i] + (static_cast<double>(k) + 0.5) * length / count,
+                                  (i + k) % 2 == 1,
+                                  middle < eye});
+        }
+    }
+    return pieces;
+}
+
+} // namespace
+
+std::vector<SlabOfVolume> back_to_front(std::span<const SlabRow> rows, double eye, SlabPieces wanted) {
+    double thickest = 0;
+    for (const SlabRow& row : rows) thickest = std::max(thickest, row.thickness);
+    const bool whole = rows.size() < 2 || wanted.most < 2 || thickest * wanted.per_length <= 1;
+    std::vector<Piece> below = whole ? whole_slabs(rows, eye) : divided_slabs(rows, eye, wanted);
+    const auto middle = std::ranges::stable_partition(below, &Piece::is_below);
+    std::vector<Piece> above(middle.begin(), middle.end());
+    below.erase(middle.begin(), middle.end());
+    std::ranges::stable_sort(below, {}, &Piece::middle);
+    std::ranges::stable_sort(above, std::ranges::greater(), &Piece::middle);
     take_turns(below, rows);
     take_turns(above, rows);
-    below.insert(below.end(), above.begin(), above.end());
-    return below;
+    std::vector<SlabOfVolume> order;
+    append(order, below);
+    append(order, above);
+    return order;
 }
 
 } // namespace ciel::render

@@ -5,7 +5,6 @@
 #include "render/shaders.hpp"
 #include "render/volume/slab_angle.hpp"
 #include "render/volume/transfer_table.hpp"
-#include "render/volume/volume_order.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -134,6 +133,9 @@ void VolumePainter::load_table(const Volume& volume, Table& kept, double share) 
     gl_.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, TransferTable::columns, TransferTable::rows, 0, GL_RGBA, GL_FLOAT,
                    table.texels.data());
     filter(gl_, GL_NEAREST);
+    kept.densest = 0;
+    for (std::size_t i = 3; i < table.texels.size(); i += 4)
+        kept.densest = std::max(kept.densest, double{table.texels[i]});
     kept.is_made = true;
     kept.scale = volume.scale;
     kept.opacity_points = volume.opacity_points;
@@ -212,12 +214,36 @@ void VolumePainter::draw_slabs(const Frame& frame) {
         rows.push_back({volume.first, thickness_of(volume), slots.back()->buffers->slices().size()});
     }
     const Slot* bound = nullptr;
-    for (const auto& [volume, slab] : back_to_front(rows, eye_across(frame))) {
+    for (const auto& [volume, slab, share] : back_to_front(rows, eye_across(frame), pieces_of_slabs(frame))) {
         const Slot* slot = slots[volume];
         if (slot != bound) bind(gl_, table_unit, slot->table.texture);
         if (bound == nullptr || slot->rays != bound->rays) rays_.bind(*slot->rays);
         bound = slot;
+        if (rows.size() > 1) thin_out(frame.volumes[volume], *slot, share);
         draw_slab(frame.volumes[volume], *slot, slab);
+    }
+}
+
+// So that the order of what is mixed in one place does not show. It does by the product of what two pieces lose.
+SlabPieces VolumePainter::pieces_of_slabs(const Frame& frame) const {
+    constexpr double least_loss = 0.1, widest = 3; // a tangent
+    double first = 0, second = 0;                  // extinctions across the slabs
+    bool moving = false;
+    auto slot = slots_.begin();
+    for (const Volume& volume : frame.volumes) {
+        const double loss = (slot++)->table.densest / volume.unit_length;
+        second = std::max(second, std::min(first, loss));
+        first = std::max(first, loss);
+        moving = moving || volume.stride > 1;
+    }
+    const double slant = std::hypot(1, std::min(slab_angle_, widest));
+    return {std::sqrt(first * second) * slant / least_loss, moving ? 2U : 6U};
+}
+
+void VolumePainter::thin_out(const Volume& volume, const Slot& slot, double share) {
+    for (const ShaderProgram* program : {slot.edge, slot.slice, slot.inner}) {
+        program->use();
+        program->set("density", static_cast<float>(share / volume.unit_length));
     }
 }
 

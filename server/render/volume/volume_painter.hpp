@@ -6,6 +6,7 @@
 #include "render/target.hpp"
 #include "render/volume/volume_buffers.hpp"
 #include "render/volume/volume_coverage.hpp"
+#include "render/volume/volume_order.hpp"
 #include "render/volume/volume_rays.hpp"
 #include "render/volume/volume_shaders.hpp"
 
@@ -39,6 +40,7 @@ private:
         ColorScale scale; // what it was made from
         std::vector<std::array<double, 2>> opacity_points;
         double share = 1;
+        double densest = 0; // extinction per unit length
     };
     struct Slot { // of one volume
         explicit Slot(const Gl& gl) : all(gl), some(gl) {}
@@ -64,6 +66,8 @@ private:
     void find_coverage(const Frame& frame);
     void set_light(const ShaderProgram& program, const Volume& volume) const;
     void draw_slabs(const Frame& frame);
+    [[nodiscard]] SlabPieces pieces_of_slabs(const Frame& frame) const;
+    static void thin_out(const Volume& volume, const Slot& slot, double share);
     void draw_slab(const Volume& volume, const Slot& slot, std::size_t slab) const;
     [[nodiscard]] bool has_coverage() const;
     [[nodiscard]] bool is_full(const Volume& volume, double from_eye) const;
