@@ -85,8 +85,8 @@ const Image& Painter::draw(const Frame& frame, const AfterStage& after) {
     enable_clip_planes(true);
     draw_opaque(frame);
     gl_.Enable(GL_BLEND);
-    if (!has_lines_in_layers(frame)) draw_meshes(frame, lines_);
-    draw_meshes(frame, points_);
+    if (!has_lines_in_layers(frame)) draw_overlays(frame, lines_);
+    draw_overlays(frame, points_);
     draw_transparent(frame);
     gl_.Disable(GL_BLEND);
     enable_clip_planes(false);
@@ -230,6 +230,22 @@ void Painter::draw_meshes(const Frame& frame, const Program& program, bool befor
         buffers(i).draw(mesh, scale_rows_[i]);
     }
     gl_.Disable(GL_POLYGON_OFFSET_FILL);
+}
+
+// Lines or points. Under sorted transparent triangles, which are drawn later and only where no line is before them,
+// soft edges would be holes to what is behind all of them: so edges leave no depth, and the rest is whole.
+void Painter::draw_overlays(const Frame& frame, const Program& program) {
+    if (is_peeled(frame) || transparent_.is_empty()) return draw_meshes(frame, program);
+    const auto draw_part = [&](float part) {
+        gl_.UseProgram(program.id);
+        gl_.Uniform1f(program.cover_part, part);
+        draw_meshes(frame, program);
+    };
+    gl_.DepthMask(GL_FALSE);
+    draw_part(1);
+    gl_.DepthMask(GL_TRUE);
+    draw_part(2);
+    gl_.Uniform1f(program.cover_part, 0);
 }
 
 void Painter::draw_opaque(const Frame& frame) {

@@ -35,6 +35,7 @@ private:
     void upload(const Frame& frame);
     [[nodiscard]] TouchedTiles touched_by(const Frame& frame) const;
     void draw_meshes(const Frame& frame, const Program& program, bool before_volume = false);
+    void draw_overlays(const Frame& frame, const Program& program);
     void draw_opaque(const Frame& frame);
     void draw_opaque_depth(const Frame& frame, bool with_normals);
     void use_occlusion(const Frame& frame);

@@ -189,6 +189,15 @@ void main() {
 }
 )";
 
+// Of lines and points: how much of a pixel is theirs, of the part that is being drawn.
+constexpr const char* cover_glsl = R"(
+uniform float cover_part; // 0: all; 1: only where it is less than half; 2: only where it is more, and that is then whole
+float cover_drawn(float cover) {
+    if (cover_part > 1.5) return cover < 0.5 ? 0.0 : 1.0;
+    return cover_part > 0.5 && cover >= 0.5 ? 0.0 : cover;
+}
+)";
+
 constexpr const char* line_fragment = R"(
 uniform float half_width;
 in Line {
@@ -200,7 +209,7 @@ in Line {
 out vec4 picture;
 void main() {
     if (!is_seen()) discard;
-    float cover = clamp(half_width + 0.5 - abs(line.across), 0.0, 1.0);
+    float cover = cover_drawn(clamp(half_width + 0.5 - abs(line.across), 0.0, 1.0));
     if (cover < 0.02) discard; // else an unseen edge would still hide what is behind it
     picture = vec4(base_color(line.value, line.color.rgb, line.style.x), line.color.a * cover);
 }
@@ -215,7 +224,7 @@ void main() {
     if (!is_seen()) discard;
     vec2 from_center = (gl_PointCoord - 0.5) * (point_size + 1.0);
     float radius = length(from_center);
-    float cover = clamp(point_size * 0.5 + 0.5 - radius, 0.0, 1.0);
+    float cover = cover_drawn(clamp(point_size * 0.5 + 0.5 - radius, 0.0, 1.0));
     if (cover < 0.02) discard;
     vec3 base = base_color(surface.value, surface.color.rgb, surface.style.x);
     if (surface.style.y > 0.5) base = lit_ball(base, from_center / (point_size * 0.5 + 0.5));
@@ -258,6 +267,7 @@ Program link(const Gl& gl, const std::vector<Stage>& stages) {
     program.half_width = uniform("half_width");
     program.before_volume = uniform("before_volume");
     program.volume_limits = uniform("volume_limits");
+    program.cover_part = uniform("cover_part");
     program.nearer = uniform("nearer");
     program.occlusion = uniform("occlusion");
     program.occlusion_stride = uniform("occlusion_stride");
@@ -273,7 +283,7 @@ std::string with_color_scale(const std::string& body, const char* defines = "") 
 Program make_line_program(const Gl& gl, const char* visibility) {
     return link(gl, {{GL_VERTEX_SHADER, surface_vertex},
                      {GL_GEOMETRY_SHADER, line_geometry},
-                     {GL_FRAGMENT_SHADER, with_color_scale(line_fragment, visibility)}});
+                     {GL_FRAGMENT_SHADER, with_color_scale(std::string(cover_glsl) + line_fragment, visibility)}});
 }
 
 } // namespace
@@ -310,7 +320,7 @@ Program make_plain_program(const Gl& gl) {
 
 Program make_point_program(const Gl& gl) {
     return link(gl, {{GL_VERTEX_SHADER, surface_vertex},
-                     {GL_FRAGMENT_SHADER, with_color_scale(point_fragment, before_volume_glsl)}});
+                     {GL_FRAGMENT_SHADER, with_color_scale(cover_glsl + point_fragment, before_volume_glsl)}});
 }
 
 Program make_peeling_program(const Gl& gl) {

@@ -29,6 +29,7 @@ struct Program {
     GLint look = -1, solid = -1, lit = -1;                                  // plain triangles
     GLint point_size = -1;                                                  // points
     GLint viewport = -1, before_volume = -1, volume_limits = -1;            // lines and points
+    GLint cover_part = -1;                                                  // likewise
     GLint half_width = -1;                                                  // lines
     GLint nearer = -1;                                                      // triangles and lines that are peeled
     GLint occlusion = -1, occlusion_stride = -1;                            // triangles with ambient occlusion

@@ -195,6 +195,40 @@ TEST_P(PeelingTest, LinesOnASheetHaveNoHoleAroundThem) {
     }
 }
 
+// While something moves, triangles are sorted and drawn after the lines: no pixel of a line's edge is a hole to the
+// black behind the sheet, and the line has no gaps, in front of the sheet and, half as bright, behind it.
+TEST_P(PeelingTest, LinesOnASheetAreWholeWhileSomethingMoves) {
+    add(square(0), {1, 0, 0}, 0.5);
+    for (const float depth : {-0.1F, 0.1F})
+        for (const bool points : {false, true}) {
+            const std::vector<Vec3f> ends{{-0.8F, depth, -0.23F}, {0.8F, depth, 0.31F}};
+            frame.meshes.resize(1);
+            frame.meshes.push_back(line_between(ends, 1.5F, {0, 1, 0, 1}));
+            frame.meshes[1].lines = !points;
+            frame.meshes[1].points = points;
+            frame.samples = 1;
+            frame.camera.position = {0.3, -5, 0.2};
+            renderer.draw(frame, image);
+            const double most = depth < 0 ? 1 : 0.5; // of the line's light
+            int seen = 0;
+            for (int x = 0; x < image.width; ++x) {
+                double brightest = 0;
+                for (int y = 0; y < image.height; ++y) {
+                    const std::uint8_t* p = &image.rgb[3 * static_cast<std::size_t>(y * image.width + x)];
+                    if (p[1] < 5) continue;
+                    EXPECT_GE(p[0] / 127.5 + p[1] / 255.0, 0.98) << "a hole at " << x << ", " << y;
+                    brightest = std::max(brightest, p[1] / 255.0);
+                }
+                if (brightest == 0) continue;
+                ++seen;
+                if (!points) {
+                    EXPECT_NEAR(brightest, most, 0.02) << "a gap at " << x;
+                }
+            }
+            EXPECT_GT(seen, points ? 5 : 100);
+        }
+}
+
 // A cube of even fog with a sheet in its middle: half of the fog is before the sheet, half behind it.
 TEST_P(PeelingTest, ASheetInAVolume) {
     VolumeScene fog(test::hexahedra({{4, 4, 4}}), [](const Vec3d&) { return 1.0; });
