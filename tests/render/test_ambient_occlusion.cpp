@@ -187,6 +187,39 @@ TEST_P(OcclusionTest, ACornerIsTheSameAllAlongItInAPerspective) {
         }
 }
 
+// The eye stays where it is and turns its head: what is seen of a place does not change, wherever in the picture it is.
+TEST_P(OcclusionTest, APlaceIsAsDarkAnywhereInAPerspective) {
+    add_corner();
+    frame.camera.parallel = false;
+    frame.camera.fov_degrees = 100;
+    frame.camera.position = {0, -1.6, 0.6};
+    frame.width = frame.height = 480;
+    frame.samples = 4;
+    const double half = std::tan(frame.camera.fov_degrees * std::numbers::pi / 360);
+    const auto seen = [&](const Image& image, const Vec3d& place) {
+        const Vec3d to = plus(place, frame.camera.position, -1);
+        const Vec3d ahead = unit_of(plus(frame.camera.target, frame.camera.position, -1));
+        const Vec3d right = unit_of(cross_of(ahead, frame.camera.up)), up = cross_of(right, ahead);
+        const auto dot = [&](const Vec3d& v) { return to[0] * v[0] + to[1] * v[1] + to[2] * v[2]; };
+        const auto x = static_cast<std::size_t>(240 * (1 + dot(right) / dot(ahead) / half));
+        const auto y = static_cast<std::size_t>(240 * (1 - dot(up) / dot(ahead) / half));
+        return image.rgb[3 * (y * 480 + x)] / full;
+    };
+    const std::vector<Vec3d> places{{0, -0.1, 0}, {0, -0.25, 0}, {0, 0, 0.1}, {0, 0, 0.25}, {0.3, 0, 0.1}};
+    std::vector<double> ahead;
+    for (const Vec3d& target :
+         {Vec3d{0, 0, 0}, {1.1, 0, 0}, {-1.1, 0, 0}, {0, 0, 0.6}, {0, -0.8, -0.3}, {1.1, 0, 0.6}}) {
+        frame.camera.target = target;
+        const Image image = draw(0.6);
+        for (std::size_t i = 0; i < places.size(); ++i) {
+            const double light = seen(image, places[i]);
+            if (ahead.size() <= i) ahead.push_back(light);
+            EXPECT_LT(light, 0.98);
+            EXPECT_NEAR(light, ahead[i], 0.03) << "place " << i << ", looking to " << testing::PrintToString(target);
+        }
+    }
+}
+
 // The same surfaces in a picture whose middle is elsewhere: the pattern of the pixels does not show.
 TEST_P(OcclusionTest, IsEvenAlongACorner) {
     add_corner();

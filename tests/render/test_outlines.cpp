@@ -57,8 +57,8 @@ protected:
         to = std::min({to, ball.hit(ray), (wall - ray[0][1]) / ray[1][1]});
         return 1 - std::pow(1 - fog_opacity, std::max(0.0, to - from));
     }
-    // Mean difference of the pixels that the ball's outline runs through, of the step that it is; `dimmed`: the share
-    // of the light that comes through what else there is.
+    // Mean difference of the pixels that the ball's outline runs through, of the step that it is there; `dimmed`: the
+    // share of the light that comes through what else there is.
     [[nodiscard]] double roughness(double dimmed = 1) {
         Image image;
         renderer().draw(frame, image);
@@ -78,7 +78,7 @@ protected:
                 }
                 if (on_ball == 0 || on_ball == parts * parts) continue;
                 const double seen = image.rgb[3 * static_cast<std::size_t>(y * frame.width + x)] / 255.0;
-                sum += std::abs(seen - dimmed * mean) / (most - least);
+                sum += std::abs(seen - dimmed * mean) / (dimmed * (most - least));
                 ++pixels;
             }
         EXPECT_GT(pixels, 100);
