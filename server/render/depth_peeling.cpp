@@ -7,9 +7,12 @@ namespace ciel::render {
 namespace {
 
 constexpr int most_layers = 32;
-constexpr int most_layers_in_volumes = 8; // for each of them the volumes are drawn once
 // A layer's pixels take 20 bytes: with twice the resolution no more than a third of a gigabyte.
 constexpr int most_pixels_at_twice_the_resolution = 4 << 20;
+
+// Whether the volumes are drawn for a layer, up to it. Later ones, to which little light comes through, are seen
+// through as much of the volumes as the one before.
+bool has_volumes_of_its_own(int layer) { return layer < 8 || layer % 4 == 0; }
 
 enum Unit : int { layer_unit = 0, opaque_unit = 1, volumes_unit = 3 };
 
@@ -99,11 +102,12 @@ void DepthPeeling::draw(const Scene& scene, Target& target) {
     gl_.ClearDepth(1);
 
     const auto volumes = [&](GLuint depth) { return scene.volumes ? scene.volumes(depth) : nothing_; };
-    const int most = scene.volumes ? most_layers_in_volumes : most_layers;
-    for (int i = 0; i < most; ++i) {
+    GLuint in_front = nothing_;
+    for (int i = 0; i < most_layers; ++i) {
         const Layer& layer = layers_[i % 2];
         if (!draw_layer(scene, layer, layers_[(i + 1) % 2])) break;
-        add_to_sum(volumes(layer.depth));
+        if (has_volumes_of_its_own(i)) in_front = volumes(layer.depth);
+        add_to_sum(in_front);
     }
     put_on(scene, target, volumes(0));
 }

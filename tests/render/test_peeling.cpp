@@ -119,7 +119,7 @@ TEST_P(PeelingTest, ThirtyTwoLayersAreSeen) {
     expect(160, 120, over(expected, {}));
 }
 
-TEST_P(PeelingTest, EightLayersAreSeenInAVolume) {
+TEST_P(PeelingTest, MoreThanEightLayersAreSeenInAVolume) {
     VolumeScene air(test::hexahedra({{4, 4, 4}}), [](const Vec3d&) { return 1.0; });
     Volume volume = air.volume({0, 1, 0}, 20);
     volume.scale.range = {0, 1};
@@ -132,12 +132,45 @@ TEST_P(PeelingTest, EightLayersAreSeenInAVolume) {
         const Color color = i == 7 ? Color{1, 0, 0} : i == 8 ? Color{0, 1, 0} : Color{0, 0, 1};
         const double opacity = i == 7 || i == 8 ? 0.8 : 0.1;
         add(square(-0.9 + 0.1 * i), color, opacity);
-        if (i < 8) expected.insert(expected.begin(), {color, opacity});
+        expected.insert(expected.begin(), {color, opacity});
     }
     for (const int samples : {1, 4}) {
         frame.samples = samples;
         renderer.draw(frame, image);
         expect(160, 120, over(expected, {}));
+    }
+}
+
+// Those after the eighth are seen through a little less fog than there is.
+TEST_P(PeelingTest, TwentyLayersInFogAreSeenThroughIt) {
+    VolumeScene fog(test::hexahedra({{4, 4, 4}}), [](const Vec3d&) { return 1.0; });
+    Volume volume = fog.volume({0, 1, 0}, 60);
+    volume.scale.range = {0, 1};
+    volume.opacity_points = {{0, 0.5}, {1, 0.5}};
+    volume.unit_length = 4;
+    frame.volumes = {volume};
+    frame.bounds_min = {0, 0, 0};
+    frame.bounds_max = {4, 4, 4};
+    frame.camera.position = {2, -9, 2};
+    frame.camera.target = {2, 2, 2};
+    frame.camera.parallel_height = 6;
+    constexpr int count = 20;
+    const double fog_between = 1 - std::pow(0.5, 1.0 / (count + 1));
+    std::vector<std::pair<Color, double>> expected{{{1, 1, 1}, fog_between}};
+    for (int i = 0; i < count; ++i) {
+        const Color color = i % 2 == 0 ? Color{1, 0, 0} : Color{0, 0, 1};
+        add(grid(1, 1,
+                 [&](double u, double v) {
+                     return Vec3f{static_cast<float>(4 * u), 4 * static_cast<float>(i + 1) / (count + 1),
+                                  static_cast<float>(4 * v)};
+                 }),
+            color, 0.06);
+        expected.insert(expected.end(), {{color, 0.06}, {{1, 1, 1}, fog_between}});
+    }
+    for (const int samples : {1, 4}) {
+        frame.samples = samples;
+        renderer.draw(frame, image);
+        expect(160, 120, over(expected, {}), 4);
     }
 }
 
@@ -206,6 +239,7 @@ TEST_P(PeelingTest, LinesOnASheetAreWholeWhileSomethingMoves) {
             frame.meshes.push_back(line_between(ends, 1.5F, {0, 1, 0, 1}));
             frame.meshes[1].lines = !points;
             frame.meshes[1].points = points;
+            frame.meshes[1].lit = false;
             frame.samples = 1;
             frame.camera.position = {0.3, -5, 0.2};
             renderer.draw(frame, image);

@@ -66,6 +66,13 @@ const std::vector<Solid> solids{
      [] { return cube_without(4, [](auto c) { return c[1] == 1 || (c[1] == 2 && c[2] > 1); }); },
      unit_cube,
      {{Vec3d{0, 0.25, 0}, Vec3d{1, 0.5, 1}}, {Vec3d{0, 0.5, 0.5}, Vec3d{1, 0.75, 1}}}},
+    {"comb", // a ray across it is in it six times
+     [] { return cube_without(11, [](auto c) { return c[1] % 2 == 1; }); }, unit_cube,
+     [] {
+         std::vector<std::array<Vec3d, 2>> gaps;
+         for (int i = 1; i < 11; i += 2) gaps.push_back({Vec3d{0, i / 11.0, 0}, Vec3d{1, (i + 1) / 11.0, 1}});
+         return gaps;
+     }()},
     {"inner_wall", // two parts that touch without sharing a vertex: a wall of two sides in the middle
      [] {
          const auto half = test::hexahedra(Box{{2, 4, 4}, 0, 1, 0.25});
@@ -106,6 +113,32 @@ TEST_P(ConstantVolumes, FollowsBeerAndLambertFromAnywhere) {
                 expect_close(compare(frame, expected, 0.01), std::string(view.name) + ", " + std::to_string(slices) +
                                                                  " slices along " + testing::PrintToString(normal));
             }
+}
+
+// Slices behind the eighth part of a ray are whole: what is lost at both ends of the later parts is all that is wrong.
+TEST(ConstantVolume, IsAlmostRightWhereARayIsInItMoreThanEightTimes) {
+    constexpr int rows = 31;
+    VolumeScene scene(test::keep_cells(test::hexahedra(Box{{4, rows, 4}, 0, 1, 1}),
+                                       [](test::Id cell) { return cell / 4 % rows % 2 == 0; }),
+                      [](const Vec3d&) { return 1.0; });
+    for (const View& view : {views[0], views[1], views[4]}) {
+        Frame frame = frame_of({view.name, view.from, view.fov, 40}, {0, 0, 0}, {4, rows, 4});
+        frame.camera.parallel_height = 12;
+        frame.volumes.push_back(scene.volume({0, 1, 0}, 400));
+        frame.volumes[0].scale.range = {0, 1};
+        frame.volumes[0].opacity_points = {{0, 0.05}};
+        const auto expected = [&](const Ray& ray) {
+            double length = 0;
+            for (int i = 0; i < rows; i += 2) {
+                const auto [from, to] = inside_box(ray, {0, double(i), 0}, {4, i + 1.0, 4});
+                length += std::max(0.0, to - from);
+            }
+            return 1 - std::pow(0.95, length);
+        };
+        const Difference difference = compare(frame, expected, 0.03);
+        EXPECT_GT(difference.pixels, side * side / 40) << view.name;
+        EXPECT_LE(difference.beyond, difference.pixels / 500) << view.name;
+    }
 }
 
 // Of light that a ray meets from the eye on, by small steps: `color` and `extinction` by the length inside the cube.

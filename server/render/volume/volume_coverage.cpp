@@ -97,8 +97,10 @@ void VolumeCoverage::begin(const VolumeView& view) {
 void VolumeCoverage::add(const VolumeBuffers& buffers) const {
     const std::size_t planes = view_.frame->clip.size();
     for (std::size_t i = 0; i < planes; ++i) gl_.Enable(clip_plane(i));
+    gl_.Enable(GL_DEPTH_CLAMP); // a face beyond the frame's bounds counts
     draw_boundary(buffers, planes_but({}));
     for (std::size_t i = 0; i < planes; ++i) draw_cut(buffers, i);
+    gl_.Disable(GL_DEPTH_CLAMP);
     for (std::size_t i = 0; i < planes; ++i) gl_.Disable(clip_plane(i));
 }
 

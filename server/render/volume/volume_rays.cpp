@@ -10,8 +10,8 @@ namespace {
 
 constexpr float never = 1e30F; // as in the programs
 
-enum Unit : int { limits_unit = 0, opaque_unit = 2, first_part_unit = 3, kept_unit = 7 };
-static_assert(first_part_unit + most_ray_parts <= kept_unit);
+enum Unit : int { limits_unit = 0, opaque_unit = 2, first_part_unit = 3, kept_unit = first_part_unit + most_ray_parts };
+static_assert(kept_unit < 16); // every GL has so many for one program
 
 void set_later_parts(const ShaderProgram& program) {
     for (int i = 1; i < most_ray_parts; ++i) program.set(("part_" + std::to_string(i)).c_str(), first_part_unit + i);
@@ -82,8 +82,7 @@ PixelBox VolumeView::seen_box(int pixels_across, int pixels_up) const {
 
 VolumeRays::VolumeRays(const Gl& gl)
     : gl_(gl), first_part_(make_part_program(gl, true)), next_part_(make_part_program(gl, false)),
-      kept_program_(make_kept_program(gl)), limits_program_(make_limits_program(gl)),
-      copy_program_(make_limits_copy_program(gl)), kept_(gl), nearest_(gl) {
+      kept_program_(make_kept_program(gl)), copy_program_(make_limits_copy_program(gl)), kept_(gl), nearest_(gl) {
     gl_.GenQueries(1, &query_);
     gl_.GenVertexArrays(1, &no_array_);
 }
@@ -178,19 +177,21 @@ void VolumeRays::find_limits(RaySheets& rays) {
     render::bind(gl_, opaque_unit, view_.opaque);
     render::bind(gl_, kept_unit, view_.is_clipped() ? kept_.texture() : 0);
     render::bind(gl_, first_part_unit, rays.parts[0].texture());
-    limits_program_.use();
-    limits_program_.set("first_part", int{first_part_unit});
-    set_later_parts(limits_program_);
+    if (!limits_programs_.contains(rays.count))
+        limits_programs_.emplace(rays.count, make_limits_program(gl_, rays.count));
+    const ShaderProgram& program = limits_programs_.at(rays.count);
+    program.use();
+    program.set("first_part", int{first_part_unit});
+    set_later_parts(program);
     bind_later_parts(gl_, rays);
-    limits_program_.set("parts", rays.count);
-    limits_program_.set("between_planes", int{kept_unit});
-    limits_program_.set("has_planes", view_.is_clipped() ? 1.0F : 0.0F);
-    limits_program_.set("opaque", int{opaque_unit});
-    limits_program_.set("has_opaque", view_.opaque != 0 ? 1.0F : 0.0F);
-    limits_program_.set("viewport", glm::vec2(view_.width, view_.height));
+    program.set("between_planes", int{kept_unit});
+    program.set("has_planes", view_.is_clipped() ? 1.0F : 0.0F);
+    program.set("opaque", int{opaque_unit});
+    program.set("has_opaque", view_.opaque != 0 ? 1.0F : 0.0F);
+    program.set("viewport", glm::vec2(view_.width, view_.height));
     const glm::dmat4& projection = view_.transform->projection;
-    limits_program_.set("depth_row", glm::vec2(projection[2][2], projection[3][2]));
-    limits_program_.set("parallel", view_.frame->camera.parallel ? 1.0F : 0.0F);
+    program.set("depth_row", glm::vec2(projection[2][2], projection[3][2]));
+    program.set("parallel", view_.frame->camera.parallel ? 1.0F : 0.0F);
     cover_box();
 }
 

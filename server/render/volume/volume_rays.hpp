@@ -8,6 +8,7 @@
 #include "render/volume/volume_shaders.hpp"
 
 #include <list>
+#include <map>
 
 namespace ciel::render {
 
@@ -57,7 +58,7 @@ public:
     const RaySheets& find(const VolumeBuffers& buffers);
     // Of a slab's program in use.
     static void set_units(const ShaderProgram& program);
-    void bind(const RaySheets& rays) const; // to these units, which are 0 and from 3 to 7
+    void bind(const RaySheets& rays) const; // to these units, which are 0 and from 3 on
     // What they all have is found: where the nearest of them begins.
     void finish();
     [[nodiscard]] GLuint begin_of_all() const {
@@ -72,7 +73,8 @@ private:
     void cover_box() const;
 
     const Gl& gl_;
-    ShaderProgram first_part_, next_part_, kept_program_, limits_program_, copy_program_;
+    ShaderProgram first_part_, next_part_, kept_program_, copy_program_;
+    std::map<int, ShaderProgram> limits_programs_; // by the number of parts
     Sheet kept_, nearest_;
     std::list<RaySheets> sheets_;
     std::size_t in_use_ = 0; // of them

@@ -91,10 +91,6 @@ void main() {
 
 constexpr const char* limits_fragment = R"(
 uniform sampler2D first_part;
-uniform sampler2D part_1;
-uniform sampler2D part_2;
-uniform sampler2D part_3;
-uniform int parts;
 uniform sampler2D between_planes;
 uniform float has_planes;
 uniform sampler2D opaque;
@@ -110,9 +106,7 @@ float window_depth(vec2 first) {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     vec2 kept = has_planes > 0.5 ? texelFetch(between_planes, pixel, 0).xy : vec2(0.0, never);
     vec2 seen = kept_of(first, kept);
-    if (seen.x >= seen.y && parts > 1) seen = kept_of(texelFetch(part_1, pixel, 0).xy, kept);
-    if (seen.x >= seen.y && parts > 2) seen = kept_of(texelFetch(part_2, pixel, 0).xy, kept);
-    if (seen.x >= seen.y && parts > 3) seen = kept_of(texelFetch(part_3, pixel, 0).xy, kept);
+    LATER_PARTS
     if (seen.x >= seen.y) return 1.0;
     return 0.5 + 0.5 * (depth_row.y - depth_row.x * seen.x) / (parallel > 0.5 ? 1.0 : max(seen.x, 1e-30));
 }
@@ -347,12 +341,22 @@ std::string later_parts(int parts, bool edge) {
     return text;
 }
 
-std::string with_parts(std::string body, int parts, bool edge) {
+std::string with_parts(std::string body, int parts, const std::string& text) {
     const std::string word = "LATER_PARTS";
-    body.replace(body.find(word), word.size(), later_parts(parts, edge));
+    body.replace(body.find(word), word.size(), text);
     std::string samplers;
     for (int i = 1; i < parts; ++i) samplers += "uniform sampler2D part_" + std::to_string(i) + ";\n";
     return samplers + body;
+}
+
+// Until there is one that the planes keep something of.
+std::string next_parts_seen(int parts) {
+    std::string text;
+    for (int i = 1; i < parts; ++i) {
+        const std::string part = std::to_string(i);
+        text += "if (seen.x >= seen.y) seen = kept_of(texelFetch(part_" + part + ", pixel, 0).xy, kept);\n";
+    }
+    return text;
 }
 
 // A pixel that what is left of the mesh covers in part has so much of its light, or of a pixel's beside it whose ray
@@ -391,9 +395,10 @@ std::string slab_defines(const SlabProgramKind& kind) {
 
 ShaderProgram make_slab_program(const Gl& gl, bool edge, const SlabProgramKind& kind) {
     const std::string defines = slab_defines(kind);
-    return make_shader_program(gl, defines + slab_vertex,
-                               defines + depth + ray_uniforms + ray + light + light_between + ownership + clipping +
-                                   with_parts(edge ? edge_fragment : slice_fragment, kind.parts, edge));
+    return make_shader_program(
+        gl, defines + slab_vertex,
+        defines + depth + ray_uniforms + ray + light + light_between + ownership + clipping +
+            with_parts(edge ? edge_fragment : slice_fragment, kind.parts, later_parts(kind.parts, edge)));
 }
 
 } // namespace
@@ -407,8 +412,8 @@ ShaderProgram make_kept_program(const Gl& gl) {
     return make_cover_program(gl, std::string(version) + ray_uniforms + kept_fragment);
 }
 
-ShaderProgram make_limits_program(const Gl& gl) {
-    return make_cover_program(gl, std::string(version) + limits_fragment);
+ShaderProgram make_limits_program(const Gl& gl, int parts) {
+    return make_cover_program(gl, std::string(version) + with_parts(limits_fragment, parts, next_parts_seen(parts)));
 }
 
 ShaderProgram make_limits_copy_program(const Gl& gl) {

@@ -16,7 +16,7 @@ enum VolumeAttribute : GLuint {
 
 // A ray is in the mesh in so many parts at most, from the eye on; slices after the last of them are drawn as if the
 // mesh went on there.
-inline constexpr int most_ray_parts = 4;
+inline constexpr int most_ray_parts = 8;
 
 // Distances along a ray are depths: lengths along the view's axis.
 //
@@ -24,8 +24,9 @@ inline constexpr int most_ray_parts = 4;
 [[nodiscard]] ShaderProgram make_part_program(const Gl& gl, bool first);
 // Where a ray is between the frame's clip planes: from (R), to (G).
 [[nodiscard]] ShaderProgram make_kept_program(const Gl& gl);
-// First part, how far opaque surfaces let one see (B), and the window's depth where there is anything to see (A).
-[[nodiscard]] ShaderProgram make_limits_program(const Gl& gl);
+// First part, how far opaque surfaces let one see (B), and the window's depth where there is anything to see (A),
+// for rays of so many parts.
+[[nodiscard]] ShaderProgram make_limits_program(const Gl& gl, int parts);
 // The same again, to be blended with others'.
 [[nodiscard]] ShaderProgram make_limits_copy_program(const Gl& gl);
 // Slices: each for what a ray has in common with its slab; and boundary faces: for what no slice stands for.
