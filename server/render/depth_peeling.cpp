@@ -21,7 +21,8 @@ enum Unit : int { layer_unit = 0, opaque_unit = 1, volumes_unit = 3 };
 DepthPeeling::DepthPeeling(const Gl& gl)
     : gl_(gl), surfaces_(make_peeling_program(gl)), lines_(make_peeling_line_program(gl)),
       copy_depth_(make_depth_copy_program(gl)), add_(make_layer_sum_program(gl)),
-      picture_(make_layers_picture_program(gl, false)), sample_picture_(make_layers_picture_program(gl, true)) {
+      picture_(make_layers_picture_program(gl, false)), sample_picture_(make_layers_picture_program(gl, true)),
+      fine_opaque_(gl) {
     for (Layer& layer : layers_) {
         gl_.GenFramebuffers(1, &layer.framebuffer);
         gl_.GenTextures(1, &layer.depth);
@@ -90,7 +91,7 @@ void DepthPeeling::cover() const {
 
 void DepthPeeling::draw(const Scene& scene, Target& target) {
     resize(scene);
-    target.copy_depth(opaque_framebuffer_);
+    const GLuint opaque = find_opaque(scene, target);
     gl_.Viewport(0, 0, factor_ * width_, factor_ * height_);
     gl_.BindFramebuffer(GL_FRAMEBUFFER, sum_framebuffer_);
     gl_.ClearColor(0, 0, 0, 1);
@@ -105,15 +106,28 @@ void DepthPeeling::draw(const Scene& scene, Target& target) {
     GLuint in_front = nothing_;
     for (int i = 0; i < most_layers; ++i) {
         const Layer& layer = layers_[i % 2];
-        if (!draw_layer(scene, layer, layers_[(i + 1) % 2])) break;
+        if (!draw_layer(scene, opaque, layer, layers_[(i + 1) % 2])) break;
         if (has_volumes_of_its_own(i)) in_front = volumes(layer.depth);
-        add_to_sum(in_front);
+        add_to_sum(layer, in_front);
     }
     put_on(scene, target, volumes(0));
 }
 
+// Copied, or at the layers' resolution, of which a copy would have one in four.
+GLuint DepthPeeling::find_opaque(const Scene& scene, Target& target) {
+    if (factor_ == 1 || !scene.draw_opaque) {
+        target.copy_depth(opaque_framebuffer_);
+        return opaque_;
+    }
+    fine_opaque_.begin(factor_ * width_, factor_ * height_, false);
+    gl_.Enable(GL_DEPTH_TEST);
+    gl_.DepthMask(GL_TRUE);
+    scene.draw_opaque();
+    return fine_opaque_.texture();
+}
+
 // False where nothing is behind the nearer layer any more.
-bool DepthPeeling::draw_layer(const Scene& scene, const Layer& layer, const Layer& nearer) const {
+bool DepthPeeling::draw_layer(const Scene& scene, GLuint opaque, const Layer& layer, const Layer& nearer) const {
     gl_.BindFramebuffer(GL_FRAMEBUFFER, layer.framebuffer);
     gl_.Viewport(0, 0, factor_ * width_, factor_ * height_);
     gl_.Disable(GL_BLEND);
@@ -123,7 +137,7 @@ bool DepthPeeling::draw_layer(const Scene& scene, const Layer& layer, const Laye
     gl_.Clear(GL_COLOR_BUFFER_BIT);
     gl_.ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
     gl_.DepthFunc(GL_ALWAYS);
-    bind(layer_unit, opaque_);
+    bind(layer_unit, opaque);
     copy_depth_.use();
     copy_depth_.set("opaque", int{layer_unit});
     copy_depth_.set("viewport", glm::vec2(factor_ * width_, factor_ * height_));
@@ -141,17 +155,19 @@ bool DepthPeeling::draw_layer(const Scene& scene, const Layer& layer, const Laye
     return any != 0;
 }
 
-void DepthPeeling::add_to_sum(GLuint volumes) const {
+void DepthPeeling::add_to_sum(const Layer& layer, GLuint volumes) const {
     gl_.BindFramebuffer(GL_FRAMEBUFFER, sum_framebuffer_);
     gl_.Viewport(0, 0, factor_ * width_, factor_ * height_);
     gl_.Disable(GL_DEPTH_TEST);
     gl_.BlendFuncSeparate(GL_DST_ALPHA, GL_ONE, GL_ZERO, GL_ONE_MINUS_SRC_ALPHA);
     bind(layer_unit, color_);
     bind(volumes_unit, volumes);
+    bind(opaque_unit, layer.depth);
     add_.use();
     add_.set("layer", int{layer_unit});
     add_.set("volumes", int{volumes_unit});
-    add_.set("viewport", glm::vec2(factor_ * width_, factor_ * height_));
+    add_.set("depths", int{opaque_unit});
+    add_.set("factor", factor_);
     cover();
 }
 

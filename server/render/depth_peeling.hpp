@@ -4,6 +4,7 @@
 // in front, so layers and volumes are mixed in their order as well.
 #pragma once
 
+#include "render/opaque_depth.hpp"
 #include "render/shader_program.hpp"
 #include "render/shaders.hpp"
 #include "render/target.hpp"
@@ -24,6 +25,8 @@ public:
         int samples = 1;           // several: layers are drawn at twice the picture's resolution where memory allows
         // Window depths in the middle of each pixel, whose outlines are seen through volumes, for per_sample.hpp; or 0.
         GLuint outlines = 0;
+        // All that is opaque, for its depth at the layers' resolution; without it the target's own is taken.
+        std::function<void()> draw_opaque;
         std::function<void()> draw_surfaces; // with the peeling programs in use, lines as well
         // The picture of the volumes (premultiplied, RGBA) in front of a depth texture, or of all
         // opaque surfaces for 0; empty where there are none.
@@ -45,8 +48,9 @@ private:
     void resize(const Scene& scene);
     void allocate(GLuint texture, GLint format, int width, int height) const;
     void attach(GLuint framebuffer, GLuint color, GLuint depth) const;
-    [[nodiscard]] bool draw_layer(const Scene& scene, const Layer& layer, const Layer& nearer) const;
-    void add_to_sum(GLuint volumes) const;
+    [[nodiscard]] GLuint find_opaque(const Scene& scene, Target& target);
+    [[nodiscard]] bool draw_layer(const Scene& scene, GLuint opaque, const Layer& layer, const Layer& nearer) const;
+    void add_to_sum(const Layer& layer, GLuint volumes) const;
     void put_on(const Scene& scene, Target& target, GLuint volumes) const;
     void bind(int unit, GLuint texture) const;
     void cover() const;
@@ -54,6 +58,7 @@ private:
     const Gl& gl_;
     Program surfaces_, lines_;
     ShaderProgram copy_depth_, add_, picture_, sample_picture_;
+    OpaqueDepth fine_opaque_;
     Layer layers_[2];
     GLuint color_ = 0; // of the layer being drawn
     GLuint opaque_ = 0, opaque_framebuffer_ = 0;

@@ -260,7 +260,11 @@ void Painter::draw_opaque(const Frame& frame) {
 
 void Painter::draw_opaque_depth(const Frame& frame, bool with_normals) {
     opaque_depth_.begin(frame.width, frame.height, with_normals);
-    use(with_normals ? normals_ : triangles_, frame);
+    draw_depths(frame, with_normals ? normals_ : triangles_);
+}
+
+void Painter::draw_depths(const Frame& frame, const Program& program) {
+    use(program, frame);
     for (std::size_t i = 0; i < frame.meshes.size(); ++i) {
         if (!is_opaque(frame.meshes[i])) continue;
         buffers(i).draw(frame.meshes[i], scale_rows_[i]);
@@ -307,7 +311,9 @@ void Painter::draw_transparent(const Frame& frame) {
 }
 
 void Painter::peel_transparent(const Frame& frame) {
-    DepthPeeling::Scene layers{frame.width, frame.height, frame.samples, 0, {}, {}};
+    DepthPeeling::Scene layers{frame.width, frame.height, frame.samples, 0, {}, {}, {}};
+    const bool has_points = std::ranges::any_of(frame.meshes, [](const Mesh& mesh) { return mesh.points; });
+    if (!has_points) layers.draw_opaque = [&] { draw_opaque_of_layers(frame); };
     layers.draw_surfaces = [&] {
         use(peeling_.surfaces(), frame);
         gl_.Uniform1i(peeling_.surfaces().nearer, DepthPeeling::nearer_unit);
@@ -328,6 +334,15 @@ void Painter::peel_transparent(const Frame& frame) {
     peeling_.draw(layers, target_);
     enable_clip_planes(true);
     if (!frame.volumes.empty()) draw_meshes(frame, points_, true);
+}
+
+void Painter::draw_opaque_of_layers(const Frame& frame) {
+    enable_clip_planes(true);
+    gl_.PolygonOffset(reach_of_overlays(frame) * static_cast<float>(peeling_.layer_pixels()), 1);
+    gl_.Enable(GL_POLYGON_OFFSET_FILL);
+    draw_depths(frame, triangles_);
+    gl_.Disable(GL_POLYGON_OFFSET_FILL);
+    enable_clip_planes(false);
 }
 
 // In their order too: drawn before the surfaces, their soft edges would keep what is transparent from being seen.

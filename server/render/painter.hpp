@@ -38,6 +38,8 @@ private:
     void draw_overlays(const Frame& frame, const Program& program);
     void draw_opaque(const Frame& frame);
     void draw_opaque_depth(const Frame& frame, bool with_normals);
+    void draw_depths(const Frame& frame, const Program& program);
+    void draw_opaque_of_layers(const Frame& frame);
     void use_occlusion(const Frame& frame);
     void draw_volumes(const Frame& frame);
     void draw_before_volumes(const Frame& frame);

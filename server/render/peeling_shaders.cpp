@@ -14,11 +14,30 @@ void main() { gl_FragDepth = texture(opaque, gl_FragCoord.xy / viewport).r; }
 constexpr const char* layer_sum_fragment = R"(#version 330 core
 uniform sampler2D layer;
 uniform sampler2D volumes;
-uniform vec2 viewport;
+uniform sampler2D depths; // of the layer
+uniform int factor;       // pixels of the layer to one of the volumes
 out vec4 picture;
+float depth_of_ray(ivec2 pixel) { return texelFetch(depths, factor * pixel + factor / 2, 0).r; }
+// The volumes have one ray a pixel, which ended on the layer or went past it: of another pixel's where that did what
+// this one would.
+ivec2 pixel_of_volumes() {
+    ivec2 here = ivec2(gl_FragCoord.xy), pixel = here / factor, found = pixel;
+    ivec2 side = (here & 1) * 2 - 1, last = textureSize(volumes, 0) - 1;
+    float own = texelFetch(depths, here, 0).r;
+    float off = abs(depth_of_ray(pixel) - own);
+    for (int i = 1; i < 4 && off > 2e-3; ++i) {
+        ivec2 other = clamp(pixel + side * ivec2(i & 1, i >> 1), ivec2(0), last);
+        float other_off = abs(depth_of_ray(other) - own);
+        if (other_off < off) {
+            off = other_off;
+            found = other;
+        }
+    }
+    return min(found, last);
+}
 void main() {
     vec4 surface = texelFetch(layer, ivec2(gl_FragCoord.xy), 0);
-    vec4 volume = texture(volumes, gl_FragCoord.xy / viewport);
+    vec4 volume = texelFetch(volumes, pixel_of_volumes(), 0);
     picture = vec4((volume.rgb + (1.0 - volume.a) * surface.rgb) * surface.a, surface.a);
 }
 )";

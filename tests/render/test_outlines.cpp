@@ -22,12 +22,15 @@ struct Ball {
     double radius;
 
     // Where a ray meets it; infinite where it does not.
-    [[nodiscard]] double hit(const Ray& ray) const {
+    [[nodiscard]] double hit(const Ray& ray) const { return hits(ray)[0]; }
+    [[nodiscard]] std::array<double, 2> hits(const Ray& ray) const {
         const Vec3d to = plus(center, ray[0], -1);
         const double along = to[0] * ray[1][0] + to[1] * ray[1][1] + to[2] * ray[1][2];
         const double apart = to[0] * to[0] + to[1] * to[1] + to[2] * to[2] - along * along;
-        return apart < radius * radius ? along - std::sqrt(radius * radius - apart)
-                                       : std::numeric_limits<double>::infinity();
+        constexpr double never = std::numeric_limits<double>::infinity();
+        if (apart >= radius * radius) return {never, never};
+        const double half = std::sqrt(radius * radius - apart);
+        return {along - half, along + half};
     }
 };
 
@@ -54,8 +57,16 @@ protected:
     }
     [[nodiscard]] double light(const Ray& ray) const {
         auto [from, to] = inside_box(ray, {0, 0, 0}, {1, 1, 1});
-        to = std::min({to, ball.hit(ray), (wall - ray[0][1]) / ray[1][1]});
-        return 1 - std::pow(1 - fog_opacity, std::max(0.0, to - from));
+        to = std::min(to, (wall - ray[0][1]) / ray[1][1]);
+        if (!(from < to)) return 0;
+        double sum = 0, left = 1;
+        for (const double next : {std::min(to, ball.hits(ray)[0]), std::min(to, ball.hits(ray)[1]), to}) {
+            const double passed = std::pow(1 - fog_opacity, next - from);
+            sum += left * (1 - passed);
+            left *= passed * (next < to ? 1 - ball_opacity : 1);
+            from = next;
+        }
+        return sum;
     }
     // Mean difference of the pixels that the ball's outline runs through, of the step that it is there; `dimmed`: the
     // share of the light that comes through what else there is.
@@ -87,6 +98,7 @@ protected:
 
     VolumeScene fog{test::hexahedra(Box{{4, 4, 4}, 0, 1, 0.25}), [](const Vec3d&) { return 1.0; }};
     Ball ball{{0.5, 0.5, 0.5}, 0.3};
+    double ball_opacity = 1;                               // of its surface, which is black
     double wall = std::numeric_limits<double>::infinity(); // its place
     std::vector<Shape> shapes = [] {
         std::vector<Shape> kept;
@@ -119,6 +131,13 @@ TEST_F(OutlineInFog, IsSmoothWithLinesAround) {
     line.indices = {0, 1};
     add(line).lines = true;
     frame.meshes.back().line_width = 8;
+    EXPECT_LT(roughness(), smooth);
+}
+
+// Each part of a pixel has the fog in front of what it sees of the ball, not of what the pixel's one ray met.
+TEST_F(OutlineInFog, IsSmoothOfATransparentBall) {
+    ball_opacity = 0.8;
+    frame.meshes[0].color[3] = 0.8F;
     EXPECT_LT(roughness(), smooth);
 }
 

@@ -88,6 +88,26 @@ TEST_P(PeelingTest, OpaqueSurfacesHideWhatIsBehind) {
     expect(160, 120, over({{red, 0.5}}, green));
 }
 
+// Of an opaque sliver in front of a sheet, less than a pixel high, no part is lost and none is a whole pixel high: it
+// would look like a line of dashes.
+TEST_P(PeelingTest, AnOpaqueSliverInFrontOfASheetIsNoLineOfDashes) {
+    add(square(0.5), {1, 1, 1}, 0.5);
+    const double pixel = frame.camera.parallel_height / frame.height;
+    add(grid(1, 1,
+             [&](double u, double v) {
+                 return Vec3f{static_cast<float>(2 * u - 1), 0, static_cast<float>((4 * u + 0.7 * v) * pixel)};
+             }),
+        {0, 0, 0}, 1);
+    renderer.draw(frame, image);
+    for (int x = 90; x < 230; ++x) {
+        double missing = 0;
+        for (int y = 100; y < 130; ++y)
+            missing += 1 - image.rgb[3 * static_cast<std::size_t>(y * image.width + x)] / 127.5;
+        EXPECT_GT(missing, 0.3) << "at " << x;
+        EXPECT_LT(missing, 1.1) << "at " << x;
+    }
+}
+
 // What is in front of a sphere and what is in it: four layers in the middle, two where the small one is not.
 TEST_P(PeelingTest, SurfacesThatEncloseEachOther) {
     const Color red{1, 0, 0}, green{0, 1, 0};

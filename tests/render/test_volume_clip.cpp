@@ -76,6 +76,36 @@ TEST(ClippedVolume, IsCutInEveryPartOfARay) {
     }
 }
 
+// A volume that is all but opaque within a slab: the property that is seen is that of the plane, and does not jump from
+// slab to slab along it.
+TEST(ClippedVolume, HasNoStripesWhereItIsDense) {
+    constexpr double extinction = 6.9, unit = 0.05;
+    VolumeScene scene(test::hexahedra(Box{{4, 4, 4}, 0, 1, 0.25}),
+                      [](const Vec3d& p) { return 0.2 + 0.4 * p[0] + 0.4 * p[1]; });
+    const Cut cut{"", {plane_through(off_centre, {0.5, 0.7, 0.2})}};
+    for (const View& view : {views[0], views[1]}) {
+        Frame frame = frame_of(view);
+        frame.clip = cut.planes;
+        frame.volumes.push_back(scene.volume({0, 1, 0}, 20));
+        frame.volumes[0].scale.range = {0, 1};
+        frame.volumes[0].opacity_points = {{0, 1 - std::exp(-extinction)}};
+        frame.volumes[0].unit_length = unit;
+        const auto expected = [&](const Ray& ray) {
+            const auto [from, to] = cut.kept(ray, inside_box(ray, {0, 0, 0}, {1, 1, 1}));
+            double light = 0, left = 1;
+            constexpr double step = 0.001;
+            for (double t = from; t < to && left > 1e-4; t += step) {
+                const double length = std::min(step, to - t), passed = std::exp(-extinction / unit * length);
+                const Vec3d p = plus(ray[0], ray[1], t + length / 2);
+                light += left * (1 - passed) * (0.2 + 0.4 * p[0] + 0.4 * p[1]);
+                left *= passed;
+            }
+            return light;
+        };
+        expect_close(compare(frame, expected, 0.012), view.name);
+    }
+}
+
 // The place that is seen is that of the cut, so a property that only changes along the view shows where it lies.
 TEST(ClippedVolume, ShowsThePropertyWhereItIsCut) {
     VolumeScene scene(test::voronoi(200, 5), [](const Vec3d& p) { return p[1]; });

@@ -116,7 +116,7 @@ void main() {
     float window = window_depth(part);
     float sight = never;
     if (has_opaque > 0.5) {
-        float z = texture(opaque, gl_FragCoord.xy / viewport).r;
+        float z = texelFetch(opaque, ivec2(gl_FragCoord.xy * (vec2(textureSize(opaque, 0)) / viewport)), 0).r;
         float ndc = 2.0 * z - 1.0;
         if (z < 1.0) sight = parallel > 0.5 ? (depth_row.y - ndc) / depth_row.x : depth_row.y / (ndc + depth_row.x);
     }
@@ -221,6 +221,13 @@ vec4 light(vec3 way, float rise, float first, float last, float length) {
     float opacity = loss < 0.25 ? loss * (1.0 - loss * (0.5 - loss * (1.0 / 6.0 - loss * (1.0 / 24.0))))
                                 : 1.0 - exp(-loss);
     vec3 color = mean.rgb;
+#ifdef CLIPPED
+    // Pieces of any length end on a plane. What is far behind it in a dense one is not seen: one so much shorter, from
+    // which all is seen alike, has its middle where the light that comes out has its own.
+    float share = loss < 0.01 ? 1.0 - loss / 6.0 : 2.0 / loss - 2.0 / (exp(min(loss, 80.0)) - 1.0);
+    float end = mix(a, b, share);
+    color = texture(table, vec2(0.5 * (a + end), (abs(end - a) * (ROWS - 1.0) + 0.5) / ROWS)).rgb;
+#endif
 #ifdef SHADED
     float steep = dot(slope, slope);
     float facing = min(rise * rise / max(steep * dot(way, way), 1e-30), 1.0);
