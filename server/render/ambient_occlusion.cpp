@@ -1,6 +1,7 @@
 #include "render/ambient_occlusion.hpp"
 
 #include "render/ambient_occlusion_shaders.hpp"
+#include "render/sheet.hpp"
 
 #include <string>
 
@@ -26,8 +27,7 @@ AmbientOcclusion::AmbientOcclusion(const Gl& gl)
 void AmbientOcclusion::allocate(const Sheet& sheet, GLint format) const {
     gl_.BindTexture(GL_TEXTURE_2D, sheet.texture);
     gl_.TexImage2D(GL_TEXTURE_2D, 0, format, width_, height_, 0, GL_RGBA, GL_FLOAT, nullptr);
-    for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
-        gl_.TexParameteri(GL_TEXTURE_2D, filter, GL_NEAREST);
+    filter(gl_, GL_NEAREST);
     gl_.BindFramebuffer(GL_FRAMEBUFFER, sheet.framebuffer);
     gl_.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, sheet.texture, 0);
     if (gl_.CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
@@ -48,12 +48,6 @@ void AmbientOcclusion::resize(int width, int height) {
     }
 }
 
-void AmbientOcclusion::bind(int unit, GLuint texture) const {
-    gl_.ActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
-    gl_.BindTexture(GL_TEXTURE_2D, texture);
-    gl_.ActiveTexture(GL_TEXTURE0);
-}
-
 void AmbientOcclusion::cover(const Sheet& sheet) const {
     gl_.BindFramebuffer(GL_FRAMEBUFFER, sheet.framebuffer);
     gl_.Viewport(0, 0, width_, height_);
@@ -66,9 +60,9 @@ void AmbientOcclusion::find(const Frame& frame, const ViewTransform& transform, 
     stride_ = fine ? 1 : 2;
     resize((frame.width + stride_ - 1) / stride_, (frame.height + stride_ - 1) / stride_);
     gl_.Disable(GL_DEPTH_TEST);
-    bind(found_unit, found_.texture);
-    bind(depth_unit, opaque.texture());
-    bind(normals_unit, opaque.normals());
+    bind(gl_, found_unit, found_.texture);
+    bind(gl_, depth_unit, opaque.texture());
+    bind(gl_, normals_unit, opaque.normals());
 
     const glm::dmat4& projection = transform.projection;
     const double radius = frame.occlusion.radius;

@@ -37,7 +37,6 @@ private:
     };
     void resize(int width, int height);
     void allocate(const Sheet& sheet, GLint format) const;
-    void bind(int unit, GLuint texture) const;
     void cover(const Sheet& sheet) const;
 
     const Gl& gl_;

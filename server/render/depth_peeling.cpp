@@ -2,6 +2,7 @@
 
 #include "render/peeling_shaders.hpp"
 #include "render/per_sample.hpp"
+#include "render/sheet.hpp"
 
 namespace ciel::render {
 namespace {
@@ -35,7 +36,7 @@ DepthPeeling::DepthPeeling(const Gl& gl)
     constexpr float zeros[4] = {};
     gl_.BindTexture(GL_TEXTURE_2D, nothing_);
     gl_.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA16F, 1, 1, 0, GL_RGBA, GL_FLOAT, zeros);
-    gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    filter(gl_, GL_NEAREST);
 }
 
 void DepthPeeling::allocate(GLuint texture, GLint format, int width, int height) const {
@@ -43,10 +44,7 @@ void DepthPeeling::allocate(GLuint texture, GLint format, int width, int height)
     gl_.BindTexture(GL_TEXTURE_2D, texture);
     gl_.TexImage2D(GL_TEXTURE_2D, 0, format, width, height, 0, is_depth ? GL_DEPTH_COMPONENT : GL_RGBA, GL_FLOAT,
                    nullptr);
-    for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
-        gl_.TexParameteri(GL_TEXTURE_2D, filter, texture == sum_ ? GL_LINEAR : GL_NEAREST);
-    for (const GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T})
-        gl_.TexParameteri(GL_TEXTURE_2D, wrap, GL_CLAMP_TO_EDGE);
+    filter(gl_, texture == sum_ ? GL_LINEAR : GL_NEAREST);
 }
 
 void DepthPeeling::attach(GLuint framebuffer, GLuint color, GLuint depth) const {
@@ -78,12 +76,6 @@ void DepthPeeling::resize(const Scene& scene) {
     factor_ = factor;
 }
 
-void DepthPeeling::bind(int unit, GLuint texture) const {
-    gl_.ActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
-    gl_.BindTexture(GL_TEXTURE_2D, texture);
-    gl_.ActiveTexture(GL_TEXTURE0);
-}
-
 void DepthPeeling::cover() const {
     gl_.BindVertexArray(no_array_);
     gl_.DrawArrays(GL_TRIANGLES, 0, 3);
@@ -113,9 +105,10 @@ void DepthPeeling::draw(const Scene& scene, Target& target) {
     put_on(scene, target, volumes(0));
 }
 
-// Copied, or at the layers' resolution, of which a copy would have one in four.
+// At the layers' resolution, of which a copy has one pixel in four. Samples that are put on one by one want each pixel
+// of the layers to be all before or all behind an outline: as a copy is.
 GLuint DepthPeeling::find_opaque(const Scene& scene, Target& target) {
-    if (factor_ == 1 || !scene.draw_opaque) {
+    if (factor_ == 1 || scene.outlines != 0 || !scene.draw_opaque) {
         target.copy_depth(opaque_framebuffer_);
         return opaque_;
     }
@@ -137,14 +130,14 @@ bool DepthPeeling::draw_layer(const Scene& scene, GLuint opaque, const Layer& la
     gl_.Clear(GL_COLOR_BUFFER_BIT);
     gl_.ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
     gl_.DepthFunc(GL_ALWAYS);
-    bind(layer_unit, opaque);
+    bind(gl_, layer_unit, opaque);
     copy_depth_.use();
     copy_depth_.set("opaque", int{layer_unit});
     copy_depth_.set("viewport", glm::vec2(factor_ * width_, factor_ * height_));
     cover();
     gl_.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     gl_.DepthFunc(GL_LESS);
-    bind(nearer_unit, nearer.depth);
+    bind(gl_, nearer_unit, nearer.depth);
     gl_.BeginQuery(GL_ANY_SAMPLES_PASSED, query_);
     scene.draw_surfaces();
     gl_.EndQuery(GL_ANY_SAMPLES_PASSED);
@@ -160,9 +153,9 @@ void DepthPeeling::add_to_sum(const Layer& layer, GLuint volumes) const {
     gl_.Viewport(0, 0, factor_ * width_, factor_ * height_);
     gl_.Disable(GL_DEPTH_TEST);
     gl_.BlendFuncSeparate(GL_DST_ALPHA, GL_ONE, GL_ZERO, GL_ONE_MINUS_SRC_ALPHA);
-    bind(layer_unit, color_);
-    bind(volumes_unit, volumes);
-    bind(opaque_unit, layer.depth);
+    bind(gl_, layer_unit, color_);
+    bind(gl_, volumes_unit, volumes);
+    bind(gl_, opaque_unit, layer.depth);
     add_.use();
     add_.set("layer", int{layer_unit});
     add_.set("volumes", int{volumes_unit});
@@ -176,8 +169,8 @@ void DepthPeeling::put_on(const Scene& scene, Target& target, GLuint volumes) co
     target.bind_again();
     gl_.Disable(GL_DEPTH_TEST);
     gl_.BlendFuncSeparate(GL_ONE, GL_SRC_ALPHA, GL_ZERO, GL_ONE);
-    bind(layer_unit, sum_);
-    bind(volumes_unit, volumes);
+    bind(gl_, layer_unit, sum_);
+    bind(gl_, volumes_unit, volumes);
     const ShaderProgram& program = per_sample ? sample_picture_ : picture_;
     program.use();
     program.set("sum", int{layer_unit});

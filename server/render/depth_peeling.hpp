@@ -25,7 +25,8 @@ public:
         int samples = 1;           // several: layers are drawn at twice the picture's resolution where memory allows
         // Window depths in the middle of each pixel, whose outlines are seen through volumes, for per_sample.hpp; or 0.
         GLuint outlines = 0;
-        // All that is opaque, for its depth at the layers' resolution; without it the target's own is taken.
+        // All that is opaque, for its depth at the layers' resolution; without it, or with outlines, the target's own
+        // is taken.
         std::function<void()> draw_opaque;
         std::function<void()> draw_surfaces; // with the peeling programs in use, lines as well
         // The picture of the volumes (premultiplied, RGBA) in front of a depth texture, or of all
@@ -52,7 +53,6 @@ private:
     [[nodiscard]] bool draw_layer(const Scene& scene, GLuint opaque, const Layer& layer, const Layer& nearer) const;
     void add_to_sum(const Layer& layer, GLuint volumes) const;
     void put_on(const Scene& scene, Target& target, GLuint volumes) const;
-    void bind(int unit, GLuint texture) const;
     void cover() const;
 
     const Gl& gl_;

@@ -1,6 +1,7 @@
 #include "render/opaque_depth.hpp"
 
 #include "ciel/types.hpp"
+#include "render/sheet.hpp"
 
 #include <string>
 
@@ -17,10 +18,7 @@ void OpaqueDepth::allocate(GLuint texture, GLint format, int width, int height) 
     gl_.BindTexture(GL_TEXTURE_2D, texture);
     gl_.TexImage2D(GL_TEXTURE_2D, 0, format, width, height, 0, is_depth ? GL_DEPTH_COMPONENT : GL_RGBA,
                    is_depth ? GL_UNSIGNED_INT : GL_FLOAT, nullptr);
-    for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
-        gl_.TexParameteri(GL_TEXTURE_2D, filter, GL_NEAREST);
-    for (const GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T})
-        gl_.TexParameteri(GL_TEXTURE_2D, wrap, GL_CLAMP_TO_EDGE);
+    filter(gl_, GL_NEAREST);
     gl_.FramebufferTexture2D(GL_FRAMEBUFFER, is_depth ? GL_DEPTH_ATTACHMENT : GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D,
                              texture, 0);
 }

@@ -1,5 +1,6 @@
 // Ambient occlusion by what must hold for it: what has nothing near it keeps all light, corners lose half of it, and
 // nothing but opaque surfaces takes part.
+#include "backends.hpp"
 #include "scenes.hpp"
 #include "support/meshes.hpp"
 #include "volume_scene.hpp"
@@ -367,11 +368,7 @@ TEST_P(OcclusionTest, WhatAClipPlaneTookAwayShadesNothing) {
     EXPECT_EQ(change(0.8), 0);
 }
 
-INSTANTIATE_TEST_SUITE_P(, OcclusionTest, testing::ValuesIn(available_backends()), [](const auto& parameter) {
-    std::string name = name_of(parameter.param);
-    std::replace(name.begin(), name.end(), '-', '_');
-    return name;
-});
+INSTANTIATE_TEST_SUITE_P(, OcclusionTest, testing::ValuesIn(available_backends()), name_of_test);
 
 } // namespace
 } // namespace ciel::render

@@ -1,4 +1,5 @@
 // Clip planes cut every kind of mesh, in the picture and under the pointer; points have their size.
+#include "backends.hpp"
 #include "scenes.hpp"
 
 #include <cmath>
@@ -34,12 +35,7 @@ protected:
     }
 };
 
-INSTANTIATE_TEST_SUITE_P(Backends, ClipAndPoints, testing::ValuesIn(available_backends()), [](const auto& backend) {
-    std::string name = name_of(backend.param);
-    for (char& c : name)
-        if (c == '-') c = '_';
-    return name;
-});
+INSTANTIATE_TEST_SUITE_P(Backends, ClipAndPoints, testing::ValuesIn(available_backends()), name_of_test);
 GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(ClipAndPoints);
 
 TEST_P(ClipAndPoints, APlaneCutsSurfacesOpaqueAndTransparentAndWhatIsPicked) {

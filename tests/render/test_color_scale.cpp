@@ -1,5 +1,6 @@
 // The rule of color_scale.hpp on the graphics card: pictures of a square whose scalar is known at every pixel, held to
 // the rule on the CPU.
+#include "backends.hpp"
 #include "render/color_map.hpp"
 #include "scenes.hpp"
 
@@ -57,14 +58,7 @@ protected:
     }
 };
 
-std::string test_name(const testing::TestParamInfo<Backend>& backend) {
-    std::string name = name_of(backend.param);
-    for (char& c : name)
-        if (c == '-') c = '_';
-    return name;
-}
-
-INSTANTIATE_TEST_SUITE_P(Backends, ColorScalePicture, testing::ValuesIn(available_backends()), test_name);
+INSTANTIATE_TEST_SUITE_P(Backends, ColorScalePicture, testing::ValuesIn(available_backends()), name_of_test);
 GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(ColorScalePicture);
 
 ColorScale scale_of(const char* map, std::array<float, 2> range) {

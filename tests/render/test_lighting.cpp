@@ -1,4 +1,5 @@
 // The lights of a frame against what they are said to add.
+#include "backends.hpp"
 #include "scenes.hpp"
 
 #include <gtest/gtest.h>
@@ -92,11 +93,7 @@ TEST_P(LightingTest, PointsAreLitAsBallsOrNotAtAll) {
     EXPECT_NEAR(middle(mesh), gray, 0.003);
 }
 
-INSTANTIATE_TEST_SUITE_P(, LightingTest, testing::ValuesIn(available_backends()), [](const auto& parameter) {
-    std::string name = name_of(parameter.param);
-    std::replace(name.begin(), name.end(), '-', '_');
-    return name;
-});
+INSTANTIATE_TEST_SUITE_P(, LightingTest, testing::ValuesIn(available_backends()), name_of_test);
 
 } // namespace
 } // namespace ciel::render

@@ -1,4 +1,5 @@
 // Transparent layers against what is worked out by hand: in their order at every pixel, and mixed with volumes.
+#include "backends.hpp"
 #include "scenes.hpp"
 #include "support/meshes.hpp"
 #include "volume_scene.hpp"
@@ -314,11 +315,7 @@ TEST_P(PeelingTest, ASheetInAVolume) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(, PeelingTest, testing::ValuesIn(available_backends()), [](const auto& parameter) {
-    std::string name = name_of(parameter.param);
-    std::replace(name.begin(), name.end(), '-', '_');
-    return name;
-});
+INSTANTIATE_TEST_SUITE_P(, PeelingTest, testing::ValuesIn(available_backends()), name_of_test);
 
 } // namespace
 } // namespace ciel::render

@@ -1,5 +1,6 @@
 // Pictures of shapes whose look is known, on every back end of this machine. A failing picture stays in the build
 // folder.
+#include "backends.hpp"
 #include "render/color_map.hpp"
 #include "scenes.hpp"
 #include "wire/png.hpp"
@@ -54,14 +55,7 @@ protected:
     }
 };
 
-std::string backend_test_name(const testing::TestParamInfo<Backend>& backend) {
-    std::string name = name_of(backend.param);
-    for (char& c : name)
-        if (c == '-') c = '_';
-    return name;
-}
-
-INSTANTIATE_TEST_SUITE_P(Backends, RendererTest, testing::ValuesIn(available_backends()), backend_test_name);
+INSTANTIATE_TEST_SUITE_P(Backends, RendererTest, testing::ValuesIn(available_backends()), name_of_test);
 GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(RendererTest);
 
 TEST_P(RendererTest, BackgroundRunsFromTopToBottom) {

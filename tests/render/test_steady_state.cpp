@@ -1,4 +1,5 @@
 // While somebody drags and turns, the GL makes no object and gets nothing that it has already.
+#include "backends.hpp"
 #include "counted_gl.hpp"
 #include "render/painter.hpp"
 #include "scenes.hpp"
@@ -65,12 +66,7 @@ protected:
     std::uint64_t identity = 0, revision = 0;
 };
 
-INSTANTIATE_TEST_SUITE_P(Backends, SteadyStateTest, testing::ValuesIn(available_backends()),
-                         [](const testing::TestParamInfo<Backend>& backend) {
-                             std::string name = name_of(backend.param);
-                             std::replace(name.begin(), name.end(), '-', '_');
-                             return name;
-                         });
+INSTANTIATE_TEST_SUITE_P(Backends, SteadyStateTest, testing::ValuesIn(available_backends()), name_of_test);
 GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(SteadyStateTest);
 
 TEST_P(SteadyStateTest, TheFirstFrameIsCounted) {
