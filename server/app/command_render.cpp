@@ -1,4 +1,5 @@
 // ciel render NAME.ciel -o FILE.png: a still picture, made as the server makes it.
+#include "app/camera_options.hpp"
 #include "app/color_options.hpp"
 #include "app/commands.hpp"
 #include "app/layer_options.hpp"
@@ -30,7 +31,7 @@ struct RenderCommand {
     SceneOptions scene;
     LayerOptions layers;
     std::string scene_file, size = "1280x720", gl = "auto", output;
-    std::optional<std::string> camera;
+    CameraOptions camera;
     std::optional<std::string> background, title;
     std::vector<std::string> annotations;
     std::optional<double> text_scale;
@@ -52,15 +53,6 @@ session::ViewSize parse_size(const std::string& text) {
         throw UsageError("--size " + text + " is too large: " + error.what());
     }
     return {static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height)};
-}
-
-nlohmann::json camera_of(const std::string& text) {
-    const std::vector<double> n = parse_numbers("--camera", text);
-    if (n.size() != 6 && n.size() != 9)
-        throw UsageError("--camera " + text + " is not of the form px,py,pz,tx,ty,tz or px,py,pz,tx,ty,tz,ux,uy,uz");
-    nlohmann::json camera{{"position", {n[0], n[1], n[2]}}, {"target", {n[3], n[4], n[5]}}};
-    if (n.size() == 9) camera["up"] = {n[6], n[7], n[8]};
-    return camera;
 }
 
 nlohmann::json read_scene_file(const std::string& path) {
@@ -166,11 +158,13 @@ int run_command(const RenderCommand& render) {
     const auto loaded = load_dataset(render.scene.dataset);
     nlohmann::json document = document_of(render, *loaded);
     annotate(render, document);
-    if (render.camera && document.is_object()) document["camera"] = camera_of(*render.camera);
+    render.camera.apply(document);
     if (const auto patch = render.lighting.patch(); !patch.empty() && document.is_object())
         document = scene::merge_patch(std::move(document), patch);
-    const scene::Scene scene = parse_scene(document);
+    scene::Scene scene = parse_scene(document);
+    render.camera.project(scene);
     const auto geometry = make_geometry(scene, loaded, render.scene.extraction.chosen());
+    render.camera.stand_back(scene, *geometry, size);
     for (const std::string& remark : geometry->remarks) std::cerr << "ciel: " << remark << '\n';
     render::Image image;
     render::Renderer renderer(backend);
@@ -199,10 +193,7 @@ void add_render(CLI::App& app, Run& run) {
         ->add_option("--scene", render->scene_file,
                      "A scene document; without it and without layers, the default view.")
         ->type_name("FILE.json");
-    command
-        ->add_option("--camera", render->camera,
-                     "Where the eye is, what it looks at, and which way is up (z by default); without it all is seen.")
-        ->type_name("px,py,pz,tx,ty,tz[,ux,uy,uz]");
+    render->camera.add_to(*command);
     render->colors.add_to(*command);
     render->lighting.add_to(*command);
     command->add_option("--background", render->background, "dark, light or #rrggbb.")

@@ -76,9 +76,10 @@ ViewTransform view_transform(const Frame& frame) {
     return transform;
 }
 
-Camera default_camera(Vec3d bounds_min, Vec3d bounds_max, double aspect) {
+Camera default_camera(Vec3d bounds_min, Vec3d bounds_max, double aspect, double fov_degrees) {
     constexpr double margin = 1.06;
     Camera camera;
+    camera.fov_degrees = fov_degrees;
     const glm::dvec3 low = vector_of(bounds_min);
     const glm::dvec3 high = vector_of(bounds_max);
     const glm::dvec3 center = (low + high) * 0.5;

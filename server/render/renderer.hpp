@@ -105,7 +105,8 @@ private:
 [[nodiscard]] Backend
 backend_named(const std::string& name); // "auto", "egl-device", "egl-surfaceless", "osmesa"; throws Error
 
-// The camera that shows the whole box from a direction, with a small margin.
-[[nodiscard]] Camera default_camera(Vec3d bounds_min, Vec3d bounds_max, double aspect);
+// The camera that shows the whole box from a direction, with a small margin; its parallel height fits as well.
+[[nodiscard]] Camera default_camera(Vec3d bounds_min, Vec3d bounds_max, double aspect,
+                                    double fov_degrees = Camera{}.fov_degrees);
 
 } // namespace ciel::render

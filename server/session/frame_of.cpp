@@ -72,16 +72,29 @@ render::Camera camera_of(const Geometry& geometry, const scene::Scene& scene, do
     return {camera.position, camera.target, camera.up, camera.fov, camera.parallel, camera.parallel_height};
 }
 
+render::Camera default_view(const Geometry& geometry, const scene::Scene& scene, int width, int height,
+                            double fov_degrees, bool parallel) {
+    render::Frame frame;
+    frame.width = width;
+    frame.height = height;
+    frame.bounds_min = geometry.bounds_min;
+    frame.bounds_max = geometry.bounds_max;
+    frame.camera =
+        render::default_camera(frame.bounds_min, frame.bounds_max, static_cast<double>(width) / height, fov_degrees);
+    frame.camera.parallel = parallel;
+    return beside_annotations(std::move(frame), geometry, scene);
+}
+
 render::Frame frame_of(const Geometry& geometry, const scene::Scene& scene, int width, int height, int samples) {
     render::Frame frame;
     frame.width = width;
     frame.height = height;
     frame.samples = samples;
     frame.origin = geometry.origin;
-    frame.camera = camera_of(geometry, scene, static_cast<double>(width) / height);
+    frame.camera = scene.camera ? camera_of(geometry, scene, static_cast<double>(width) / height)
+                                : default_view(geometry, scene, width, height);
     frame.bounds_min = geometry.bounds_min;
     frame.bounds_max = geometry.bounds_max;
-    if (!scene.camera) frame.camera = beside_annotations(frame, geometry, scene);
     frame.clip = shader_planes(geometry);
     const Background background = background_of(scene.background);
     frame.background_top = background.top;

@@ -115,6 +115,9 @@ private:
 // written over pictures needs (render/make_room.hpp), though it carries none of it.
 [[nodiscard]] render::Frame frame_of(const Geometry& geometry, const scene::Scene& scene, int width, int height,
                                      int samples);
+// Of the whole of the bounds, beside what is written over pictures of that shape.
+[[nodiscard]] render::Camera default_view(const Geometry& geometry, const scene::Scene& scene, int width, int height,
+                                          double fov_degrees = render::Camera{}.fov_degrees, bool parallel = false);
 // The scene's, or the default view of the bounds.
 [[nodiscard]] render::Camera camera_of(const Geometry& geometry, const scene::Scene& scene, double aspect);
 

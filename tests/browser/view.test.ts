@@ -112,6 +112,42 @@ describe("view", { skip }, () => {
     await client.settled();
   });
 
+  test("the field of view changes the perspective, not the size, and is one step of undo", async () => {
+    const before = await client.picture();
+    client.patches.length = 0;
+    const slider = client.page.getByLabel("Field of view", { exact: true });
+    await slider.focus();
+    for (let i = 0; i < 6; i += 1) await client.page.keyboard.press("PageUp");
+    await client.settled();
+    const strong = await client.picture();
+    assert.ok(difference(before, strong) > 0.005);
+    assert.ok(Math.abs(foreground(strong) / foreground(before) - 1) < 0.5, "all of it is still seen");
+    const degrees = client.page.getByLabel("Field of view in degrees");
+    assert.ok(Number(await degrees.inputValue()) > 60);
+    const height = await client.page.getByLabel("Height of the view").inputValue();
+    await degrees.fill("30");
+    await degrees.press("Enter");
+    await client.settled();
+    assert.ok(difference(before, await client.picture()) < 0.005, "30 degrees look as they did");
+    assert.equal(await client.page.getByLabel("Height of the view").inputValue(), height);
+    await degrees.fill("500");
+    await degrees.press("Enter");
+    assert.equal(await degrees.inputValue(), "120", "as wide as a hand can have it");
+    await client.settled();
+    await client.button("Undo").click();
+    await client.settled();
+    assert.equal(await degrees.inputValue(), "30");
+    const from = client.page.getByLabel("Position x");
+    const at = Number((await from.inputValue()).replace("\u2212", "-"));
+    await from.fill(String(at + 1));
+    await from.press("Enter");
+    await client.settled();
+    assert.ok(difference(before, await client.picture()) > 0.002);
+    await client.button("Undo").click();
+    await client.settled();
+    assert.ok(difference(before, await client.picture()) < 0.005);
+  });
+
   test("a slice appears, moves and goes", async () => {
     const before = await client.picture();
     await client.page.getByLabel("X", { exact: true }).check();

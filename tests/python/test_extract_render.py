@@ -154,6 +154,33 @@ def test_options_about_looks_are_the_document_s(box, tmp_path):
         assert not np.array_equal(pixels(tmp_path / "other.png"), pixels(tmp_path / "document.png")), left_out
 
 
+def test_the_perspective_is_as_strong_as_asked_for(box, tmp_path):
+    """From straight ahead, the box's front face is larger than its back face by the ratio of their distances to the eye."""
+    look = ["--surface", "--camera", "0,-5,0,0,0,0", "--annotations", "none", "--size", "200x200"]
+
+    def width(*options):
+        works("render", box, *look, *options, "-o", tmp_path / "p.png")
+        row = pixels(tmp_path / "p.png")[100]
+        return int((np.abs(row - row[1]).max(axis=1) > 20).sum())
+
+    for degrees in (30, 50, 80):
+        wanted = 200 * 2 / (2 * 4 * np.tan(np.radians(degrees) / 2))
+        assert abs(width("--field-of-view", str(degrees)) - wanted) <= 4, degrees  # with the line around it
+    assert abs(width("--parallel", "--field-of-view", "50") - 200 * 2 / (2 * 5 * np.tan(np.radians(25)))) <= 4
+
+
+def test_all_is_seen_at_any_field_of_view(box, tmp_path):
+    common = ["render", box, "--surface", "--background", "#000000", "--annotations", "none", "--size", "160x160"]
+    seen = []
+    for options in ([], ["--field-of-view", "5"], ["--field-of-view", "110"], ["--parallel"]):
+        works(*common, *options, "-o", tmp_path / "p.png")
+        shown = pixels(tmp_path / "p.png").max(axis=2) > 20
+        assert shown.mean() > 0.2, options
+        assert not (shown[0].any() or shown[-1].any() or shown[:, 0].any() or shown[:, -1].any()), options
+        seen.append(shown)
+    assert (seen[1] != seen[3]).mean() < 0.05 < (seen[2] != seen[3]).mean(), "5 degrees are nearly parallel, 110 are not"
+
+
 def test_default_view_scene_file_and_every_back_end_agree(box, tmp_path):
     works("render", box, "-o", tmp_path / "default.png", "--size", "160x100")
     assert (pixels(tmp_path / "default.png").max(axis=2) > 70).mean() > 0.02
@@ -274,6 +301,9 @@ REFUSED = [
     ("unknown patch", ["render", "--surface", "--patches", "a,b", "-o", "p.png"], "no patch a", 1),
     ("short camera", ["render", "--camera", "0,0,9", "-o", "p.png"], "px,py,pz,tx,ty,tz", 2),
     ("camera at its target", ["render", "--camera", "0,0,9,0,0,9", "-o", "p.png"], "must differ", 1),
+    ("no field of view", ["render", "--field-of-view", "0", "-o", "p.png"], "more than 0 and less than 180 degrees", 2),
+    ("all around", ["render", "--field-of-view", "180", "-o", "p.png"], "more than 0 and less than 180 degrees", 2),
+    ("field of view in words", ["render", "--field-of-view", "nan", "-o", "p.png"], "more than 0 and less than 180 degrees", 2),
     ("range of no array", ["render", "--slice", "y=0", "--range", "0,1", "-o", "p.png"], "give --color", 2),
     ("map of no array", ["render", "--surface", "--map", "vik", "-o", "p.png"], "give --color", 2),
     ("time of the default view", ["render", "--time", "nan", "-o", "p.png"], "--time must be a finite number", 2),

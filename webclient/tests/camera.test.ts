@@ -14,7 +14,9 @@ import {
   project,
   roll,
   viewHeight,
+  withFieldOfView,
   withParallel,
+  withViewHeight,
   zoom,
   type Bounds,
   type FullCamera,
@@ -67,6 +69,36 @@ describe("orbit", () => {
   test("half a turn over the shorter side, past the pole without a jump", () => {
     const turned = orbit(start, 0, size.height, size);
     close(subtract(turned.position, turned.target), scale(subtract(start.position, start.target), -1), 6);
+  });
+});
+
+describe("the field of view", () => {
+  const beside = add(start.target, scale(frame(start).right, 0.7));
+  const behind = add(beside, scale(frame(start).forward, 3));
+
+  test("keeps in place what lies at the target's depth, and draws together what lies behind", () => {
+    for (const fov of [1, 20, 60, 120]) {
+      const seen = withFieldOfView(start, fov);
+      expect(seen.fov).toBe(fov);
+      expect(viewHeight(seen)).toBeCloseTo(viewHeight(start), 9);
+      close([project(seen, beside, size)?.x ?? NaN, 0, 0], [project(start, beside, size)?.x ?? NaN, 0, 0], 6);
+      expectRightAngled(seen);
+    }
+    const away = (fov: number): number => (project(withFieldOfView(start, fov), behind, size)?.x ?? NaN) - 400;
+    expect(away(60)).toBeLessThan(away(30));
+    expect(away(1)).toBeGreaterThan(0.97 * (project(start, beside, size)?.x ?? NaN) - 0.97 * 400);
+  });
+
+  test("and back again is the same view", () => {
+    close(withFieldOfView(withFieldOfView(start, 90), 35).position, start.position);
+  });
+
+  test("the height of the view is what it spans, parallel or not", () => {
+    for (const camera of [start, withParallel(start, true)]) {
+      const seen = withViewHeight(camera, 2.5);
+      expect(viewHeight(seen)).toBeCloseTo(2.5, 9);
+      close(seen.target, camera.target);
+    }
   });
 });
 

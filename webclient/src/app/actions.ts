@@ -47,8 +47,12 @@ export class Actions {
   }
 
   toggleParallel(): void {
+    this.changeCamera((camera) => withParallel(camera, !camera.parallel));
+  }
+
+  changeCamera(change: (camera: FullCamera) => FullCamera, gesture?: string): void {
     const camera = this.camera();
-    if (camera !== null) this.setCamera(withParallel(camera, !camera.parallel));
+    if (camera !== null) this.setCamera(change(camera), gesture);
   }
 
   /** The values under a canvas position in CSS pixels. */

@@ -11,6 +11,8 @@ export interface Size {
 export type FullCamera = Required<Camera>;
 
 export const DEFAULT_FOV = 30;
+/** What a hand can choose; documents may have more. */
+export const FOV_RANGE: readonly [number, number] = [1, 120];
 const radians = (degrees: number): number => (degrees * Math.PI) / 180;
 
 export function complete(camera: Camera): FullCamera {
@@ -94,6 +96,20 @@ export function withParallel(camera: FullCamera, parallel: boolean): FullCamera 
   const away = camera.parallel_height / (2 * Math.tan(radians(camera.fov) / 2));
   const arm = scale(normalize(subtract(camera.position, camera.target)), away);
   return { ...camera, parallel, position: add(camera.target, arm) };
+}
+
+/** Keeps what the view spans at the target, so that only the perspective gets stronger or weaker. */
+export function withFieldOfView(camera: FullCamera, fov: number): FullCamera {
+  const away = viewHeight(camera) / (2 * Math.tan(radians(fov) / 2));
+  const arm = scale(normalize(subtract(camera.position, camera.target)), away);
+  return { ...camera, fov, position: add(camera.target, arm) };
+}
+
+/** Spans so much at the target: a parallel view directly, else from further away or closer. */
+export function withViewHeight(camera: FullCamera, height: number): FullCamera {
+  if (camera.parallel) return { ...camera, parallel_height: height };
+  const arm = scale(subtract(camera.position, camera.target), height / viewHeight(camera));
+  return { ...camera, position: add(camera.target, arm) };
 }
 
 export const boundsCentre = (b: Bounds): Vec3 => [(b[0] + b[1]) / 2, (b[2] + b[3]) / 2, (b[4] + b[5]) / 2];

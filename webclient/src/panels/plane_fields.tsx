@@ -4,38 +4,12 @@ import { boundsCentre, corners, frame } from "../camera/camera";
 import { add, dot, normalize, scale, subtract } from "../camera/vector";
 import type { Vec3 } from "../generated/protocol";
 import { clamp, formatNumber, sliderTrack } from "../scene/numbers";
-import { IconButton, NumberField, Slider } from "./controls";
+import { IconButton, Slider } from "./controls";
 import { useApp, useAppState } from "./context";
-
-const AXES = ["x", "y", "z"] as const;
+import { VectorRow } from "./vector_row";
 
 /** In the ranges that a dataset has, five digits of a coordinate are what a hand means. */
 const tidy = (vector: Vec3): Vec3 => vector.map((value) => Number(value.toPrecision(6))) as Vec3;
-
-interface VectorProps {
-  label: string;
-  value: Vec3;
-  /** Of what it is among: how many digits are worth showing. */
-  span: number;
-  set: (to: Vec3) => void;
-}
-
-function VectorRow({ label, value, span, set }: VectorProps): JSX.Element {
-  return (
-    <div class="vector-row">
-      <span>{label}</span>
-      {AXES.map((axis, at) => (
-        <NumberField
-          key={axis}
-          label={`${label} ${axis}`}
-          value={value[at] ?? 0}
-          span={span}
-          onChange={(typed) => set(value.map((old, i) => (i === at ? typed : old)) as Vec3)}
-        />
-      ))}
-    </div>
-  );
-}
 
 interface PlaneProps {
   id: string;

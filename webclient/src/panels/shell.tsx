@@ -3,6 +3,7 @@ import { useEffect } from "preact/hooks";
 import { handleKey } from "../app/keys";
 import { isDark } from "../app/preferences";
 import { BoundarySection } from "./boundary_section";
+import { CameraSection } from "./camera_section";
 import { ClipSection } from "./clip_section";
 import { useApp, useAppState } from "./context";
 import { Help } from "./help";
@@ -61,6 +62,7 @@ export function Shell(): JSX.Element {
               <BoundarySection />
               <LinesAndPointsSection />
               <ClipSection />
+              <CameraSection />
               <LightingSection />
               <ViewSection />
               <InfoSection />

@@ -18,7 +18,6 @@ export function ViewSection(): JSX.Element {
   const { actions, editor, streams } = useApp();
   const scene = useAppState((state) => state.scene);
   const choice = useAppState((state) => state.streamChoice);
-  const parallel = useAppState((state) => state.scene?.camera?.parallel === true);
   const [outline] = layersOf(scene, "outline");
   const background = scene?.background ?? "dark";
   const own = background.startsWith("#");
@@ -69,7 +68,6 @@ export function ViewSection(): JSX.Element {
           />
         </label>
       )}
-      <Check label="Parallel projection" checked={parallel} onChange={() => actions.toggleParallel()} />
       <AnnotationFields
         annotations={scene?.annotations ?? {}}
         change={(annotations, gesture) => editor.change({ annotations }, gesture)}

@@ -1,0 +1,68 @@
+#include "app/camera_options.hpp"
+
+#include "app/commands.hpp"
+#include "app/scene_options.hpp"
+
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+namespace ciel::app {
+namespace {
+
+nlohmann::json camera_of(const std::string& text) {
+    const std::vector<double> n = parse_numbers("--camera", text);
+    if (n.size() != 6 && n.size() != 9)
+        throw UsageError("--camera " + text + " is not of the form px,py,pz,tx,ty,tz or px,py,pz,tx,ty,tz,ux,uy,uz");
+    nlohmann::json camera{{"position", {n[0], n[1], n[2]}}, {"target", {n[3], n[4], n[5]}}};
+    if (n.size() == 9) camera["up"] = {n[6], n[7], n[8]};
+    return camera;
+}
+
+// Of what is seen at the target.
+double height_of(const scene::Camera& camera) {
+    double square = 0;
+    for (std::size_t k = 0; k < 3; ++k) square += std::pow(camera.target[k] - camera.position[k], 2);
+    return 2 * std::sqrt(square) * std::tan(camera.fov * std::numbers::pi / 360);
+}
+
+} // namespace
+
+void CameraOptions::add_to(CLI::App& command) {
+    command
+        .add_option("--camera", camera,
+                    "Where the eye is, what it looks at, and which way is up (z by default); without it all is seen.")
+        ->type_name("px,py,pz,tx,ty,tz[,ux,uy,uz]");
+    command
+        .add_option("--field-of-view", field_of_view,
+                    "From the lower to the upper edge of what is seen, 30 by default: the more, the stronger the "
+                    "perspective.")
+        ->type_name("DEGREES");
+    command.add_flag("--parallel", parallel,
+                     "Without perspective; as high as what is seen with it at what the camera looks at.");
+}
+
+void CameraOptions::apply(nlohmann::json& document) const {
+    if (field_of_view && !(*field_of_view > 0 && *field_of_view < 180))
+        throw UsageError("--field-of-view is an angle of more than 0 and less than 180 degrees");
+    if (camera && document.is_object()) document["camera"] = camera_of(*camera);
+}
+
+void CameraOptions::project(scene::Scene& scene) const {
+    if (!scene.camera) return;
+    if (field_of_view) scene.camera->fov = *field_of_view;
+    if (!parallel || scene.camera->parallel) return;
+    scene.camera->parallel = true;
+    scene.camera->parallel_height = height_of(*scene.camera);
+}
+
+void CameraOptions::stand_back(scene::Scene& scene, const session::Geometry& geometry, session::ViewSize size) const {
+    if (scene.camera || (!field_of_view && !parallel)) return;
+    const render::Camera seen =
+        session::default_view(geometry, scene, static_cast<int>(size.width), static_cast<int>(size.height),
+                              field_of_view.value_or(render::Camera{}.fov_degrees), parallel);
+    scene.camera = {seen.position, seen.target, seen.up, seen.fov_degrees, seen.parallel, seen.parallel_height};
+}
+
+} // namespace ciel::app

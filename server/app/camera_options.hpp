@@ -1,0 +1,31 @@
+// How `ciel render` is asked to look, as options.
+#pragma once
+
+#include "session/scene_geometry.hpp"
+#include "session/view.hpp"
+
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
+
+namespace CLI {
+class App;
+}
+
+namespace ciel::app {
+
+struct CameraOptions {
+    std::optional<std::string> camera;
+    std::optional<double> field_of_view;
+    bool parallel = false;
+
+    void add_to(CLI::App& command);
+    // What was asked for instead of the document's camera. Throws UsageError.
+    void apply(nlohmann::json& document) const;
+    // How a camera that is known looks: from where it stands.
+    void project(scene::Scene& scene) const;
+    // Where a scene has no camera and it matters how it looks: from where all is seen.
+    void stand_back(scene::Scene& scene, const session::Geometry& geometry, session::ViewSize size) const;
+};
+
+} // namespace ciel::app
