@@ -11,6 +11,7 @@ namespace ciel::render {
 struct Legend { // one colour bar
     std::string name, units;
     ColorScale scale;
+    std::string layers{}; // a second line, which tells it from another legend of that name; mostly empty
 };
 
 // Text is UTF-8 and may hold anything: what the font lacks is shown as a box. What does not fit into the picture is

@@ -32,10 +32,11 @@ public:
     AxisLayout(Page& page, const Frame& frame, const BoxEdge& edge)
         : page_(page), frame_(frame), projection_(frame), edge_(edge) {}
 
-    void lay() {
+    void draw_line() { page_.draw_line(at(edge_.from), at(edge_.to)); }
+
+    void write() {
         const Place a = at(edge_.from);
         const Place b = at(edge_.to);
-        page_.overlay.strokes.push_back({a, b, page_.stroke_width(), page_.ink()});
         const double length = std::hypot(b.x - a.x, b.y - a.y);
         const double spacing =
             (across_spacing * std::abs(edge_.outward.y) + up_spacing * std::abs(edge_.outward.x)) * page_.em();
@@ -109,10 +110,11 @@ private:
         const double length = tick_length * page_.em();
         for (const Numbered& one : numbers_) {
             const Place foot = at(share(one.value));
-            const Place tip{foot.x + length * edge_.outward.x, foot.y + length * edge_.outward.y};
-            page_.overlay.strokes.push_back({foot, tip, page_.stroke_width(), page_.ink()});
-            write(one.label);
+            page_.draw_line(foot, {foot.x + length * edge_.outward.x, foot.y + length * edge_.outward.y});
         }
+        // Of a steep view a number may lie on the next one's tick.
+        std::erase_if(numbers_, [&](const Numbered& one) { return !page_.is_free(one.label.box); });
+        for (const Numbered& one : numbers_) write(one.label);
     }
 
     // Outside the numbers, in the middle of the edge or as near to it as there is room.
@@ -144,7 +146,11 @@ private:
 } // namespace
 
 void lay_axes(Page& page, const Frame& frame) {
-    for (const BoxEdge& edge : axis_edges(frame, least_edge * page.em())) AxisLayout(page, frame, edge).lay();
+    const std::vector<BoxEdge> edges = axis_edges(frame, least_edge * page.em());
+    std::vector<AxisLayout> axes;
+    for (const BoxEdge& edge : edges) axes.emplace_back(page, frame, edge);
+    for (AxisLayout& axis : axes) axis.draw_line(); // of all first: no number of one lies on the line of another
+    for (AxisLayout& axis : axes) axis.write();
 }
 
 } // namespace ciel::render

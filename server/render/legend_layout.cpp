@@ -23,7 +23,7 @@ struct Mark {
 
 struct Entry {
     const Legend& legend;
-    std::string title;
+    std::string title, layers;
     std::vector<Mark> ends;
     double width = 0;
 };
@@ -47,12 +47,15 @@ std::string title_of(const Legend& legend) {
 
 Entry entry_of(Page& page, const Legend& legend) {
     const TextSize& size = page.text();
-    Entry entry{legend, page.shortened(title_of(legend), size, widest_title * page.width()), end_marks(legend.scale)};
+    const double widest = widest_title * page.width();
+    Entry entry{legend, page.shortened(title_of(legend), size, widest), page.shortened(legend.layers, size, widest),
+                end_marks(legend.scale)};
     int labels = 0;
     for (const auto& marks : {entry.ends, inner_marks(legend.scale, most_ticks)})
         for (const Mark& mark : marks) labels = std::max(labels, page.width_of(mark.label, size));
     const double scale = (bar_width + tick_end + gap) * page.em() + labels;
-    entry.width = std::max<double>(scale, page.width_of(entry.title, size));
+    const int words = std::max(page.width_of(entry.title, size), page.width_of(entry.layers, size));
+    entry.width = std::max<double>(scale, words);
     return entry;
 }
 
@@ -61,10 +64,13 @@ Ink ink_of(const Rgb8& color) {
             1};
 }
 
+// Around a bar, of which an end may vanish in the background.
+double frame_width(const Page& page) { return std::max(1.0, std::round(page.stroke_width())); }
+
 // What is below or above the scale: a piece of its own beyond the end.
 void draw_cap(Page& page, const std::optional<Rgb8>& color, const Box& bar, bool at_top) {
     if (!color) return;
-    const double frame = std::max(1.0, std::round(page.stroke_width()));
+    const double frame = frame_width(page);
     const double height = std::round(cap_height * page.em());
     const double top = at_top ? bar.top - frame - height : bar.bottom + frame;
     page.overlay.fills.push_back(
@@ -77,7 +83,7 @@ void draw_cap(Page& page, const std::optional<Rgb8>& color, const Box& bar, bool
 void draw_bar(Page& page, const ColorScale& scale, const Box& bar) {
     draw_cap(page, scale.above, bar, true);
     draw_cap(page, scale.below, bar, false);
-    const double frame = std::max(1.0, std::round(page.stroke_width())); // else an end may vanish in the background
+    const double frame = frame_width(page);
     page.overlay.fills.push_back(
         {{bar.left - frame, bar.top - frame, bar.right + frame, bar.bottom + frame}, page.ink(), page.ink()});
     const int pieces = scale.steps > 0 ? scale.steps : std::clamp(static_cast<int>(bar.height() / 4), 1, 128);
@@ -117,14 +123,14 @@ void draw_marks(Page& page, const std::vector<Mark>& marks, const Box& bar) {
     }
 }
 
-// Below its title, with half a line of room for the numbers at its two ends.
+// Below its title, with half a line of room for the numbers at its two ends. Takes all of its place: what is around a
+// legend has nothing between the bar and the numbers.
 void draw_entry(Page& page, const Entry& entry, int left, double top, double bar_height) {
     const TextSize& size = page.text();
-    const int base = static_cast<int>(std::lround(top)) + size.metrics.ascent;
-    const Box title = page.box_of(entry.title, size, left, base);
+    int base = static_cast<int>(std::lround(top)) + size.metrics.ascent;
     page.write(entry.title, size, left, base, page.ink());
-    page.take(title);
-    const double start = std::round(title.bottom + 0.5 * size.line());
+    if (!entry.layers.empty()) page.write(entry.layers, size, left, base += size.line(), page.ink());
+    const double start = std::round(base + size.metrics.descent + 0.5 * size.line());
     const Box bar{static_cast<double>(left), start, std::round(left + bar_width * page.em()),
                   start + std::round(bar_height)};
     draw_bar(page, entry.legend.scale, bar);
@@ -132,13 +138,17 @@ void draw_entry(Page& page, const Entry& entry, int left, double top, double bar
     draw_marks(page, entry.ends, bar); // first: where there is no room for both, the inner mark goes
     const int most = std::clamp(static_cast<int>(bar.height() / (tick_spacing * size.line())), 1, most_ticks);
     draw_marks(page, inner_marks(entry.legend.scale, most), bar);
+    page.take({left - frame_width(page), std::round(top), left + entry.width, bar.bottom + 0.5 * size.line()});
 }
 
 } // namespace
 
 void lay_legends(Page& page, const Annotations& annotations) {
     const double em = page.em();
-    const double around = 2 * page.text().line(); // title and half a line at each end of the bar
+    // The title, or two lines of it, and half a line at each end of the bar.
+    const auto has_layers = [](const Legend& legend) { return !legend.layers.empty(); };
+    const bool two_lines = std::any_of(annotations.legends.begin(), annotations.legends.end(), has_layers);
+    const double around = (two_lines ? 3 : 2) * page.text().line();
     double right = page.room.right;
     auto next = annotations.legends.begin();
     while (next != annotations.legends.end()) {
@@ -158,7 +168,9 @@ void lay_legends(Page& page, const Annotations& annotations) {
         const int left = static_cast<int>(std::floor(right - width));
         double top = page.room.top;
         const Box all{static_cast<double>(left), top, right, top + count * block - between * em};
-        if (left < page.width() / 3 || !page.is_free(all)) return; // the picture is what it is for
+        const bool is_first = column.size() == static_cast<std::size_t>(next - annotations.legends.begin());
+        const double leftmost = is_first ? page.width() / 3.0 : page.width() / 2.0; // the picture is what it is for
+        if (left < leftmost || !page.is_free(all)) return;
         for (const Entry& entry : column) {
             draw_entry(page, entry, left, top, bar_height);
             top += around + bar_height + between * em;

@@ -6,12 +6,16 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+#include <optional>
 
 namespace ciel::render {
 namespace {
 
-constexpr int usual_height = 720; // the layout is judged at this size, whatever the picture's
+constexpr int usual_height = 720; // the layout is judged at this size, but for smaller pictures
 constexpr double step = 1.03, furthest = 2;
+constexpr double aside = 1.0 / 32; // of the picture's width, so many times at most
+constexpr int most_aside = 10;
 constexpr int samples = 24;                             // of an edge
 constexpr double beside_edges = 0.5, beside_axes = 4.5; // ems around the edges; numbers and names take the larger one
 
@@ -46,10 +50,42 @@ bool is_clear(const Frame& frame, const std::vector<glm::dvec3>& points, const P
     });
 }
 
-void step_back(Camera& camera) {
+void step_back(Camera& camera, double by = step) {
     for (std::size_t k = 0; k < 3; ++k)
-        camera.position[k] = camera.target[k] + step * (camera.position[k] - camera.target[k]);
-    camera.parallel_height *= step;
+        camera.position[k] = camera.target[k] + by * (camera.position[k] - camera.target[k]);
+    camera.parallel_height *= by;
+}
+
+// Moves what is seen to the left by a share of the picture's width.
+Camera stepped_aside(const Frame& frame, double share) {
+    const glm::dmat4 view = view_transform(frame).view;
+    const glm::dvec3 right(view[0].x, view[1].x, view[2].x);
+    Camera camera = frame.camera;
+    const auto distance = [](const Vec3d& a, const Vec3d& b) {
+        return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+    };
+    const double height =
+        camera.parallel ? camera.parallel_height
+                        : 2 * distance(camera.position, camera.target) * std::tan(glm::radians(camera.fov_degrees) / 2);
+    const double shift = share * height * frame.width / frame.height;
+    for (int k = 0; k < 3; ++k) {
+        const auto at = static_cast<std::size_t>(k);
+        camera.position[at] += shift * right[k];
+        camera.target[at] += shift * right[k];
+    }
+    return camera;
+}
+
+// In a narrow picture the legends reach so far that nothing in the middle is clear of them.
+std::optional<Camera> clear_at_the_left(Frame frame, const std::vector<glm::dvec3>& points, const Page& page) {
+    constexpr double large_step = 1.1, furthest_aside = 3;
+    for (double away = 1; away < furthest_aside; away *= large_step, step_back(frame.camera, large_step))
+        for (int i = 1; i <= most_aside; ++i) {
+            Frame moved = frame;
+            moved.camera = stepped_aside(frame, i * aside);
+            if (is_clear(moved, points, page)) return moved.camera;
+        }
+    return {};
 }
 
 } // namespace
@@ -58,10 +94,12 @@ Camera clear_of_annotations(const Frame& frame) {
     if (frame.annotations.empty()) return frame.camera;
     Frame judged = frame;
     judged.meshes.clear();
-    judged.width =
-        std::max(1, static_cast<int>(std::lround(static_cast<double>(frame.width) / frame.height * usual_height)));
-    judged.height = usual_height;
     Font font;
+    if (!Page(frame, font).has_smallest_text()) { // all that is written keeps its share of the picture
+        judged.width =
+            std::max(1, static_cast<int>(std::lround(static_cast<double>(frame.width) / frame.height * usual_height)));
+        judged.height = usual_height;
+    }
     Page page(judged, font);
     lay_title(page, judged.annotations);
     lay_captions(page, judged.annotations);
@@ -70,7 +108,8 @@ Camera clear_of_annotations(const Frame& frame) {
     const std::vector<glm::dvec3> points = points_of_edges(judged);
     for (double away = 1; away < furthest; away *= step, step_back(judged.camera))
         if (is_clear(judged, points, page)) return judged.camera;
-    return frame.camera;
+    judged.camera = frame.camera;
+    return clear_at_the_left(judged, points, page).value_or(frame.camera);
 }
 
 } // namespace ciel::render

@@ -3,7 +3,9 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace ciel::render {
@@ -26,6 +28,9 @@ struct Box {
         return left <= other.left && top <= other.top && right >= other.right && bottom >= other.bottom;
     }
 };
+
+// Which part of a line from a to b is inside the box, as shares of the way; none where they only touch.
+[[nodiscard]] std::optional<std::pair<double, double>> part_inside(const Box& box, const Place& a, const Place& b);
 
 struct Fill { // from one ink at the top to another at the bottom
     Box box;

@@ -40,6 +40,8 @@ Page::Page(const Frame& frame, Font& font)
     room = {margin, margin, width_ - margin, height_ - margin};
 }
 
+bool Page::has_smallest_text() const { return text_.pixels == smallest_text; }
+
 int Page::width_of(const std::string& text, const TextSize& size) { return font_.shape(text, size.pixels).width; }
 
 std::string Page::shortened(const std::string& text, const TextSize& size, double most_width) {
@@ -65,7 +67,38 @@ void Page::write(const std::string& text, const TextSize& size, int x, int y, co
 
 bool Page::is_free(const Box& box) const {
     const Box all{0, 0, static_cast<double>(width_), static_cast<double>(height_)};
-    return all.holds(box) && std::none_of(taken_.begin(), taken_.end(), [&](const Box& b) { return b.overlaps(box); });
+    const auto crosses = [&](const auto& line) { return part_inside(box, line.first, line.second).has_value(); };
+    return all.holds(box) &&
+           std::none_of(taken_.begin(), taken_.end(), [&](const Box& b) { return b.overlaps(box); }) &&
+           std::none_of(lines_.begin(), lines_.end(), crosses);
+}
+
+std::vector<std::pair<Place, Place>> Page::free_parts(const Place& from, const Place& to) const {
+    std::vector<std::pair<double, double>> hidden;
+    for (const Box& box : taken_) {
+        const double around = stroke_width();
+        const Box wide{box.left - around, box.top - around, box.right + around, box.bottom + around};
+        if (const auto part = part_inside(wide, from, to)) hidden.push_back(*part);
+    }
+    std::sort(hidden.begin(), hidden.end());
+    hidden.emplace_back(1, 1);
+    const auto at = [&](double share) {
+        return Place{from.x + share * (to.x - from.x), from.y + share * (to.y - from.y)};
+    };
+    std::vector<std::pair<Place, Place>> parts;
+    double start = 0;
+    for (const auto& [first, last] : hidden) {
+        if (first > start) parts.emplace_back(at(start), at(first));
+        start = std::max(start, last);
+    }
+    return parts;
+}
+
+void Page::draw_line(const Place& from, const Place& to) {
+    for (const auto& part : free_parts(from, to)) {
+        overlay.strokes.push_back({part.first, part.second, stroke_width(), ink_});
+        lines_.push_back(part);
+    }
 }
 
 Overlay lay_out(const Frame& frame, Font& font) {

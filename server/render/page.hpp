@@ -23,6 +23,7 @@ public:
     [[nodiscard]] double em() const { return text_.pixels; }
     [[nodiscard]] double stroke_width() const { return em() / 10; }
     [[nodiscard]] const TextSize& text() const { return text_; }
+    [[nodiscard]] bool has_smallest_text() const; // else it grows and shrinks with the picture
     [[nodiscard]] const TextSize& heading() const { return heading_; }
     [[nodiscard]] const Ink& ink() const { return ink_; }
     // What is not yet given to something that fills a side: everything within the margins at first.
@@ -38,18 +39,25 @@ public:
     // Whether the box lies in the picture and on nothing that was taken.
     [[nodiscard]] bool is_free(const Box& box) const;
     void take(const Box& box) { taken_.push_back(box); }
+    // Draws and takes those parts of a line that lie on no box that was taken.
+    void draw_line(const Place& from, const Place& to);
 
     Overlay overlay;
 
 private:
+    [[nodiscard]] std::vector<std::pair<Place, Place>> free_parts(const Place& from, const Place& to) const;
+
     Font& font_;
     int width_, height_;
     TextSize text_, heading_;
     Ink ink_{};
     std::vector<Box> taken_;
+    std::vector<std::pair<Place, Place>> lines_; // taken as well
 };
 
-// Each draws its part of frame.annotations where there is room for it. In this order: what comes later gives way.
+// Each draws its part of frame.annotations where there is room for it, and nothing on anything that was drawn before.
+// In this order: what comes later gives way. Of captions the last are left out first, of legends likewise, and all of
+// those that would begin in the left third; the triad as a whole; of axes single numbers and names, and parts of lines.
 void lay_title(Page& page, const Annotations& annotations);
 void lay_captions(Page& page, const Annotations& annotations);
 void lay_legends(Page& page, const Annotations& annotations);

@@ -1,8 +1,7 @@
 #include "session/annotations.hpp"
 
 #include "render/ticks.hpp"
-
-#include <algorithm>
+#include "session/legend_names.hpp"
 
 namespace ciel::session {
 namespace {
@@ -12,18 +11,39 @@ render::Legend legend_of(const Shown& drawable) {
     return {drawable.array, drawable.units, drawable.scale};
 }
 
-bool is_same(const render::Legend& a, const render::Legend& b) { return a.name == b.name && a.scale == b.scale; }
-
-std::vector<render::Legend> legends_of(const Geometry& geometry) {
+class Legends {
+public:
+    void add(const scene::Layer& layer, render::Legend legend, bool contours) {
+        std::size_t i = 0;
+        while (i < legends.size() && !(legends[i].name == legend.name && legends[i].scale == legend.scale)) ++i;
+        if (i == legends.size()) {
+            named_.push_back({legend.name, {}});
+            legends.push_back(std::move(legend));
+        }
+        named_[i].names.push_back(legend_name_of(layer, contours));
+    }
+    void tell_apart() {
+        const std::vector<std::string> names = legend_names(named_);
+        for (std::size_t i = 0; i < legends.size(); ++i) legends[i].layers = names[i];
+    }
     std::vector<render::Legend> legends;
-    const auto add = [&](const render::Legend& legend) {
-        const auto same = [&](const render::Legend& other) { return is_same(legend, other); };
-        if (std::none_of(legends.begin(), legends.end(), same)) legends.push_back(legend);
-    };
-    for (const Drawable& drawable : geometry.drawables)
-        if (drawable.scalars) add(legend_of(drawable));
-    for (const VolumeDrawable& volume : geometry.volumes) add(legend_of(volume));
-    return legends;
+
+private:
+    std::vector<NamedLegend> named_; // likewise
+};
+
+// In the order of the layers, whether they are drawn as surfaces or as volumes.
+std::vector<render::Legend> legends_of(const Geometry& geometry, const scene::Scene& scene) {
+    Legends found;
+    for (const scene::Layer& layer : scene.layers) {
+        for (const Drawable& drawable : geometry.drawables)
+            if (drawable.layer == layer.id && drawable.scalars)
+                found.add(layer, legend_of(drawable), drawable.contours);
+        for (const VolumeDrawable& volume : geometry.volumes)
+            if (volume.layer == layer.id) found.add(layer, legend_of(volume), false);
+    }
+    found.tell_apart();
+    return std::move(found.legends);
 }
 
 } // namespace
@@ -34,7 +54,7 @@ render::Annotations annotations_of(const Geometry& geometry, const scene::Scene&
     annotations.title = wanted.title;
     if (wanted.dataset) annotations.captions.push_back(scene.dataset);
     if (wanted.time) annotations.captions.push_back("Time: " + render::number_label(geometry.time));
-    if (wanted.legend) annotations.legends = legends_of(geometry);
+    if (wanted.legend) annotations.legends = legends_of(geometry, scene);
     annotations.triad = wanted.triad;
     annotations.axes = wanted.axes;
     annotations.length_units = geometry.length_units;

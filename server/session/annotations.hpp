@@ -5,7 +5,8 @@
 
 namespace ciel::session {
 
-// One legend for each array, map and range that visible layers are coloured by, in drawing order.
+// One legend for each array, map and range that visible layers are coloured by, in drawing order;
+// where two are of one array, the layers tell them apart.
 [[nodiscard]] render::Annotations annotations_of(const Geometry& geometry, const scene::Scene& scene);
 
 } // namespace ciel::session

@@ -26,7 +26,11 @@ const render::Image& draw(const Geometry& geometry, const scene::Scene& scene, V
     if (!still && pixels > interactive_pixels) scale = std::sqrt(interactive_pixels / pixels);
     const int width = std::max(1, static_cast<int>(size.width * scale));
     const int height = std::max(1, static_cast<int>(size.height * scale));
-    return worker.renderer().draw(frame_of(geometry, scene, width, height, still ? still_samples : 1));
+    render::Frame frame = frame_of(geometry, scene, width, height, still ? still_samples : 1);
+    // From where the still will look, whose size decides what is written on it.
+    if (!scene.camera && scale < 1)
+        frame.camera = default_view(geometry, scene, static_cast<int>(size.width), static_cast<int>(size.height));
+    return worker.renderer().draw(frame);
 }
 
 render::Frame picture_of(const Geometry& geometry, const scene::Scene& scene, ViewSize size) {

@@ -28,6 +28,23 @@ protected:
                     << what << ": " << label.text << " lies on " << overlay.labels[j].text;
         }
         for (const Fill& fill : overlay.fills) EXPECT_TRUE(all.holds(fill.box)) << what;
+        expect_apart(overlay, what);
+    }
+    // What is drawn lies on no text: neither colour bars nor the triad, nor lines and ticks of the axes.
+    void expect_apart(const Overlay& overlay, const std::string& what) {
+        const auto is_grey = [](const Ink& ink) { return std::abs(ink[0] - ink[2]) < 0.1F; };
+        for (const Label& label : overlay.labels) {
+            for (const Fill& fill : overlay.fills)
+                EXPECT_FALSE(label.box.overlaps(fill.box)) << what << ": a colour bar on " << label.text;
+            if (is_of_triad(label)) continue;
+            for (const Stroke& stroke : overlay.strokes)
+                EXPECT_FALSE(part_inside(label.box, stroke.from, stroke.to))
+                    << what << ": a line of " << (is_grey(stroke.ink) ? "an axis" : "the triad") << " on "
+                    << label.text;
+        }
+        for (const Fill& fill : overlay.fills)
+            for (const Stroke& stroke : overlay.strokes)
+                EXPECT_FALSE(part_inside(fill.box, stroke.from, stroke.to)) << what << ": a line on a colour bar";
     }
     static bool is_of_triad(const Label& label) { return label.ink[0] != label.ink[1] && label.text.size() == 1; }
     [[nodiscard]] static const Label* find(const Overlay& overlay, const std::string& text) {
@@ -99,6 +116,53 @@ TEST_F(Layout, IsLawfulForAnyText) {
         }
 }
 
+// From close by, the box and its axes reach below everything else that is written.
+TEST_F(Layout, HasNothingOnAnythingElseWhereverTheBoxLies) {
+    std::mt19937 random(11);
+    std::uniform_real_distribution<double> share(-1, 1);
+    for (const auto& [width, height] : {std::pair(320, 480), {240, 400}, {640, 360}, {1000, 300}})
+        for (int round = 0; round < 60; ++round) {
+            Frame frame = annotated_frame(width, height);
+            const Vec3d direction{share(random), share(random), 0.6 * share(random)};
+            const double far = 3 + 4 * std::abs(share(random));
+            for (std::size_t k = 0; k < 3; ++k) {
+                frame.camera.target[k] = (k == 0 ? 1 : 0) + 2 * share(random);
+                frame.camera.position[k] = frame.camera.target[k] + far * direction[k] + (k == 1 ? -0.5 : 0);
+            }
+            frame.annotations.legends.resize(static_cast<std::size_t>(1 + round % 3));
+            if (round % 2 == 0) frame.annotations.legends[0].layers = "Slice at z = 0.25";
+            expect_lawful(frame, std::to_string(width) + " round " + std::to_string(round));
+        }
+}
+
+TEST_F(Layout, LinesEndAtTheEdgesOfABox) {
+    const Box box{10, 10, 20, 30};
+    const auto inside = [&](Place a, Place b) { return part_inside(box, a, b).value_or(std::pair(-1.0, -1.0)); };
+    EXPECT_EQ(inside({0, 20}, {40, 20}), std::pair(0.25, 0.5));
+    EXPECT_EQ(inside({40, 20}, {0, 20}), std::pair(0.5, 0.75));
+    EXPECT_EQ(inside({15, 0}, {15, 40}), std::pair(0.25, 0.75));
+    EXPECT_EQ(inside({12, 12}, {18, 28}), std::pair(0.0, 1.0));
+    EXPECT_EQ(inside({0, 0}, {30, 5}), std::pair(-1.0, -1.0)) << "above it";
+    EXPECT_EQ(inside({0, 10}, {40, 10}), std::pair(-1.0, -1.0)) << "along its edge";
+    EXPECT_EQ(inside({15, 20}, {15, 20}), std::pair(0.0, 1.0)) << "a point";
+}
+
+TEST_F(Layout, TellsApartLegendsOfOneName) {
+    Frame frame = annotated_frame(1280, 720);
+    frame.annotations.legends = {{"p", "Pa", scale_of("viridis", {0, 1}), "Slice at z = 0.25"},
+                                 {"p", "Pa", scale_of("magma", {0, 1}), "Boundary"}};
+    const Overlay overlay = lay_out(frame, font);
+    for (const char* name : {"Slice at z = 0.25", "Boundary"}) {
+        const Label* layers = find(overlay, name);
+        ASSERT_NE(layers, nullptr) << name;
+        const Label* title = layers - 1;
+        EXPECT_EQ(title->text, "p [Pa]");
+        EXPECT_EQ(title->x, layers->x);
+        EXPECT_LE(title->box.bottom, layers->box.top);
+        EXPECT_LT(layers->y - title->y, 2 * (layers->box.bottom - layers->box.top)) << "right below it";
+    }
+}
+
 TEST_F(Layout, HasAllItsPartsWhereThereIsRoom) {
     const Overlay overlay = lay_out(annotated_frame(1280, 720), font);
     for (const char* text :
@@ -139,7 +203,8 @@ TEST_F(Layout, TextGrowsWithThePictureAndTheScale) {
 
 // Nothing of the box under the legends; all ticks' numbers in the picture; the same view for pictures of one shape.
 TEST_F(Layout, HasAViewThatMakesRoomForIt) {
-    for (const auto& [width, height] : {std::pair(640, 360), {1280, 720}, {900, 900}, {800, 1000}}) {
+    for (const auto& [width, height] :
+         {std::pair(640, 360), {1280, 720}, {900, 900}, {800, 1000}, {320, 480}, {480, 400}}) {
         Frame frame = annotated_frame(width, height);
         frame.camera = default_camera(frame.bounds_min, frame.bounds_max, static_cast<double>(width) / height);
         const Camera before = frame.camera;

@@ -6,6 +6,7 @@
 #include "store/catalog.hpp"
 #include "support/chosen_engine.hpp"
 
+#include <fstream>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -46,6 +47,16 @@ TEST_F(SceneAnnotations, HaveOneLegendForEachArrayMapAndRange) {
     EXPECT_EQ(written.legends[1].scale.map, "magma");
     EXPECT_EQ(written.legends[2].scale.range, (std::array<float, 2>{1, 2}));
     EXPECT_EQ(written.legends[3].name, "U:x");
+}
+
+TEST_F(SceneAnnotations, TellApartLegendsOfOneArrayByTheirLayers) {
+    const json document = json::parse(std::ifstream(CIEL_SOURCE_DIR "/tests/support/legend_cases.json"));
+    for (const json& row : document["cases"]) {
+        json shown_legends = json::array();
+        for (const render::Legend& legend : of(row["layers"]).legends)
+            shown_legends.push_back({legend.name, legend.layers});
+        EXPECT_EQ(shown_legends, row["legends"]) << row["what"];
+    }
 }
 
 TEST_F(SceneAnnotations, HaveTheUnitsOfTheArrayThatAScalarIsMadeFrom) {

@@ -92,10 +92,10 @@ describe("scalars", () => {
     expect(topOrder(scene)).toBe(6);
   });
 
-  test("one legend for layers that share their colours, none for what is hidden or of one colour", () => {
+  test("one legend for layers that share their colours, in their order, none for what is hidden or of one colour", () => {
     expect(legendsOf(scene).map(({ coloring, of }) => [coloring.array, coloring.range, of.layers])).toEqual([
-      ["p", undefined, ["a", "b"]],
       ["p", [0, 1], ["c"]],
+      ["p", undefined, ["b", "a"]],
     ]);
     expect(legendsOf(null)).toEqual([]);
   });

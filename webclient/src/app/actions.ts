@@ -4,6 +4,7 @@ import type { AxisView, Bounds, FullCamera } from "../camera/camera";
 import type { Layer, Range, Vec3 } from "../generated/protocol";
 import type { Json, JsonObject } from "../protocol/merge_patch";
 import type { ColoringChange } from "../scene/color_edit";
+import { movedTo } from "../scene/layer_order";
 import { clamp } from "../scene/numbers";
 import { type Colored, arrayOf, freeId, nearestStep, shownTime, topOrder } from "../scene/scalars";
 import type { App } from "./app";
@@ -87,6 +88,13 @@ export class Actions {
 
   removeLayer(id: string): void {
     this.app.editor.change({ layers: { [id]: null } });
+  }
+
+  /** To a place among all layers, which is counted without it. */
+  moveLayer(id: string, place: number): void {
+    const { scene } = this.app.editor;
+    const layers = scene === null ? null : movedTo(scene, id, place);
+    if (layers !== null) this.app.editor.change({ layers });
   }
 
   addLayer(prefix: string, layer: Layer): string | null {

@@ -22,6 +22,8 @@ const PATHS = {
   panel: "M3 4h14v12H3zM12.5 4v12",
   download: "M10 3.500v9M6.5 9 10 12.5 13.5 9M4 16.500h12",
   chevron: "M7 5l5 5-5 5",
+  up: "M5 12l5-5 5 5",
+  down: "M5 8l5 5 5-5",
   symmetric: "M10 4v8M6 8h8M6 15.500h8",
   hold: "M7 3.500h6l-1 5.500 2.500 2.500h-9L8 9zM10 11.500v5",
   reset: "M4.5 10a5.5 5.5 0 1 0 1.7-4M4.5 3.500v3h3",

@@ -8,7 +8,14 @@ import { withRange } from "../scene/color_edit";
 import { rangeOf, scaleOf } from "../scene/color_range";
 import { colorTicks, exponentOf, labelOn, type ColorTick } from "../scene/color_ticks";
 import { clamp, formatNumber } from "../scene/numbers";
-import { legendsOf, rangeOfAllSteps, unitsOf, type Colored, type ScaledColoring } from "../scene/scalars";
+import {
+  legendsOf,
+  rangeOfAllSteps,
+  unitsOf,
+  type Colored,
+  type LegendOf,
+  type ScaledColoring,
+} from "../scene/scalars";
 import { timesPowerOfTen } from "../scene/ticks";
 import { IconButton, NumberField } from "./controls";
 import { useApp, useAppState } from "./context";
@@ -147,7 +154,7 @@ function RangeButtons({ coloring, of, range }: Entry & { range: Range }): JSX.El
   );
 }
 
-function LegendEntry({ coloring, of }: Entry): JSX.Element {
+function LegendEntry({ coloring, of, name }: LegendOf): JSX.Element {
   const description = useAppState((state) => state.description);
   const units = unitsOf(description, coloring.array);
   const [head, ...tail] = coloring.array.split(":"); // a long name is broken where its component begins
@@ -158,11 +165,12 @@ function LegendEntry({ coloring, of }: Entry): JSX.Element {
   const constant = range !== null && !hasWidth(scale) && !coloring.range;
   const power = range === null || constant ? "" : timesPowerOfTen(exponentOf(scale));
   return (
-    <figure class="legend" aria-label={`Colours of ${coloring.array}`}>
+    <figure class="legend" aria-label={`Colours of ${coloring.array}${name === "" ? "" : `, ${name}`}`}>
       <figcaption>
         {head}
         {tail.map((part) => [":", <wbr key={part} />, part])}
         {units + power !== "" && <small> {`${units}${power}`.trim()}</small>}
+        {name !== "" && <small class="legend-of">{name}</small>}
       </figcaption>
       <div class="legend-scale">
         <ColorBar scale={scale} />

@@ -9,6 +9,7 @@ import { useApp, useAppState } from "./context";
 import { Help } from "./help";
 import { InfoSection } from "./info_section";
 import { IsoSection } from "./iso_section";
+import { LayersSection } from "./layers_section";
 import { LightingSection } from "./lighting_section";
 import { LinesAndPointsSection } from "./lines_and_points_section";
 import { SlicesSection } from "./slices_section";
@@ -56,6 +57,7 @@ export function Shell(): JSX.Element {
         <aside class="side-panel" aria-label="Scene">
           {!nothing && (
             <>
+              <LayersSection />
               <IsoSection />
               <SlicesSection />
               <VolumeSection />

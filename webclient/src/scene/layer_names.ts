@@ -1,5 +1,6 @@
 // What a person calls a layer: never its id.
 import type { Layer, Scene, Vec3 } from "../generated/protocol";
+import { layersInOrder } from "./layer_order";
 import { formatNumber } from "./numbers";
 
 const MOST_LISTED = 3;
@@ -40,11 +41,11 @@ export function layerName(layer: Layer): string {
   }
 }
 
-/** By id; layers that would have the same name are numbered. */
+/** By id, in their order; layers that would have the same name are numbered. */
 export function layerNames(scene: Scene | null): Map<string, string> {
   const seen = new Map<string, number>();
   return new Map(
-    Object.entries(scene?.layers ?? {}).map(([id, layer]) => {
+    layersInOrder(scene).map(([id, layer]) => {
       const name = layerName(layer);
       const count = (seen.get(name) ?? 0) + 1;
       seen.set(name, count);

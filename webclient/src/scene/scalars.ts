@@ -1,5 +1,7 @@
 // What layers can be made from and coloured by: the scalars of a dataset's arrays.
 import { scaleOf } from "./color_range";
+import { layersInOrder } from "./layer_order";
+import { legendNameOf, legendNames } from "./legend_names";
 import { prettyUnits } from "./numbers";
 import type { ArrayInfo, Coloring, DatasetDescription, Layer, Range, Scene } from "../generated/protocol";
 
@@ -68,10 +70,7 @@ export type LayerOf<T extends Layer["type"]> = Extract<Layer, { type: T }>;
 
 /** Layers of one type in drawing order. */
 export function layersOf<T extends Layer["type"]>(scene: Scene | null, type: T): [string, LayerOf<T>][] {
-  const ofType = Object.entries(scene?.layers ?? {}).filter(
-    (entry): entry is [string, LayerOf<T>] => entry[1].type === type,
-  );
-  return ofType.sort(([a, x], [b, y]) => (x.order ?? 0) - (y.order ?? 0) || (a < b ? -1 : 1));
+  return layersInOrder(scene).filter((entry): entry is [string, LayerOf<T>] => entry[1].type === type);
 }
 
 /** Whether triangles should be seen of the scene: of volumes, which are always seen, there are none. */
@@ -113,18 +112,28 @@ function scalesOf(layer: Layer): { part: keyof Colored; coloring: ScaledColoring
   return [...own, { part: "contours", coloring: { ...lines.coloring, array: lines.array } }];
 }
 
-/** The colourings that the visible layers use, each once, with those that share it. */
-export function legendsOf(scene: Scene | null): { coloring: ScaledColoring; of: Required<Colored> }[] {
-  const found = new Map<string, { coloring: ScaledColoring; of: Required<Colored> }>();
-  for (const [id, layer] of Object.entries(scene?.layers ?? {})) {
+export interface LegendOf {
+  coloring: ScaledColoring;
+  of: Required<Colored>;
+  /** What tells it from others of its array; empty where there is none. */
+  name: string;
+}
+
+/** The colourings that the visible layers use, each once, in the order of the layers, with those that share it. */
+export function legendsOf(scene: Scene | null): LegendOf[] {
+  const found = new Map<string, Omit<LegendOf, "name"> & { names: string[] }>();
+  for (const [id, layer] of layersInOrder(scene)) {
     if (layer.visible === false) continue;
     for (const { part, coloring } of scalesOf(layer)) {
       const { array, range, symmetric } = coloring;
       const key = JSON.stringify([array, range ?? null, symmetric === true, scaleOf(coloring, [0, 1])]);
-      const legend = found.get(key) ?? { coloring, of: { layers: [], contours: [] } };
+      const legend = found.get(key) ?? { coloring, of: { layers: [], contours: [] }, names: [] };
       legend.of[part].push(id);
+      legend.names.push(legendNameOf(layer, part));
       found.set(key, legend);
     }
   }
-  return [...found.values()];
+  const legends = [...found.values()];
+  const told = legendNames(legends.map(({ coloring, names }) => ({ array: coloring.array, names })));
+  return legends.map(({ coloring, of }, index) => ({ coloring, of, name: told[index] ?? "" }));
 }
