@@ -1,7 +1,8 @@
 import { describe, expect, test } from "vitest";
 import { complete, project, type Bounds, type FullCamera } from "../src/camera/camera";
 import type { Vec3 } from "../src/camera/vector";
-import { boxAxes, numberPlace, placeNames, type BoxAxis } from "../src/scene/box_axes";
+import { overlaps } from "../src/display/overlay_room";
+import { boxAxes, boxOf, keptClear, numberPlace, placeNames, type BoxAxis } from "../src/scene/box_axes";
 
 const size = { width: 800, height: 600 };
 const bounds: Bounds = [-1, 1, -1, 1, -1, 1];
@@ -82,7 +83,7 @@ describe("the axes of the box", () => {
       const axes = boxAxes(look(position, target), bounds, size, em);
       const names = axes.map(({ name }) => `${name} [cylinder diameters]`);
       expect(axes.length).toBeGreaterThan(0);
-      const labels = placeNames(axes, names, size, em);
+      const labels = placeNames(axes, names, size, em).filter((label) => label !== null);
       expect(labels.map(({ text }) => text)).toEqual(names);
       for (const label of labels) expect(isInside(label, label.text, em)).toBe(true);
       for (const { ticks, outward } of axes) {
@@ -97,6 +98,30 @@ describe("the axes of the box", () => {
         }
       }
     }
+  });
+
+  test("give way to what stands there, number by number, and names go where there is room", () => {
+    const axes = boxAxes(look([3, -6, 3]), bounds, size);
+    const names = axes.map(({ name }) => name);
+    const free = keptClear(axes, size, 12, []);
+    const numbers = free.flatMap(({ outward, ticks }) =>
+      ticks.map((tick) => boxOf(numberPlace(tick, outward, tick.label, size, 12), tick.label, 12)),
+    );
+    expect(numbers.length).toBeGreaterThan(8);
+    for (const [i, one] of numbers.entries())
+      for (const other of numbers.slice(0, i)) expect(overlaps(one, other)).toBe(false);
+    const [first] = numbers;
+    if (first === undefined) return;
+    const kept = keptClear(axes, size, 12, [first]).flatMap(({ ticks }) => ticks);
+    expect(kept.length).toBe(numbers.length - 1);
+    const all = { left: 0, top: 0, right: size.width, bottom: size.height };
+    expect(keptClear(axes, size, 12, [all]).flatMap(({ ticks }) => ticks)).toEqual([]);
+    expect(placeNames(axes, names, size, 12, [all])).toEqual(names.map(() => null));
+    const [name] = placeNames(axes, names, size, 12);
+    if (!name) throw new Error("no name");
+    const elsewhere = placeNames(axes, names, size, 12, [boxOf(name, name.text, 12)])[0];
+    expect(elsewhere).not.toBeNull();
+    expect(Math.hypot((elsewhere?.x ?? 0) - name.x, (elsewhere?.y ?? 0) - name.y)).toBeGreaterThan(6);
   });
 
   test("shorten a name that is wider than the picture, and say so", () => {

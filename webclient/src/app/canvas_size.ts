@@ -4,10 +4,13 @@ import { clearOf, type Bounds, type FullCamera, type Size } from "../camera/came
 export const SMALLEST = 16; // of a view, by the contract
 export const LARGEST = 8192;
 
+/** About, with the room around it. */
+const LEGEND: Size = { width: 132, height: 260 };
+
 export class CanvasSize {
   css: Size = { width: 960, height: 640 };
-  /** What the legends take of the top right corner; until they stand, what one of them will. */
-  corner: Size = { width: 132, height: 260 };
+  /** What the legends take, each a rectangle from the top right corner to its far end; until they stand, what one will. */
+  corner: Size[] = [LEGEND];
   private ratio = 1;
 
   set(width: number, height: number, ratio: number): void {
@@ -19,9 +22,18 @@ export class CanvasSize {
     return this.css.width / this.css.height;
   }
 
+  /** Before they stand. */
+  expectLegends(count: number): void {
+    const inColumn = Math.max(1, Math.floor(this.css.height / LEGEND.height));
+    this.corner = Array.from({ length: count }, (_, i) => ({
+      width: LEGEND.width * (1 + Math.floor(i / inColumn)),
+      height: LEGEND.height * (1 + (i % inColumn)),
+    }));
+  }
+
   /** The view from a little further away, where the box would lie below the legends. */
   clearOfCorner(camera: FullCamera, bounds: Bounds): FullCamera {
-    return clearOf(camera, bounds, this.css, this.corner);
+    return clearOf(camera, bounds, this.css, ...this.corner);
   }
 
   /** `times` as large, or as large as there may be. */

@@ -3,6 +3,7 @@ import type { Camera, DatasetDescription, Scene } from "../generated/protocol";
 import { complete, defaultView, distance, fit, type Bounds, type FullCamera } from "../camera/camera";
 import { subtract } from "../camera/vector";
 import { RpcError } from "../protocol/rpc";
+import { legendsOf } from "../scene/scalars";
 import type { Caller } from "../session/session";
 import type { CanvasSize } from "./canvas_size";
 
@@ -34,6 +35,7 @@ async function withCamera(call: Caller, scene: Scene, size: CanvasSize): Promise
   if (scene.camera) return scene;
   try {
     const { bounds } = await call("dataset.describe", { dataset: scene.dataset });
+    if (scene.annotations?.legend !== false) size.expectLegends(legendsOf(scene).length);
     return { ...scene, camera: size.clearOfCorner(defaultView(bounds, size.aspect), bounds) };
   } catch (error) {
     if (!(error instanceof RpcError)) throw error;

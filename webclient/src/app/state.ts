@@ -1,6 +1,7 @@
 // Everything that the panels show. Changed by session/ and app/ only, never by a panel itself.
 import type { FullCamera, Size } from "../camera/camera";
 import type { DatasetDescription, ProbeResult, Range, Scene } from "../generated/protocol";
+import type { Box } from "../display/overlay_room";
 import type { ConnectionState } from "../protocol/connection";
 import type { Result } from "../protocol/rpc";
 import type { Refusal } from "../session/access";
@@ -81,6 +82,8 @@ export interface AppState {
   toasts: Toast[];
   /** CSS pixels. */
   canvasSize: Size;
+  /** Of the stage, by what stands over the canvas, but for the axes of the box. */
+  taken: Box[];
   /** When a histogram arrived last. */
   histogramsAt: number;
 }
@@ -132,5 +135,6 @@ export const initialState: AppState = {
   theme: "system",
   toasts: [],
   canvasSize: { width: 960, height: 640 },
+  taken: [],
   histogramsAt: 0,
 };

@@ -178,13 +178,14 @@ function edgePoints(bounds: Bounds): Vec3[] {
   );
 }
 
-/** Steps back until no edge of the box is seen in the top right corner of size `taken`. */
-export function clearOf(camera: FullCamera, bounds: Bounds, size: Size, taken: Size): FullCamera {
+/** Steps back until no edge of the box is seen in a rectangle of one of the sizes `taken` in the top right corner. */
+export function clearOf(camera: FullCamera, bounds: Bounds, size: Size, ...taken: Size[]): FullCamera {
   const points = edgePoints(bounds);
   const covered = (view: FullCamera): boolean =>
     points.some((point) => {
       const place = project(view, point, size);
-      return place !== null && place.x > size.width - taken.width && place.y < taken.height;
+      if (place === null) return false;
+      return taken.some(({ width, height }) => place.x > size.width - width && place.y < height);
     });
   let view = camera;
   for (let away = 1; covered(view); away *= BACK) {

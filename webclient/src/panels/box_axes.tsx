@@ -3,16 +3,18 @@ import type { JSX } from "preact";
 import { useEffect, useRef, useState } from "preact/hooks";
 import type { Size } from "../camera/camera";
 import { prettyUnits } from "../scene/numbers";
-import { boxAxes, numberPlace, placeNames, TICK, type BoxAxis } from "../scene/box_axes";
+import { boxAxes, keptClear, numberPlace, placeNames, TICK, type BoxAxis } from "../scene/box_axes";
 import { timesPowerOfTen } from "../scene/ticks";
 import { useAppState, useCamera } from "./context";
 
 const TEXT_PIXELS = 12;
+/** Lines of the axes end where something else stands. */
+const MASK = "beside-overlays";
 
 function Axis({ axis, size, em }: { axis: BoxAxis; size: Size; em: number }): JSX.Element {
   const { from, to, outward, ticks } = axis;
   return (
-    <g>
+    <g mask={`url(#${MASK})`}>
       <line x1={from.x} y1={from.y} x2={to.x} y2={to.y} />
       {ticks.map(({ x, y, label }) => (
         <g key={label}>
@@ -27,6 +29,7 @@ function Axis({ axis, size, em }: { axis: BoxAxis; size: Size; em: number }): JS
 export function BoxAxes(): JSX.Element | null {
   const { axes: wanted = false, scale = 1 } = useAppState((state) => state.scene?.annotations) ?? {};
   const description = useAppState((state) => state.description);
+  const taken = useAppState((state) => state.taken);
   const root = useRef<SVGSVGElement>(null);
   const [size, setSize] = useState<Size | null>(null);
   const camera = useCamera();
@@ -42,18 +45,26 @@ export function BoxAxes(): JSX.Element | null {
   }, [shown]);
   if (!shown) return null;
   const em = TEXT_PIXELS * scale;
-  const axes = size === null ? [] : boxAxes(camera, description.bounds, size, em);
+  const axes = size === null ? [] : keptClear(boxAxes(camera, description.bounds, size, em), size, em, taken);
   const units = prettyUnits(description.length_units);
   const names = axes.map((axis) => `${axis.name}${units === "" ? "" : ` [${units}]`}${timesPowerOfTen(axis.exponent)}`);
   return (
     <svg class="box-axes" style={{ fontSize: `${em}px` }} ref={root} role="img" aria-label="Axes of the bounding box">
+      <mask id={MASK} maskUnits="userSpaceOnUse" x="0" y="0" width="100%" height="100%">
+        <rect class="shown" width="100%" height="100%" />
+        {taken.map(({ left, top, right, bottom }) => (
+          <rect key={`${left} ${top}`} x={left} y={top} width={right - left} height={bottom - top} />
+        ))}
+      </mask>
       {size !== null && axes.map((axis) => <Axis key={axis.name} axis={axis} size={size} em={em} />)}
       {size !== null &&
-        placeNames(axes, names, size, em).map(({ x, y, text }, i) => (
-          <text key={axes[i]?.name} x={x} y={y}>
-            {text}
-          </text>
-        ))}
+        placeNames(axes, names, size, em, taken).map((label, i) =>
+          label === null ? null : (
+            <text key={axes[i]?.name} x={label.x} y={label.y}>
+              {label.text}
+            </text>
+          ),
+        )}
     </svg>
   );
 }

@@ -192,13 +192,14 @@ function LegendEntry({ coloring, of, name }: LegendOf): JSX.Element {
 }
 
 /** From the stage's top right corner to the far ends of the legends, with room around them. */
-function cornerOf(legends: HTMLElement): Size {
+function cornerOf(legends: HTMLElement): Size[] {
   const stage = legends.parentElement?.getBoundingClientRect();
   const boxes = [...legends.children].map((child) => child.getBoundingClientRect());
-  if (stage === undefined || boxes.length === 0) return { width: 0, height: 0 };
-  const left = Math.min(...boxes.map((box) => box.left));
-  const bottom = Math.max(...boxes.map((box) => box.bottom));
-  return { width: stage.right - left + ROOM.width, height: bottom - stage.top + ROOM.height };
+  if (stage === undefined) return [];
+  return boxes.map(({ left, bottom }) => ({
+    width: stage.right - left + ROOM.width,
+    height: bottom - stage.top + ROOM.height,
+  }));
 }
 
 export function Legends(): JSX.Element | null {

@@ -7,6 +7,7 @@ import { AxesTriad } from "./axes_triad";
 import { BoxAxes } from "./box_axes";
 import { Captions } from "./captions";
 import { useApp, useAppState } from "./context";
+import { keepApart } from "./keep_apart";
 import { Legends } from "./legend";
 import { Busy, ConnectionNotice, FatalNotice, LackingNotice, ToastList } from "./notice";
 import { ProbeCard } from "./probe_card";
@@ -34,8 +35,13 @@ export function Stage(): JSX.Element {
       click: (x, y) => void app.actions.probe(x, y),
       doubleClick: (x, y) => void app.actions.centreOn(x, y),
     });
+    const stage = element.parentElement;
+    const end = stage === null ? null : keepApart(stage, (taken) => app.store.set({ taken }));
     void app.start(images.current, geometry.current);
-    return () => observer.disconnect();
+    return () => {
+      observer.disconnect();
+      end?.();
+    };
   }, [app]);
   return (
     <main class={`stage ${bright ? "on-light" : "on-dark"} ${live ? "" : "stale"}`}>

@@ -1,6 +1,7 @@
 // Ticks and numbers along edges of the bounding box, over the picture: by the rules of server/render/box_edges, which
 // draws them into pictures that are saved. Places are CSS pixels.
 import { corners, frame, project, type Bounds, type FullCamera, type Size } from "../camera/camera";
+import { overlaps, type Box } from "../display/overlay_room";
 import { add, scale, subtract, type Vec3 } from "../camera/vector";
 import { clamp } from "./numbers";
 import { niceScale, type Scale } from "./ticks";
@@ -38,6 +39,8 @@ const FEWEST_TICKS = 3;
 const MOST_TICKS = 10;
 /** Of a digit, wide and high: numbers have no other wide signs. */
 const DIGIT: Place = { x: 0.62, y: 0.75 };
+/** Of words, which have letters that reach below the line. */
+const WORD_HEIGHT = 1.1;
 /** Of the way along an edge, where its name may stand. */
 const SHARES = [0.5, 0.4, 0.6, 0.3, 0.7, 0.15, 0.85, 0, 1];
 /** How finely an edge is searched for the part of it that is seen. */
@@ -101,11 +104,6 @@ interface Label extends Place {
   text: string;
 }
 
-const overlap = (a: Label, b: Label, em: number): boolean => {
-  const [one, other] = [halfOf(a.text, em), halfOf(b.text, em)];
-  return Math.abs(a.x - b.x) < one.x + other.x && Math.abs(a.y - b.y) < one.y + other.y;
-};
-
 /** Where a name may stand, best first: outside the numbers, from the middle of the edge on; past one of its ends. */
 function placesOfName({ from, to, outward, depth }: BoxAxis, text: string, size: Size, em: number): Place[] {
   const half = halfOf(text, em);
@@ -122,18 +120,45 @@ function placesOfName({ from, to, outward, depth }: BoxAxis, text: string, size:
   return places.map((place) => inside(place, half, size));
 }
 
-/** One for each axis, whole and in the picture; clear of all numbers and of each other where there is room. */
-export function placeNames(axes: readonly BoxAxis[], names: readonly string[], size: Size, em: number): Label[] {
-  const taken: Label[] = axes.flatMap(({ ticks, outward }) =>
-    ticks.map((tick) => ({ ...numberPlace(tick, outward, tick.label, size, em), text: tick.label })),
-  );
+/** Around text whose middle is there. */
+export function boxOf({ x, y }: Place, text: string, em: number): Box {
+  const half = { ...halfOf(text, em), ...(/[a-z]/.test(text) && { y: (WORD_HEIGHT * em) / 2 }) };
+  return { left: x - half.x, top: y - half.y, right: x + half.x, bottom: y + half.y };
+}
+
+/** The axes without the numbers that would lie on what is taken, or on each other at a corner of the box. */
+export function keptClear(axes: readonly BoxAxis[], size: Size, em: number, taken: readonly Box[]): BoxAxis[] {
+  const all = [...taken];
+  return axes.map((axis) => {
+    const before = all.length;
+    const ticks = axis.ticks.filter((tick) => {
+      const box = boxOf(numberPlace(tick, axis.outward, tick.label, size, em), tick.label, em);
+      if (all.slice(0, before).some((other) => overlaps(other, box))) return false;
+      all.push(box);
+      return true;
+    });
+    return { ...axis, ticks };
+  });
+}
+
+/** One for each axis, whole and in the picture, clear of all numbers, of each other and of what is taken; null where
+ * there is no room for it. */
+export function placeNames(
+  axes: readonly BoxAxis[],
+  names: readonly string[],
+  size: Size,
+  em: number,
+  taken: readonly Box[] = [],
+): (Label | null)[] {
+  const all = [...taken];
+  for (const { ticks, outward } of axes)
+    all.push(...ticks.map((tick) => boxOf(numberPlace(tick, outward, tick.label, size, em), tick.label, em)));
   return axes.map((axis, i) => {
     const text = shortened(names[i] ?? axis.name, size, em);
     const labels = placesOfName(axis, text, size, em).map((place) => ({ ...place, text }));
-    const label = labels.find((one) => !taken.some((other) => overlap(one, other, em))) ?? labels[0];
-    const placed = label ?? { ...axis.from, text };
-    taken.push(placed);
-    return placed;
+    const label = labels.find((one) => !all.some((other) => overlaps(boxOf(one, text, em), other)));
+    if (label !== undefined) all.push(boxOf(label, text, em));
+    return label ?? null;
   });
 }
 
