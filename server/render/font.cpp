@@ -1,6 +1,7 @@
 #include "render/font.hpp"
 
 #include "ciel/types.hpp"
+#include "render/fallback_font.hpp"
 
 #include <ft2build.h>
 #include FT_FREETYPE_H
@@ -18,6 +19,9 @@ namespace {
 
 constexpr FT_Int32 load_flags = FT_LOAD_TARGET_LIGHT; // hinted up and down only: letters keep their shapes
 constexpr double halo_share = 0.09;                   // of the em
+constexpr unsigned face_shift = 24;                   // of a PlacedGlyph's number: the face above, its glyph below
+constexpr std::uint32_t glyph_mask = (1U << face_shift) - 1;
+constexpr std::size_t most_faces = 64;
 
 void check(FT_Error error, const char* what, const std::filesystem::path& file) {
     if (error != 0) throw Error(file.string() + ": FreeType cannot " + what);
@@ -54,28 +58,49 @@ void copy(const FT_BitmapGlyphRec_& from, GlyphImage& to, std::size_t channel) {
 
 struct Font::State {
     FT_Library library = nullptr;
-    FT_Face face = nullptr;
     FT_Stroker stroker = nullptr;
-    int pixels = 0; // what the face is set to
+    struct Face {
+        std::filesystem::path file;
+        int index = 0; // of the face in the file
+        FT_Face face = nullptr;
+        int pixels = 0; // what the face is set to
+    };
+    std::vector<Face> faces; // the font, then those that have what it lacks
     struct Character {
-        FT_UInt glyph = 0;
-        FT_Pos advance = 0; // font units
+        std::uint32_t glyph = 0; // as in PlacedGlyph
+        double advance = 0;      // ems
     };
     std::unordered_map<char32_t, Character> characters; // looking one up in the file costs microseconds
     std::map<int, FontMetrics> metrics;
 
     explicit State(const std::filesystem::path& file) {
         if (FT_Init_FreeType(&library) != 0) throw Error("FreeType cannot be started");
-        if (FT_New_Face(library, file.c_str(), 0, &face) != 0) {
+        if (!open(file, 0)) {
             FT_Done_FreeType(library);
             throw Error("the font " + file.string() +
                         ", which annotations are written with, cannot be read; install fonts-dejavu-core");
         }
         FT_Stroker_New(library, &stroker);
     }
+    // False where it cannot be read.
+    bool open(const std::filesystem::path& file, int index) {
+        FT_Face face = nullptr;
+        if (FT_New_Face(library, file.c_str(), index, &face) != 0) return false;
+        faces.push_back({file, index, face, 0});
+        return true;
+    }
+    // The place of a face that has the character, and its glyph there; the font's own box where none has.
+    std::pair<std::size_t, FT_UInt> find(char32_t character) {
+        for (std::size_t i = 0; i < faces.size(); ++i)
+            if (const FT_UInt glyph = FT_Get_Char_Index(faces[i].face, character); glyph != 0) return {i, glyph};
+        const auto other = faces.size() < most_faces ? fallback_font(character) : std::nullopt;
+        if (!other || !open(other->path, other->index)) return {0, 0};
+        const FT_UInt glyph = FT_Get_Char_Index(faces.back().face, character);
+        return glyph == 0 ? std::pair<std::size_t, FT_UInt>{0, 0} : std::pair{faces.size() - 1, glyph};
+    }
     ~State() {
         FT_Stroker_Done(stroker);
-        FT_Done_FreeType(library); // with its face
+        FT_Done_FreeType(library); // with its faces
     }
     State(const State&) = delete;
     State& operator=(const State&) = delete;
@@ -92,21 +117,19 @@ Font::State& Font::opened() {
     return *state_;
 }
 
-Font::State& Font::at(int pixels) {
-    State& state = opened();
-    if (state.pixels != pixels) {
-        check(FT_Set_Pixel_Sizes(state.face, 0, static_cast<FT_UInt>(pixels)), "use it at this size", file_);
-        state.pixels = pixels;
-        FT_Stroker_Set(state.stroker, static_cast<FT_Fixed>(64 * std::max(1.0, halo_share * pixels)),
-                       FT_STROKER_LINECAP_ROUND, FT_STROKER_LINEJOIN_ROUND, 0);
+FT_FaceRec_* Font::at(int pixels, std::size_t place) {
+    State::Face& known = opened().faces.at(place);
+    if (known.pixels != pixels) {
+        check(FT_Set_Pixel_Sizes(known.face, 0, static_cast<FT_UInt>(pixels)), "use it at this size", known.file);
+        known.pixels = pixels;
     }
-    return state;
+    return known.face;
 }
 
 FontMetrics Font::metrics(int pixels) {
     State& known = opened();
     if (const auto found = known.metrics.find(pixels); found != known.metrics.end()) return found->second;
-    const FT_Face face = at(pixels).face;
+    const FT_Face face = at(pixels, 0);
     FontMetrics metrics;
     metrics.ascent = static_cast<int>((face->size->metrics.ascender + 63) / 64);
     metrics.descent = static_cast<int>((-face->size->metrics.descender + 63) / 64);
@@ -117,42 +140,49 @@ FontMetrics Font::metrics(int pixels) {
 
 Line Font::shape(std::string_view utf8, int pixels) {
     State& state = opened();
-    const FT_Face face = state.face;
-    const auto to_pixels = [&](FT_Pos units) { return static_cast<double>(units) * pixels / face->units_per_EM; };
     Line line;
-    FT_Pos pen = 0; // font units: rounding every advance would spoil the spacing
-    FT_UInt before = 0;
+    double pen = 0; // ems: rounding every advance would spoil the spacing
+    std::uint32_t before = 0;
     for (const char32_t character : decode_utf8(utf8)) {
         auto known = state.characters.find(character);
         if (known == state.characters.end()) {
             const bool is_control = character < 0x20 || (character >= 0x7F && character < 0xA0);
-            const FT_UInt glyph = FT_Get_Char_Index(face, is_control ? U' ' : character);
-            check(FT_Load_Glyph(face, glyph, FT_LOAD_NO_SCALE), "read a glyph", file_);
-            known =
-                state.characters.emplace(character, State::Character{glyph, face->glyph->metrics.horiAdvance}).first;
+            const auto [place, glyph] = state.find(is_control ? U' ' : character);
+            const State::Face& own = state.faces[place];
+            check(FT_Load_Glyph(own.face, glyph, FT_LOAD_NO_SCALE), "read a glyph", own.file);
+            const double advance = static_cast<double>(own.face->glyph->metrics.horiAdvance) / own.face->units_per_EM;
+            const auto packed = static_cast<std::uint32_t>(place << face_shift | glyph);
+            known = state.characters.emplace(character, State::Character{packed, advance}).first;
         }
         const auto [glyph, advance] = known->second;
+        const FT_Face face = state.faces[glyph >> face_shift].face;
         FT_Vector kerning{};
-        if (before != 0 && glyph != 0) FT_Get_Kerning(face, before, glyph, FT_KERNING_UNSCALED, &kerning);
-        pen += kerning.x;
-        line.glyphs.push_back({glyph, static_cast<int>(std::lround(to_pixels(pen)))});
+        if (before != 0 && glyph != 0 && before >> face_shift == glyph >> face_shift)
+            FT_Get_Kerning(face, before & glyph_mask, glyph & glyph_mask, FT_KERNING_UNSCALED, &kerning);
+        pen += static_cast<double>(kerning.x) / face->units_per_EM;
+        line.glyphs.push_back({glyph, static_cast<int>(std::lround(pen * pixels))});
         pen += advance;
         before = glyph;
     }
-    line.width = static_cast<int>(std::ceil(to_pixels(pen)));
+    line.width = static_cast<int>(std::ceil(pen * pixels));
     return line;
 }
 
 GlyphImage Font::draw(std::uint32_t glyph, int pixels) {
-    const State& state = at(pixels);
+    const std::size_t place = glyph >> face_shift;
+    const FT_Face face = at(pixels, place);
+    const State& state = opened();
+    const std::filesystem::path& file = state.faces[place].file;
     GlyphImage image;
-    check(FT_Load_Glyph(state.face, glyph, load_flags), "read a glyph", file_);
-    if (state.face->glyph->format != FT_GLYPH_FORMAT_OUTLINE || state.face->glyph->outline.n_points == 0) return image;
+    check(FT_Load_Glyph(face, glyph & glyph_mask, load_flags), "read a glyph", file);
+    if (face->glyph->format != FT_GLYPH_FORMAT_OUTLINE || face->glyph->outline.n_points == 0) return image;
     FT_Glyph loaded = nullptr;
-    check(FT_Get_Glyph(state.face->glyph, &loaded), "read a glyph", file_);
+    check(FT_Get_Glyph(face->glyph, &loaded), "read a glyph", file);
     OwnedGlyph letter(loaded);
+    FT_Stroker_Set(state.stroker, static_cast<FT_Fixed>(64 * std::max(1.0, halo_share * pixels)),
+                   FT_STROKER_LINECAP_ROUND, FT_STROKER_LINEJOIN_ROUND, 0);
     FT_Glyph stroked = loaded;
-    check(FT_Glyph_StrokeBorder(&stroked, state.stroker, 0, 0), "draw around a glyph", file_); // keeps the first
+    check(FT_Glyph_StrokeBorder(&stroked, state.stroker, 0, 0), "draw around a glyph", file); // keeps the first
     const OwnedGlyph halo = bitmap_of(OwnedGlyph(stroked));
     letter = bitmap_of(std::move(letter));
     const auto& around = *reinterpret_cast<FT_BitmapGlyph>(halo.get());

@@ -8,10 +8,12 @@
 #include <string_view>
 #include <vector>
 
+struct FT_FaceRec_; // FreeType's
+
 namespace ciel::render {
 
 struct PlacedGlyph {
-    std::uint32_t glyph = 0; // index in the font; 0 is the box for what it lacks
+    std::uint32_t glyph = 0; // for draw; 0 is the box for what no font has
     int x = 0;               // pixels from the start of the text
 };
 struct Line {
@@ -28,7 +30,8 @@ struct GlyphImage {
     std::vector<std::uint8_t> coverage; // two bytes a pixel, rows from the top: of the letter, and of it with its halo
 };
 
-// Belongs to one thread. Sizes are pixels an em.
+// A font, and others of the machine for the characters that it lacks. Belongs to one thread. Sizes are pixels an em,
+// those in `metrics` the font's own.
 class Font {
 public:
     // Opens the file when it is first needed. Every call throws Error naming the package when the font is not there.
@@ -37,8 +40,8 @@ public:
     Font(Font&&) noexcept;
 
     [[nodiscard]] FontMetrics metrics(int pixels);
-    // Left to right with kerning, each glyph on a whole pixel. Bytes that are no UTF-8 become U+FFFD, control
-    // characters spaces.
+    // Left to right with kerning, each glyph on a whole pixel; scripts that join or reorder letters are not shaped.
+    // Bytes that are no UTF-8 become U+FFFD, control characters spaces.
     [[nodiscard]] Line shape(std::string_view utf8, int pixels);
     [[nodiscard]] GlyphImage draw(std::uint32_t glyph, int pixels);
 
@@ -47,7 +50,7 @@ public:
 private:
     struct State;
     [[nodiscard]] State& opened();
-    [[nodiscard]] State& at(int pixels);
+    [[nodiscard]] FT_FaceRec_* at(int pixels, std::size_t face);
     std::filesystem::path file_;
     std::unique_ptr<State> state_;
 };

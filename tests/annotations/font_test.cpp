@@ -59,6 +59,26 @@ TEST(Font, WhatItLacksIsABoxAndControlCharactersAreSpaces) {
     EXPECT_EQ(font.draw(font.shape(" ", 40).glyphs[0].glyph, 40).width, 0);
 }
 
+// Of fonts-wqy-microhei, which deploy/packages.txt names.
+TEST(Font, WhatItLacksIsTakenFromAnotherFontOfTheMachine) {
+    Font font;
+    const Line line = font.shape("p 压力 圧力 압력", 40);
+    ASSERT_EQ(line.glyphs.size(), 10U);
+    for (const PlacedGlyph& placed : line.glyphs) EXPECT_NE(placed.glyph, 0U) << "install fonts-wqy-microhei";
+    const GlyphImage sign = font.draw(line.glyphs[2].glyph, 40);
+    EXPECT_GT(sign.width, 30);
+    EXPECT_LT(sign.height, 60);
+    EXPECT_NEAR(line.glyphs[3].x - line.glyphs[2].x, 40, 1) << "an em wide";
+    EXPECT_NE(font.draw(line.glyphs[3].glyph, 40).coverage, sign.coverage);
+    EXPECT_EQ(font.draw(font.shape("力", 40).glyphs[0].glyph, 40).coverage,
+              font.draw(line.glyphs[6].glyph, 40).coverage);
+    EXPECT_EQ(line.glyphs[0].glyph, Font().shape("p", 40).glyphs[0].glyph) << "its own letters stay its own";
+    EXPECT_EQ(font.metrics(40).ascent, Font().metrics(40).ascent);
+    const int before = font.draw(line.glyphs[2].glyph, 20).width;
+    EXPECT_LT(before, sign.width) << "at every size";
+    EXPECT_EQ(font.draw(line.glyphs[2].glyph, 40).width, sign.width);
+}
+
 TEST(Font, GlyphsHaveSolidLettersWithAHaloAroundThem) {
     Font font;
     for (const int pixels : {9, 13, 40, 200}) {
