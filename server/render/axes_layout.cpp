@@ -85,7 +85,7 @@ private:
         bool are_clear = true;
         for (const Tick& tick : scale.ticks) {
             Placed label = beside(at(share(tick.value)), tick.label, (tick_length + gap) * page_.em());
-            if (!page_.is_free(label.box)) continue;
+            if (!page_.is_free(with_room(label.box))) continue;
             if (is_clear(label.box))
                 numbers_.push_back({tick.value, std::move(label)});
             else
@@ -94,9 +94,14 @@ private:
         return are_clear;
     }
 
-    [[nodiscard]] bool is_clear(Box box) const {
+    // Two numbers side by side, as at a common corner of two axes, would read as one.
+    [[nodiscard]] Box with_room(const Box& box) const {
         const double room = apart * page_.em() / 2;
-        box = {box.left - room, box.top, box.right + room, box.bottom};
+        return {std::max(0.0, box.left - room), box.top, std::min<double>(page_.width(), box.right + room), box.bottom};
+    }
+
+    [[nodiscard]] bool is_clear(const Box& label) const {
+        const Box box = with_room(label);
         return std::none_of(numbers_.begin(), numbers_.end(),
                             [&](const Numbered& other) { return other.label.box.overlaps(box); });
     }

@@ -20,6 +20,7 @@ import { gradientOf, MapGallery } from "./color_swatch";
 import { Check, NumberField } from "./controls";
 import { useApp, useAppState } from "./context";
 import { Icon } from "./icons";
+import { RangeRow } from "./range_row";
 
 interface Props {
   of: Colored;
@@ -51,50 +52,35 @@ function RangeFields({ of, coloring, data, change }: Props & { change: Change })
     if (to !== null) set(...(coloring.log === true ? rangeOf({ log: true }, to) : to));
   };
   const everywhere = rangeOfAllSteps(description, coloring.array);
+  const mirrored = coloring.symmetric === true;
   return (
-    <div class="field" role="group" aria-label="Range of the colours">
-      <span>Range</span>
-      <div class="range-row">
-        <NumberField
-          label="Range from"
-          value={range[0]}
-          span={span}
-          onChange={(low) => (coloring.symmetric === true ? set(-Math.abs(low), Math.abs(low)) : set(low, range[1]))}
-        />
-        <NumberField
-          label="Range to"
-          value={range[1]}
-          span={span}
-          onChange={(high) =>
-            coloring.symmetric === true ? set(-Math.abs(high), Math.abs(high)) : set(range[0], high)
-          }
-        />
-      </div>
-      <div class="range-choices">
-        <button
-          type="button"
-          class="button small"
-          aria-pressed={!coloring.range}
-          title="The range of the data at each time"
-          onClick={() => change({ range: undefined })}
-        >
-          Data
+    <RangeRow
+      label="Range of the colours"
+      text="Range"
+      from="Range from"
+      to="Range to"
+      range={range}
+      span={span}
+      setLow={(low) => (mirrored ? set(-Math.abs(low), Math.abs(low)) : set(low, range[1]))}
+      setHigh={(high) => (mirrored ? set(-Math.abs(high), Math.abs(high)) : set(range[0], high))}
+      ofData={!coloring.range}
+      dataTitle="The range of the data at each time"
+      setData={() => change({ range: undefined })}
+    >
+      <button
+        type="button"
+        class="button small"
+        title="The range of the values that are in view now"
+        onClick={() => void actions.rangeInView(of).then(setData)}
+      >
+        In view
+      </button>
+      {everywhere !== null && (description?.times.length ?? 0) > 1 && (
+        <button type="button" class="button small" title="The range at all times" onClick={() => setData(everywhere)}>
+          All times
         </button>
-        <button
-          type="button"
-          class="button small"
-          title="The range of the values that are in view now"
-          onClick={() => void actions.rangeInView(of).then(setData)}
-        >
-          In view
-        </button>
-        {everywhere !== null && (description?.times.length ?? 0) > 1 && (
-          <button type="button" class="button small" title="The range at all times" onClick={() => setData(everywhere)}>
-            All times
-          </button>
-        )}
-      </div>
-    </div>
+      )}
+    </RangeRow>
   );
 }
 

@@ -17,6 +17,7 @@ import { Check, NumberField, SelectField } from "./controls";
 import { useApp, useAppState } from "./context";
 import { useSomeRange } from "./data_range";
 import { DEFAULT_COLOR, LineStyleFields } from "./line_fields";
+import { RangeRow } from "./range_row";
 import { ValueRow } from "./value_row";
 
 interface FieldsProps {
@@ -26,35 +27,21 @@ interface FieldsProps {
 
 function RangeField({ contours, data, set }: FieldsProps & { data: Range }): JSX.Element {
   const range = contours.range ?? data;
-  const span = range[1] - range[0];
   const setRange = (a: number, b: number): void => set({ range: a <= b ? [a, b] : [b, a] });
   return (
-    <div class="field" role="group" aria-label="Range of the contour lines">
-      <span>Between</span>
-      <div class="range-row">
-        <NumberField
-          label="Contour lines from"
-          value={range[0]}
-          span={span}
-          onChange={(low) => setRange(low, range[1])}
-        />
-        <NumberField
-          label="Contour lines to"
-          value={range[1]}
-          span={span}
-          onChange={(high) => setRange(range[0], high)}
-        />
-        <button
-          type="button"
-          class="button small"
-          aria-pressed={!contours.range}
-          title="Between the lowest and the highest value of the data at each time"
-          onClick={() => set({ range: null })}
-        >
-          Data
-        </button>
-      </div>
-    </div>
+    <RangeRow
+      label="Range of the contour lines"
+      text="Between"
+      from="Contour lines from"
+      to="Contour lines to"
+      range={range}
+      span={range[1] - range[0]}
+      setLow={(low) => setRange(low, range[1])}
+      setHigh={(high) => setRange(range[0], high)}
+      ofData={!contours.range}
+      dataTitle="Between the lowest and the highest value of the data at each time"
+      setData={() => set({ range: null })}
+    />
   );
 }
 

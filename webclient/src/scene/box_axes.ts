@@ -133,7 +133,9 @@ export function keptClear(axes: readonly BoxAxis[], size: Size, em: number, take
     const before = all.length;
     const ticks = axis.ticks.filter((tick) => {
       const box = boxOf(numberPlace(tick, axis.outward, tick.label, size, em), tick.label, em);
-      if (all.slice(0, before).some((other) => overlaps(other, box))) return false;
+      const apart = (APART * em) / 2; // two numbers side by side would read as one
+      const wide = { ...box, left: box.left - apart, right: box.right + apart };
+      if (all.slice(0, before).some((other) => overlaps(other, wide))) return false;
       all.push(box);
       return true;
     });
