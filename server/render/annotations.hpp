@@ -14,9 +14,9 @@ struct Legend { // one colour bar
     std::string layers{}; // a second line, which tells it from another legend of that name; mostly empty
 };
 
-// Text is UTF-8 and may hold anything: what the font lacks is taken from another one of the machine, and what none has is
-// shown as a box. What does not fit into the picture is
-// shortened or left out, so that a picture of any size can be drawn.
+// Text is UTF-8 and may hold anything: what the font lacks is taken from another one of the machine, and what none has
+// is shown as a box. What does not fit into the picture, or would lie on something else, is shortened or left out, so
+// that a picture of any size can be drawn.
 struct Annotations {
     std::string title;                 // centred at the top
     std::vector<std::string> captions; // lines at the upper left
