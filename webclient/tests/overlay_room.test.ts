@@ -19,10 +19,11 @@ describe("room over the canvas", () => {
   });
 
   test("captions stay, a legend on them goes, and those after it", () => {
-    const legends = [box(210, 10, 100, 130), box(110, 10, 90, 130), box(200, 150, 100, 130)];
-    const { legends: shown, taken } = roomFor({ captions, legends, triad: [] }, { ...stage, width: 200 + 120 });
+    const wide = [box(14, 10, 160, 50)];
+    const legends = [box(210, 10, 100, 130), box(165, 10, 40, 130), box(165, 150, 40, 130)];
+    const { legends: shown, taken } = roomFor({ captions: wide, legends, triad: [] }, stage);
     expect(shown).toEqual([true, false, false]);
-    expect(taken).toEqual([...captions, legends[0]]);
+    expect(taken).toEqual([...wide, legends[0]]);
   });
 
   test("further columns of legends begin in the right half, the first in the right two thirds", () => {
