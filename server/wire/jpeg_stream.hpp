@@ -1,6 +1,7 @@
 // JPEG (ITU-T T.81) by libjpeg, quality 80.
 #pragma once
 
+#include "wire/bands.hpp"
 #include "wire/jpeg_band.hpp"
 #include "wire/picture_stream.hpp"
 
@@ -14,8 +15,7 @@ public:
     void encode(int width, int height, std::span<const std::uint8_t> rgb, std::vector<std::uint8_t>& out) override;
 
 private:
-    int width_ = 0, height_ = 0;
-    std::vector<JpegBand> bands_; // of the last picture, from the top
+    Bands<JpegBand> bands_;
 };
 
 } // namespace ciel::wire

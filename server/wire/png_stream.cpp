@@ -1,6 +1,5 @@
 #include "wire/png_stream.hpp"
 
-#include "ciel/parallel.hpp"
 #include "wire/libpng_file.hpp"
 
 #include <array>
@@ -34,20 +33,8 @@ void write_bands(png_structp png, png_infop info, const void* what) {
 
 void PngStream::encode(int width, int height, std::span<const std::uint8_t> rgb, std::vector<std::uint8_t>& out) {
     check_picture("PNG", 1 << 24, width, height, rgb);
-    if (width != width_ || height != height_) bands_.clear();
-    width_ = width;
-    height_ = height;
-    if (bands_.empty())
-        for (int top = 0; top < height; top += PngBand::most_rows) bands_.emplace_back(width, height, top);
-    try {
-        parallel_for(bands_.size(), 1, [&](std::size_t begin, std::size_t end) {
-            for (std::size_t i = begin; i < end; ++i) bands_[i].encode(rgb);
-        });
-    } catch (...) {
-        bands_.clear(); // else the next picture would take half of this one for its own
-        throw;
-    }
-    write_with_libpng(width, height, out, write_bands, &bands_);
+    const std::vector<PngBand>& bands = bands_.encode(width, height, rgb);
+    write_with_libpng(width, height, out, write_bands, &bands);
 }
 
 } // namespace ciel::wire

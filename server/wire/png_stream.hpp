@@ -1,6 +1,7 @@
 // PNG (ISO/IEC 15948) by zlib and libpng, coded for speed.
 #pragma once
 
+#include "wire/bands.hpp"
 #include "wire/picture_stream.hpp"
 #include "wire/png_band.hpp"
 
@@ -14,8 +15,7 @@ public:
     void encode(int width, int height, std::span<const std::uint8_t> rgb, std::vector<std::uint8_t>& out) override;
 
 private:
-    int width_ = 0, height_ = 0;
-    std::vector<PngBand> bands_; // of the last picture, from the top
+    Bands<PngBand> bands_;
 };
 
 } // namespace ciel::wire

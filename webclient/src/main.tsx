@@ -7,6 +7,7 @@ import "./style/tokens.css";
 import "./style/layout.css";
 import "./style/controls.css";
 import "./style/panels.css";
+import "./style/annotations.css";
 import "./style/overlays.css";
 import "./style/colors.css";
 
