@@ -82,13 +82,25 @@ uniform sampler2D nearer;
 bool is_seen() { return gl_FragCoord.z > texelFetch(nearer, ivec2(gl_FragCoord.xy), 0).r; }
 )";
 
-// Of lines and points, which are drawn after the volumes too, then only what is in front of them.
+// Of lines and points, which are drawn after the volumes too, then only what is in front of them. A line on the
+// boundary is, though in the middle of a pixel a steep face may come before it: so a pixel's slope behind counts.
 constexpr const char* before_volume_glsl = R"(
 uniform vec2 viewport;
 uniform float before_volume; // 1: only what is in front of the volume
 uniform sampler2D volume_limits;
+float first_depth(ivec2 pixel) {
+    return texelFetch(volume_limits, clamp(pixel, ivec2(0), textureSize(volume_limits, 0) - 1), 0).a;
+}
 bool is_seen() {
-    return before_volume < 0.5 || gl_FragCoord.z <= texture(volume_limits, gl_FragCoord.xy / viewport).a;
+    if (before_volume < 0.5) return true;
+    const float most = 5e-3; // beside an outline
+    ivec2 pixel = ivec2(gl_FragCoord.xy / viewport * vec2(textureSize(volume_limits, 0)));
+    float own = first_depth(pixel), slope = 0.0;
+    for (int axis = 0; axis < 2; ++axis) {
+        ivec2 beside = ivec2(1 - axis, axis);
+        slope += min(max(abs(first_depth(pixel - beside) - own), abs(first_depth(pixel + beside) - own)), most);
+    }
+    return gl_FragCoord.z <= own + slope;
 }
 )";
 

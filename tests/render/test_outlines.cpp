@@ -237,6 +237,91 @@ TEST_F(OutlineOfAVolume, IsSmoothOfEachOfSeveral) {
         }
 }
 
+// Where a place is in the picture.
+std::array<double, 2> pixel_of(const Frame& frame, const Vec3d& place) {
+    const Ray middle = ray_of(frame, frame.width / 2.0, frame.height / 2.0);
+    const auto along = [&](const Vec3d& direction) {
+        const Vec3d to = plus(place, middle[0], -1);
+        return to[0] * direction[0] + to[1] * direction[1] + to[2] * direction[2];
+    };
+    const Vec3d right = unit_of(cross_of(middle[1], frame.camera.up)), up = cross_of(right, middle[1]);
+    const double half = frame.camera.parallel
+                            ? frame.camera.parallel_height / 2
+                            : along(middle[1]) * std::tan(frame.camera.fov_degrees * std::acos(-1.0) / 360);
+    const double pixels = frame.height / 2.0 / half;
+    return {frame.width / 2.0 + pixels * along(right), frame.height / 2.0 - pixels * along(up)};
+}
+
+bool is_in_front_of_cube(const Frame& frame, const Vec3d& place) {
+    const auto [x, y] = pixel_of(frame, place);
+    const Ray ray = ray_of(frame, x, y);
+    const Vec3d to = plus(place, ray[0], -1);
+    const double there = to[0] * ray[1][0] + to[1] * ray[1][1] + to[2] * ray[1][2];
+    const auto [from, end] = inside_box(ray, {0, 0, 0}, {1, 1, 1});
+    return from >= end || there < from + 1e-3;
+}
+
+int darkest_around(const Image& image, const std::array<double, 2>& place) {
+    int darkest = 255;
+    for (int y = static_cast<int>(place[1]) - 1; y <= static_cast<int>(place[1]) + 1; ++y)
+        for (int x = static_cast<int>(place[0]) - 1; x <= static_cast<int>(place[0]) + 1; ++x)
+            darkest = std::min<int>(darkest, image.rgb[3 * static_cast<std::size_t>(y * image.width + x)]);
+    return darkest;
+}
+
+// They are neither in front of the mesh nor behind: rounding must not make dashes of them.
+TEST_F(OutlineOfAVolume, LinesAlongTheEdgesOfItsMeshAreWhole) {
+    const std::array<std::array<Vec3d, 2>, 3> edges{{{{{0, 0, 0}, {0, 0, 1}}},   //
+                                                     {{{0, 0, 1}, {1, 0, 1}}},   //
+                                                     {{{0, 0, 1}, {0, 1, 1}}}}}; // those of the corner that is nearest
+    std::vector<Vec3f> ends;
+    for (const auto& edge : edges)
+        for (const Vec3d& end : edge)
+            ends.push_back({static_cast<float>(end[0]), static_cast<float>(end[1]), static_cast<float>(end[2])});
+    Mesh lines = line_between(ends, 1.5F, {0, 0, 0, 1});
+    const std::vector<Index> pairs{0, 1, 2, 3, 4, 5};
+    lines.indices = pairs;
+    for (const View& view : {View{"perspective", {-0.5, -1, 0.6}, 30}, View{"steep", {-0.3, -1, 0.25}, 30},
+                             View{"parallel", {-0.5, -1, 0.6}, 0}})
+        for (const int samples : {1, 4}) {
+            Frame frame = frame_of(view);
+            frame.width = frame.height = 400;
+            frame.samples = samples;
+            frame.volumes = {rock(cube)};
+            if (samples == 1) frame.volumes[0].coarseness = 2;
+            frame.meshes = {lines};
+            Image image;
+            renderer().draw(frame, image);
+            int places = 0;
+            for (const auto& [from, to] : edges)
+                for (double share = 0.03; share < 0.97; share += 0.005) {
+                    const Vec3d place = plus(from, plus(to, from, -1), share);
+                    ASSERT_TRUE(is_in_front_of_cube(frame, place));
+                    EXPECT_LT(darkest_around(image, pixel_of(frame, place)), 110)
+                        << view.name << ", " << samples << " samples, at " << place[0] << ' ' << place[1] << ' '
+                        << place[2];
+                    ++places;
+                }
+            EXPECT_GT(places, 500);
+        }
+}
+
+// What is well behind the boundary is not.
+TEST_F(OutlineOfAVolume, ALineInsideIsHidden) {
+    const std::vector<Vec3f> ends{{0.05F, 0.05F, 0.2F}, {0.05F, 0.05F, 0.8F}};
+    const Mesh line = line_between(ends, 1.5F, {0, 0, 0, 1});
+    for (const int samples : {1, 4}) {
+        Frame frame = frame_of({"perspective", {-0.5, -1, 0.6}, 30});
+        frame.samples = samples;
+        frame.volumes = {rock(cube)};
+        frame.meshes = {line};
+        Image image;
+        renderer().draw(frame, image);
+        for (double z = 0.25; z < 0.75; z += 0.05)
+            EXPECT_GT(darkest_around(image, pixel_of(frame, {0.05, 0.05, z})), 240) << samples << ", " << z;
+    }
+}
+
 // In front of all of it, so that its picture is made of layers.
 TEST_F(OutlineInFog, IsSmoothBehindATransparentSheet) {
     add(square(-0.1)).color[3] = 0.4F;

@@ -66,8 +66,8 @@ std::vector<double> borders(std::span<const SlabRow> rows, double eye) {
     }
     if (std::isfinite(eye)) all.push_back(eye);
     std::ranges::sort(all);
-    const auto rest = std::ranges::unique(all, [&](double a, double b) { return b - a < rounding * thinnest; });
-    all.erase(rest.begin(), rest.end());
+    const auto is_same = [&](double a, double b) { return b - a < rounding * thinnest; };
+    all.erase(std::unique(all.begin(), all.end(), is_same), all.end());
     return all;
 }
 
