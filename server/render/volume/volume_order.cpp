@@ -118,9 +118,10 @@ std::vector<SlabOfVolume> back_to_front(std::span<const SlabRow> rows, double ey
     for (const SlabRow& row : rows) thickest = std::max(thickest, row.thickness);
     const bool whole = rows.size() < 2 || wanted.most < 2 || thickest * wanted.per_length <= 1;
     std::vector<Piece> below = whole ? whole_slabs(rows, eye) : divided_slabs(rows, eye, wanted);
-    const auto middle = std::ranges::stable_partition(below, &Piece::is_below);
-    std::vector<Piece> above(middle.begin(), middle.end());
-    below.erase(middle.begin(), middle.end());
+    const auto middle =
+        std::stable_partition(below.begin(), below.end(), [](const Piece& piece) { return piece.is_below; });
+    std::vector<Piece> above(middle, below.end());
+    below.erase(middle, below.end());
     std::ranges::stable_sort(below, {}, &Piece::middle);
     std::ranges::stable_sort(above, std::ranges::greater(), &Piece::middle);
     take_turns(below, rows);
