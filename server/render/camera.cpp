@@ -65,8 +65,10 @@ ViewTransform view_transform(const Frame& frame) {
     const double aspect = static_cast<double>(frame.width) / frame.height;
     if (frame.camera.parallel) {
         const double half = frame.camera.parallel_height / 2;
-        transform.projection =
-            glm::ortho(-half * aspect, half * aspect, -half, half, depths.nearest - margin, depths.farthest + margin);
+        const double back = std::max(0.0, 2 * margin - depths.nearest);
+        transform.view = glm::translate(glm::dmat4(1), glm::dvec3(0, 0, -back)) * transform.view;
+        transform.projection = glm::ortho(-half * aspect, half * aspect, -half, half, depths.nearest + back - margin,
+                                          depths.farthest + back + margin);
         return transform;
     }
     const double farthest = std::max(depths.farthest + margin, margin); // all behind the eye: any range will do

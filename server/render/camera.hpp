@@ -8,7 +8,9 @@
 namespace ciel::render {
 
 struct ViewTransform {
-    glm::dmat4 view;       // offsets from the frame's origin -> the eye's axes, looking along -z
+    // Offsets from the frame's origin -> the eye's axes, looking along -z. The eye of a parallel view, whose place
+    // along its rays changes nothing, is before all of the bounds.
+    glm::dmat4 view;
     glm::dmat4 projection; // -> clip space, z from -1 to 1 between the nearest and farthest point of the bounds
     double scale = 1;      // 1 / the bounds' diagonal
 };

@@ -29,7 +29,7 @@ inline const std::vector<View> views{
     {"corner_parallel", {1, 1, 1}, 0},           {"along_x", {1, 0.003, 0.001}, 30},
     {"slanted", {-0.5, 0.9, 0.45}, 30},          {"below", {0.3, 0.2, -1}, 45},
     {"forty_five_degrees", {1, 0.99, 0.02}, 30}, {"corner_wide", {-1, -1, 1}, 80, 1.3},
-    {"eye_inside", {0.3, -1, 0.4}, 70, 0.3},
+    {"eye_inside", {0.3, -1, 0.4}, 70, 0.3},     {"eye_inside_parallel", {0.3, -1, 0.4}, 0, 0.3},
 };
 
 // A unit cube in the middle of a black picture.

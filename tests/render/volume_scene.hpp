@@ -80,7 +80,8 @@ inline Ray ray_of(const Frame& frame, double x, double y) {
     const double aspect = static_cast<double>(frame.width) / frame.height;
     if (camera.parallel) {
         const double half = camera.parallel_height / 2;
-        return {plus(plus(camera.position, right, across * half * aspect), up, down * half), ahead};
+        const Vec3d before_all = plus(camera.position, ahead, -10);
+        return {plus(plus(before_all, right, across * half * aspect), up, down * half), ahead};
     }
     const double half = std::tan(camera.fov_degrees * std::acos(-1.0) / 360);
     return {camera.position, unit_of(plus(plus(ahead, right, across * half * aspect), up, down * half))};

@@ -1,0 +1,97 @@
+// Layers as a scene document asks for them, with what is written on the picture: each scene in one golden image.
+#include "render/renderer.hpp"
+#include "session/picture.hpp"
+#include "session/scene_geometry.hpp"
+#include "small_dataset/small_dataset.hpp"
+#include "store/catalog.hpp"
+#include "support/golden/golden.hpp"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+namespace ciel::session {
+namespace {
+
+using nlohmann::json;
+
+json place(double x, double y, double z) {
+    return {test::box_origin[0] + x, test::box_origin[1] + y, test::box_origin[2] + z};
+}
+
+json iso() {
+    return {{"iso",
+             {{"type", "iso"},
+              {"array", "p"},
+              {"values", {12, 20, 28}},
+              {"smooth", false},
+              {"edges", {{"color", "#102030"}}},
+              {"color", {{"array", "U:magnitude"}, {"map", "inferno"}, {"reverse", true}}}}}};
+}
+
+json slices() {
+    return {{"across",
+             {{"type", "slice"},
+              {"axis", "y"},
+              {"value", test::box_origin[1] + 2.2},
+              {"color", {{"array", "p"}, {"map", "viridis"}, {"steps", 6}}},
+              {"contours", {{"array", "U:magnitude"}, {"count", 6}, {"color", "#ffffff"}}}}},
+            {"free",
+             {{"type", "slice"},
+              {"origin", place(3, 3.4, 3)},
+              {"normal", {0.3, 1, 0.5}},
+              {"edges", {{"color", "#000000"}}},
+              {"color",
+               {{"array", "p"}, {"map", "vik"}, {"range", {10, 24}}, {"below", "#00ff00"}, {"above", "#ff00ff"}}}}}};
+}
+
+json cut_open() {
+    return {{"solid",
+             {{"type", "surface"},
+              {"color", {{"array", "p"}, {"map", "plasma"}, {"log", true}, {"range", {1, 40}}}},
+              {"edges", {{"color", "#202020"}}}}},
+            {"knife", {{"type", "clip"}, {"origin", place(3, 2, 3.5)}, {"normal", {0.2, -1, 0.6}}}},
+            {"box", {{"type", "outline"}}}};
+}
+
+json parts() {
+    return {{"kept",
+             {{"type", "surface"},
+              {"threshold", {{"array", "p"}, {"range", {0, 16}}}},
+              {"color", {{"array", "U:x"}, {"map", "cividis"}, {"symmetric", true}}}}},
+            {"hole", {{"type", "surface"}, {"groups", {"body"}}, {"opacity", 0.5}, {"color", {{"solid", "#d06030"}}}}},
+            {"bends", {{"type", "edges"}, {"angle", 30}, {"width", 3}, {"color", {{"solid", "#f0f0f0"}}}}},
+            {"vertices",
+             {{"type", "points"},
+              {"of", "all"},
+              {"size", 6},
+              {"threshold", {{"array", "p"}, {"range", {24, 40}}}},
+              {"color", {{"array", "p"}}}}}};
+}
+
+TEST(GoldenScenes, LayersOfADocumentLookAsTheyDid) {
+    const test::Folder folder;
+    test::write_small_dataset(folder.path() / "box.ciel");
+    store::Catalog catalog{{folder.path()}};
+    const auto loaded = catalog.open("box");
+    for (const auto& [name, layers] : {std::pair{"scene_iso", iso()},
+                                       {"scene_slices", slices()},
+                                       {"scene_cut_open", cut_open()},
+                                       {"scene_parts", parts()}}) {
+        const scene::Scene scene = scene::parse(
+            {{"dataset", "box"},
+             {"layers", layers},
+             {"camera", {{"position", place(13, -9, 13)}, {"target", place(3, 3, 3)}, {"up", {0, 0, 1}}, {"fov", 34}}},
+             {"annotations", {{"legend", true}, {"triad", true}}}});
+        SceneGeometry geometry{Extraction{}};
+        const auto shown = geometry.update(scene, loaded);
+        EXPECT_TRUE(shown->lacking.empty());
+        for (const render::Backend backend : render::available_backends()) {
+            render::Renderer renderer(backend);
+            const render::Image& image = renderer.draw(picture_of(*shown, scene, {360, 270}));
+            EXPECT_TRUE(test::matches_golden(name, {image.width, image.height, image.rgb}, render::name_of(backend)));
+        }
+    }
+}
+
+} // namespace
+} // namespace ciel::session
