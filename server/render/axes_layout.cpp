@@ -153,6 +153,7 @@ private:
 void lay_axes(Page& page, const Frame& frame) {
     const std::vector<BoxEdge> edges = axis_edges(frame, least_edge * page.em());
     std::vector<AxisLayout> axes;
+    axes.reserve(edges.size());
     for (const BoxEdge& edge : edges) axes.emplace_back(page, frame, edge);
     for (AxisLayout& axis : axes) axis.draw_line(); // of all first: no number of one lies on the line of another
     for (AxisLayout& axis : axes) axis.write();
