@@ -82,6 +82,8 @@ int run(const Options& options) {
         return done;
     }
     const ConvertResult result = convert(*source, options);
+    // The dataset stands: from here on there is nothing left to cancel, and "done" would be the place that throws.
+    ignore_cancelling();
     for (const std::string& note : result.notes) std::printf("note %s\n", note.c_str());
     progress(1.0, "done");
     const bool many_bad = static_cast<double>(result.bad_cells) > most_bad_cells * static_cast<double>(result.cells);

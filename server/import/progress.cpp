@@ -11,13 +11,20 @@ volatile std::sig_atomic_t cancelled = 0;
 
 void on_signal(int) { cancelled = 1; }
 
-} // namespace
-
-void install_cancel_handlers() {
+void handle_both(void (*handler)(int)) {
     struct sigaction action {};
-    action.sa_handler = on_signal;
+    action.sa_handler = handler;
     sigaction(SIGINT, &action, nullptr);
     sigaction(SIGTERM, &action, nullptr);
+}
+
+} // namespace
+
+void install_cancel_handlers() { handle_both(on_signal); }
+
+void ignore_cancelling() {
+    handle_both(SIG_IGN);
+    cancelled = 0;
 }
 
 void progress(double share, const std::string& phase) {

@@ -11,6 +11,9 @@ struct Cancelled {};
 // From now on SIGINT and SIGTERM make progress() throw.
 void install_cancel_handlers();
 
+// From now on progress() no longer throws: what was asked for stands, whether or not a signal comes, or came.
+void ignore_cancelling();
+
 // Prints "progress SHARE PHASE" when it has advanced: a reader that starts over again and again prints nothing, which
 // is how the supervisor notices. SHARE in [0, 1].
 void progress(double share, const std::string& phase);

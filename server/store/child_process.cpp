@@ -198,9 +198,9 @@ ChildEnd run_child(const std::vector<std::string>& arguments, const ChildLimits&
         on_line(line);
     };
     while (child.read(output, end.errors)) {
-        watch.look(end);
         if (end.errors.size() > max_errors) end.errors.resize(max_errors);
         pass_lines(output, take_line);
+        watch.look(end); // at once, when a line made the caller cancel
     }
     pass_lines(output, take_line);
     std::optional<int> status = child.reap(WNOHANG);

@@ -67,6 +67,12 @@ double default_memory_gigabytes() { return default_share * static_cast<double>(m
 
 ImportEnd run_import(const ImportValues& values, const ImportLimits& limits, const ImportListener& listener,
                      const std::atomic<bool>& cancel) {
+    const std::string& input = values.at("inputs").at(0);
+    if (cancel) { // before it starts
+        ChildEnd end;
+        end.cancelled = true;
+        return {1, describe_end(end, input, limits)};
+    }
     const auto memory = static_cast<std::uint64_t>(limits.memory_gigabytes * gigabyte);
     const ChildEnd end = run_child(
         command_line(values), {memory, limits.seconds, limits.stalled_seconds},
@@ -75,7 +81,7 @@ ImportEnd run_import(const ImportValues& values, const ImportLimits& limits, con
     if (const auto output = values.find("output"); output != values.end() && !output->second.empty())
         remove_left_behind(output->second.back());
     const bool known = end.exit_code >= 1 && end.exit_code <= 3;
-    return {known ? end.exit_code : 1, describe_end(end, values.at("inputs").at(0), limits)};
+    return {known ? end.exit_code : 1, describe_end(end, input, limits)};
 }
 
 } // namespace ciel::store

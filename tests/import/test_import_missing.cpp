@@ -192,6 +192,22 @@ TEST_F(ImportMissing, what_cannot_be_imported_is_named_and_leaves_nothing) {
     EXPECT_TRUE(fs::is_empty(root_ / "imported"));
 }
 
+TEST_F(ImportMissing, cancelled_at_the_last_moment_it_leaves_a_dataset_or_nothing) {
+    const fs::path file = write_cube("cube.vtk");
+    for (int attempt = 0; attempt < 5; ++attempt) {
+        const ImportListener listener{[&](double, const std::string& phase) { cancel_ = phase == "finishing"; },
+                                      [](const std::string&) {}};
+        try {
+            const auto served = import_missing({file}, root_ / "imported", {}, listener, cancel_);
+            EXPECT_EQ(Dataset::open(served[0].path)->info().input_cells, 1U);
+        } catch (const Error&) {
+            EXPECT_TRUE(fs::is_empty(root_ / "imported")) << "said to be cancelled";
+        }
+        cancel_ = false;
+        fs::remove_all(root_ / "imported");
+    }
+}
+
 TEST_F(ImportMissing, a_failing_change_leaves_the_old_import) {
     const fs::path file = write_cube("cube.vtk");
     const fs::path served = serve({file})[0];
