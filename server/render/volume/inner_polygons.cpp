@@ -14,7 +14,7 @@ namespace ciel::render {
 namespace {
 
 constexpr int cells = 256;             // of the grid over a slab, each way
-constexpr double worth_splitting = 20; // cells that a triangle is long
+constexpr double worth_splitting = 40; // cells that a triangle is long
 
 glm::dvec3 vector_of(const Vec3d& v) { return {v[0], v[1], v[2]}; }
 glm::dvec3 vector_of(const Vec3f& v) { return {v[0], v[1], v[2]}; }

@@ -1,7 +1,7 @@
 #include "render/volume/volume_buffers.hpp"
 
 #include "render/volume/boundary_of_slabs.hpp"
-#include "render/volume/volume_shaders.hpp"
+#include "render/volume/slab_shaders.hpp"
 
 #include <algorithm>
 #include <bit>

@@ -143,38 +143,44 @@ void VolumePainter::load_table(const Volume& volume, Table& kept, double share) 
 }
 
 void VolumePainter::use_programs(const Volume& volume, Slot& slot) {
-    const SlabProgramKind kind{slot.rays->count, volume.shaded, view_.is_clipped(), view_.opaque != 0,
-                               TransferTable::rows};
+    const SlabProgramKind kind{
+        slot.rays->count,   volume.shaded, view_.is_clipped(), view_.opaque != 0, view_.frame->camera.parallel,
+        TransferTable::rows};
     const auto made = [&](auto& programs, auto make, const SlabProgramKind& wanted) {
         const auto found = programs.find(wanted);
         return &(found != programs.end() ? found : programs.emplace(wanted, make(gl_, wanted)).first)->second;
     };
-    slot.inner = made(slot.inner_programs, make_inner_program, {1, volume.shaded, false, false, TransferTable::rows});
+    slot.inner =
+        made(slot.inner_programs, make_inner_program, {1, volume.shaded, false, false, false, TransferTable::rows});
     slot.inner->use();
     set_light(*slot.inner, volume);
     slot.slice = made(slot.slice_programs, make_slice_program, kind);
     slot.edge = made(slot.edge_programs, make_edge_program, kind);
-    set_slabs(*slot.slice, volume, thickness_of(volume));
-    set_slabs(*slot.edge, volume, thickness_of(volume));
-    slot.edge->set("first_place", static_cast<float>(volume.first));
+    set_rays(*slot.slice, volume);
+    set_rays(*slot.edge, volume);
+    const RaysAcross across = rays_across(volume);
+    slot.edge->set("across", glm::vec3(across.per_depth));
+    slot.edge->set("start", glm::vec3(across.start - glm::dvec3(volume.first, 0, 0)));
+    slot.edge->set("half_slab", static_cast<float>(thickness_of(volume) / 2));
     slot.edge->set("last_slab", static_cast<float>(slot.buffers->slices().size() - 1));
+    if (view_.frame->camera.parallel) slot.edge->set("parallel_depths", view_.parallel_depths());
 }
 
-void VolumePainter::set_slabs(const ShaderProgram& program, const Volume& volume, double thickness) const {
+void VolumePainter::set_rays(const ShaderProgram& program, const Volume& volume) const {
     program.use();
     set_light(program, volume);
-    view_.set_rays(program);
-    program.set("parallel_depths", view_.parallel_depths());
+    const VolumeView::Rays rays = view_.rays_of_pixels();
+    program.set("rays", glm::vec4(rays.corner, rays.step));
+    program.set("pixel_size", 1.0F / glm::vec2(view_.width, view_.height));
+    VolumeRays::set_units(program);
+}
+
+VolumePainter::RaysAcross VolumePainter::rays_across(const Volume& volume) const {
     const VolumeView::Rays rays = view_.rays_of_pixels();
     const glm::dvec3 normal = glm::dmat3(view_.transform->view) * vector_of(volume.normal); // along the eye's axes
     const glm::dvec2 sideways(normal);
-    program.set("across_corner", static_cast<float>(glm::dot(sideways, rays.corner) - normal.z));
-    program.set("across_step", glm::vec2(sideways * rays.step));
-    program.set("start_corner",
-                static_cast<float>(view_.eye_along(volume.normal) + glm::dot(sideways, rays.side_corner)));
-    program.set("start_step", glm::vec2(sideways * rays.side_step));
-    program.set("half_slab", static_cast<float>(thickness / 2));
-    VolumeRays::set_units(program);
+    return {{glm::dot(sideways, rays.corner) - normal.z, sideways * rays.step},
+            {view_.eye_along(volume.normal) + glm::dot(sideways, rays.side_corner), sideways * rays.side_step}};
 }
 
 // What all three programs of a slab have; of the program in use.
@@ -248,16 +254,16 @@ void VolumePainter::thin_out(const Volume& volume, const Slot& slot, double shar
 }
 
 void VolumePainter::draw_slab(const Volume& volume, const Slot& slot, std::size_t slab) const {
-    const auto place = static_cast<float>(volume.first + (static_cast<double>(slab) + 0.5) * thickness_of(volume));
+    const double place = volume.first + (static_cast<double>(slab) + 0.5) * thickness_of(volume);
     if (slot.buffers->boundary_of_slabs()[slab].count > 0) {
         slot.edge->use();
         slot.edge->set("slab", static_cast<float>(slab));
-        slot.edge->set("slice_place", place);
+        slot.edge->set("slice_place", static_cast<float>(place - volume.first));
         slot.buffers->bind_boundary();
         slot.buffers->draw(slot.buffers->boundary_of_slabs()[slab]);
     }
     slot.slice->use();
-    slot.slice->set("slice_place", place);
+    set_slice(*slot.slice, volume, place);
     slot.buffers->bind_slices();
     const auto& [outer, inner] = slot.buffers->slices()[slab];
     slot.buffers->draw(outer);
@@ -268,6 +274,15 @@ void VolumePainter::draw_slab(const Volume& volume, const Slot& slot, std::size_
         slot.inner->set("half_of", half_of_slab(volume, from_eye));
     }
     slot.buffers->draw(inner);
+}
+
+// Half slabs along a ray, per depth and from the eye to the slice.
+void VolumePainter::set_slice(const ShaderProgram& program, const Volume& volume, double place) const {
+    const auto [per_depth, start] = rays_across(volume);
+    const double ahead = view_.frame->camera.parallel ? per_depth.x : place - start.x;
+    const double half_slabs = std::copysign(2 / thickness_of(volume), ahead);
+    program.set("across", glm::vec3(half_slabs * per_depth));
+    program.set("start", glm::vec3(half_slabs * (glm::dvec3(place, 0, 0) - start)));
 }
 
 // Whether nothing but the mesh is in the slab wherever the boundary is not.

@@ -4,11 +4,11 @@
 
 #include "render/camera.hpp"
 #include "render/target.hpp"
+#include "render/volume/slab_shaders.hpp"
 #include "render/volume/volume_buffers.hpp"
 #include "render/volume/volume_coverage.hpp"
 #include "render/volume/volume_order.hpp"
 #include "render/volume/volume_rays.hpp"
-#include "render/volume/volume_shaders.hpp"
 
 #include <functional>
 #include <list>
@@ -55,6 +55,10 @@ private:
         const ShaderProgram *slice = nullptr, *inner = nullptr, *edge = nullptr;
     };
 
+    struct RaysAcross { // places across the slabs: (picture's corner, per pixel), in depths' units
+        glm::dvec3 per_depth, start;
+    };
+
     void draw_each(const Frame& frame, const ViewTransform& transform, GLuint depth,
                    const std::function<void()>& bind_picture, bool per_sample);
     [[nodiscard]] Slot& slot_of(std::size_t volume);
@@ -62,12 +66,14 @@ private:
     void prepare(const Volume& volume, Slot& slot, double share);
     void load_table(const Volume& volume, Table& table, double share);
     void use_programs(const Volume& volume, Slot& slot);
-    void set_slabs(const ShaderProgram& program, const Volume& volume, double thickness) const;
+    void set_rays(const ShaderProgram& program, const Volume& volume) const;
+    [[nodiscard]] RaysAcross rays_across(const Volume& volume) const;
     void find_coverage(const Frame& frame);
     void set_light(const ShaderProgram& program, const Volume& volume) const;
     void draw_slabs(const Frame& frame);
     [[nodiscard]] SlabPieces pieces_of_slabs(const Frame& frame) const;
     static void thin_out(const Volume& volume, const Slot& slot, double share);
+    void set_slice(const ShaderProgram& program, const Volume& volume, double place) const;
     void draw_slab(const Volume& volume, const Slot& slot, std::size_t slab) const;
     [[nodiscard]] bool has_coverage() const;
     [[nodiscard]] bool is_full(const Volume& volume, double from_eye) const;

@@ -1,0 +1,282 @@
+// Which piece of a ray is drawn by whom. The middle planes of the slabs cut the mesh into slices; a ray meets them, and
+// enters and leaves the mesh through boundary faces, at any place between. Of what a ray has inside the mesh,
+//   a slice has the piece within its slab that contains it: from the slab's front or the last entry to the slab's back
+//     or the next exit;
+//   a front face has the piece within its slab that begins on it, unless there is a slice in that;
+//   a back face has the piece within its slab that ends on it, if that begins with the slab, unless there is a slice.
+// So every piece belongs to one fragment, which knows the property and its gradient at some place of it. Where an entry
+// or exit is all but on the slice, rounding decides which pixels the slice covers: there it leaves its piece to the
+// face. An opaque surface has no property: a piece that ends on it before the slice belongs to the fragment of the slab
+// in front. So does the piece from an eye inside the mesh to the first slice belong to the fragment of the slab behind.
+// Clip planes cut slices and faces nowhere: each fragment draws of its piece what lies between the planes, where a ray
+// is in one stretch, for what they keep is convex.
+//
+// What is one number for a whole slab comes to the fragments through the vertices: llvmpipe looks a uniform up for each
+// pixel by itself, and these programs did that for a third of their time.
+#include "render/volume/slab_shaders.hpp"
+
+#include "render/volume/volume_shaders.hpp"
+
+#include <string>
+
+namespace ciel::render {
+namespace {
+
+// Values come as shares of the range, gradients along the eye's axes.
+constexpr const char* slab_vertex = R"(
+layout(location = 0) in vec3 position;
+layout(location = 1) in float value;
+layout(location = 2) in vec3 gradient;
+layout(location = 3) in vec2 limits;
+uniform mat4 transform;
+uniform mat4 view;
+uniform vec2 to_share;
+uniform float density; // 1 / unit length
+uniform float steepness;
+out vec4 property;
+flat out vec4 cell;
+#ifdef INNER
+uniform vec4 half_of; // half a slab along a ray: so much, and so much of the way from the eye
+out vec3 half_piece;
+#else
+uniform vec4 rays;
+uniform vec3 across;
+uniform vec3 start;
+uniform vec2 pixel_size;
+flat out vec4 ray_row;
+flat out vec4 across_row;
+flat out vec4 start_row;
+#ifdef EDGE
+uniform float half_slab;
+uniform float slice_place;
+uniform float slab;
+uniform float last_slab;
+flat out vec4 slab_row;
+#endif
+#endif
+invariant gl_Position;
+void main() {
+    gl_Position = transform * vec4(position, 1.0);
+    property = vec4(mat3(view) * gradient * to_share.x, value * to_share.x + to_share.y);
+    vec2 ends = limits * to_share.x + to_share.y;
+    cell = vec4(clamp(vec2(min(ends.x, ends.y), max(ends.x, ends.y)), 0.0, 1.0), density, steepness);
+#ifdef INNER
+    half_piece = half_of.xyz + half_of.w * vec3(view * vec4(position, 1.0));
+#else
+    ray_row = rays;
+#ifdef EDGE
+    across_row = vec4(across, half_slab);
+    start_row = vec4(start, slice_place);
+    slab_row = vec4(slab, last_slab, pixel_size);
+#else
+    across_row = vec4(across, pixel_size.x);
+    start_row = vec4(start, pixel_size.y);
+#endif
+#endif
+}
+)";
+
+constexpr const char* ray = R"(
+flat in vec4 ray_row;    // sideways per depth: at the picture's corner, and per pixel
+flat in vec4 across_row; // across the slabs per depth: at the picture's corner, and per pixel
+flat in vec4 start_row;  // a parallel ray's place across the slabs at depth 0: at the picture's corner, and per pixel
+const float never = 1e30;
+
+vec3 ray_along() { return vec3(ray_row.xy + ray_row.zw * gl_FragCoord.xy, -1.0); } // per depth
+float ray_across() { return across_row.x + dot(across_row.yz, gl_FragCoord.xy); }
+float ray_start() { return start_row.x + dot(start_row.yz, gl_FragCoord.xy); }
+
+// The first part of a ray, and how far opaque surfaces let one see.
+#ifdef OPAQUE
+uniform sampler2D limits;
+vec3 limits_of(vec2 place) { return texture(limits, place).xyz; }
+#else
+uniform sampler2D first_part;
+vec3 limits_of(vec2 place) {
+    vec2 part = texture(first_part, place).xy;
+    return vec3(part.x > part.y ? -never : part.x, part.y, never); // the eye is inside
+}
+#endif
+)";
+
+constexpr const char* light = R"(
+uniform sampler2D table;
+in vec4 property;   // its slope, and itself
+flat in vec4 cell;  // its least and most there, the light lost per length, and how steep is half steep
+out vec4 picture;
+
+// Of a piece of a ray: by how much the property rises along `way`, of which `length` is so many that the piece is
+// `length` long; the property at its ends.
+vec4 light(vec3 way, float rise, float first, float last, float length) {
+    float a = clamp(first, cell.x, cell.y);
+    float b = clamp(last, cell.x, cell.y);
+    vec4 mean = texture(table, vec2(0.5 * (a + b), (abs(b - a) * (ROWS - 1.0) + 0.5) / ROWS));
+    float loss = mean.a * length * cell.z;
+    // exp alone has too few digits where thin slabs add up.
+    float opacity = loss < 0.25 ? loss * (1.0 - loss * (0.5 - loss * (1.0 / 6.0 - loss * (1.0 / 24.0))))
+                                : 1.0 - exp(-loss);
+    vec3 color = mean.rgb;
+#ifdef CLIPPED
+    // Pieces of any length end on a plane. What is far behind it in a dense one is not seen: one so much shorter, from
+    // which all is seen alike, has its middle where the light that comes out has its own.
+    float share = loss < 0.01 ? 1.0 - loss / 6.0 : 2.0 / loss - 2.0 / (exp(min(loss, 80.0)) - 1.0);
+    float end = mix(a, b, share);
+    color = texture(table, vec2(0.5 * (a + end), (abs(end - a) * (ROWS - 1.0) + 0.5) / ROWS)).rgb;
+#endif
+#ifdef SHADED
+    float steep = dot(property.xyz, property.xyz);
+    float facing = min(rise * rise / max(steep * dot(way, way), 1e-30), 1.0);
+    float part = steep / (steep + cell.w);
+    float shine = facing * facing;
+    shine *= shine;
+    shine *= shine;
+    color = color * (1.0 - part * 0.6 * (1.0 - sqrt(facing))) + 0.12 * part * shine;
+#endif
+    return vec4(color * opacity, opacity);
+}
+)";
+
+constexpr const char* inner_fragment = R"(
+in vec3 half_piece; // from the slice to the back of the slab
+void main() {
+    float rise = dot(property.xyz, half_piece);
+    picture = light(half_piece, rise, property.w - rise, property.w + rise, 2.0 * sqrt(dot(half_piece, half_piece)));
+}
+)";
+
+constexpr const char* clipping = R"(
+#ifdef CLIPPED
+uniform sampler2D between_planes;
+vec2 span_at(vec2 place) { return texture(between_planes, place).xy; }
+#endif
+)";
+
+// Depths become places along the ray, in half slabs from the slice: its slab is from -1 to 1.
+constexpr const char* slice_fragment = R"(
+void main() {
+    float per_depth = ray_across();
+    float from_eye = ray_start();
+    vec2 pixel = gl_FragCoord.xy * vec2(across_row.w, start_row.w);
+    vec3 first = limits_of(pixel) * per_depth - from_eye;
+    vec2 part = first.xy;
+    LATER_PARTS
+    bool yields = part.x > -0.3 || part.y < 0.3 || first.z < 0.0 || from_eye <= 0.0 || per_depth <= 0.0;
+    float front = part.x < -from_eye && from_eye < 2.0 ? -from_eye : max(-1.0, -from_eye);
+    float from = max(front, part.x);
+    float to = min(part.y, first.z < 2.0 ? first.z : 1.0);
+#ifdef CLIPPED
+    vec2 span = span_at(pixel) * per_depth - from_eye;
+    from = max(from, span.x);
+    to = min(to, span.y);
+#endif
+    vec3 half_piece = ray_along() / per_depth;
+    float rise = dot(property.xyz, half_piece);
+    vec4 seen = light(half_piece, rise, property.w + rise * from, property.w + rise * to,
+                      max(to - from, 0.0) * sqrt(dot(half_piece, half_piece)));
+    picture = yields ? vec4(0.0) : seen;
+}
+)";
+
+// By depths: along a slab these still tell places from each other.
+constexpr const char* edge_fragment = R"(
+flat in vec4 slab_row; // the slab, the last one, and the size of a pixel
+#ifdef PARALLEL
+uniform vec2 parallel_depths; // nearest, and from there to the farthest
+#endif
+bool is_in_slab(float place) {
+    return clamp(floor(place / (2.0 * across_row.w)), 0.0, slab_row.y) == slab_row.x;
+}
+bool yields(float slice, vec2 part, float half_depth) {
+    float margin = 0.3 * half_depth;
+    return slice - part.x < margin || part.y - slice < margin || slice <= 0.0;
+}
+// The front of the slab, or the eye.
+float front(float slice, vec2 part, float half_depth) {
+    return part.x < 0.0 && slice < 2.0 * half_depth ? 0.0 : max(slice - half_depth, 0.0);
+}
+// The back of the slab, or what ends the ray before the next slice.
+float back(float slice, vec2 part, float half_depth, float sight) {
+    return min(part.y, sight < slice + 2.0 * half_depth ? sight : slice + half_depth);
+}
+void main() {
+#ifdef PARALLEL
+    float t = parallel_depths.x + gl_FragCoord.z * parallel_depths.y;
+#else
+    float t = 1.0 / gl_FragCoord.w;
+#endif
+    vec3 along = ray_along();
+    float across = ray_across(), start = ray_start();
+    if (!is_in_slab(start + across * t)) discard;
+    if (abs(across) < 1e-9) across = 1e-9;
+    float slice = (start_row.w - start) / across;
+    float half_depth = across_row.w / abs(across);
+    vec2 pixel = gl_FragCoord.xy * slab_row.zw;
+    vec3 first = limits_of(pixel);
+    vec2 part = first.xy;
+    LATER_PARTS
+    float from = t, to = t;
+    if (gl_FrontFacing) {
+        part.x = t;
+        if (t < first.z && (first.z < slice || yields(slice, part, half_depth)))
+            to = back(slice, part, half_depth, first.z);
+    } else {
+        part.y = t;
+        float begin = front(slice, part, half_depth);
+        bool begins_here = part.x >= 0.0 && is_in_slab(start + across * part.x); // then that belongs to the entry
+        if (first.z >= slice && !begins_here && yields(slice, part, half_depth)) from = begin;
+        to = min(t, first.z);
+    }
+#ifdef CLIPPED
+    vec2 span = span_at(pixel);
+    from = max(from, span.x);
+    to = min(to, span.y);
+#endif
+    float rise = dot(property.xyz, along);
+    picture = light(along, rise, property.w + rise * (from - t), property.w + rise * (to - t),
+                    max(to - from, 0.0) * sqrt(dot(along, along)));
+}
+)";
+
+// A fragment is in the part whose ends it lies between; of a face it is clear which part it begins or ends.
+std::string later_parts(int parts, bool edge) {
+    std::string text;
+    for (int i = 1; i < parts; ++i) {
+        const std::string next = "texture(part_" + std::to_string(i) + ", pixel).xy";
+        text += edge
+                    ? "{ vec2 next = " + next +
+                          ";\nif (gl_FrontFacing ? abs(next.x - t) < abs(part.x - t) : abs(next.y - t) < "
+                          "abs(part.y - t)) part = next; }\n"
+                    : "{ vec2 next = " + next + " * per_depth - from_eye;\nif (part.y + next.x < 0.0) part = next; }\n";
+    }
+    if (parts == most_ray_parts && !edge) text += "if (part.y < -1.0) part = vec2(-never, never);\n";
+    return text;
+}
+
+std::string defines_of(const SlabProgramKind& kind) {
+    return std::string("#version 330 core\n") + (kind.shaded ? "#define SHADED\n" : "") +
+           (kind.clipped ? "#define CLIPPED\n" : "") + (kind.opaque ? "#define OPAQUE\n" : "") +
+           (kind.parallel ? "#define PARALLEL\n" : "") + "#define ROWS " + std::to_string(kind.table_rows) + ".0\n";
+}
+
+ShaderProgram make_slab_program(const Gl& gl, bool edge, const SlabProgramKind& kind) {
+    const std::string defines = defines_of(kind) + (edge ? "#define EDGE\n" : "");
+    return make_shader_program(
+        gl, defines + slab_vertex,
+        defines + ray + light + clipping +
+            with_parts(edge ? edge_fragment : slice_fragment, kind.parts, later_parts(kind.parts, edge)));
+}
+
+} // namespace
+
+ShaderProgram make_slice_program(const Gl& gl, const SlabProgramKind& kind) {
+    return make_slab_program(gl, false, kind);
+}
+
+ShaderProgram make_inner_program(const Gl& gl, const SlabProgramKind& kind) {
+    const std::string defines = defines_of(kind) + "#define INNER\n";
+    return make_shader_program(gl, defines + slab_vertex, defines + light + inner_fragment);
+}
+
+ShaderProgram make_edge_program(const Gl& gl, const SlabProgramKind& kind) { return make_slab_program(gl, true, kind); }
+
+} // namespace ciel::render
