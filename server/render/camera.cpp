@@ -31,7 +31,8 @@ glm::dmat4 view_matrix(const Camera& camera, const glm::dvec3& origin) {
     up = glm::length(up) > 0 ? glm::normalize(up) : glm::dvec3(0, 0, 1);
     if (glm::length(glm::cross(ahead, up)) < 1e-6)
         up = std::abs(ahead.z) < 0.9 ? glm::dvec3(0, 0, 1) : glm::dvec3(0, 1, 0);
-    return glm::lookAt(eye, eye + ahead, up);
+    // Turned, then moved: of an eye that is very far from the origin, eye + ahead would be the eye again.
+    return glm::translate(glm::lookAt(glm::dvec3(0), ahead, up), -eye);
 }
 
 struct Depths {

@@ -203,6 +203,37 @@ TEST(LinearVolume, DoesNotChangeItsBrightnessWithTheSlicesTheAxisOrAStrideWhileM
     }
 }
 
+// Of the size of a nucleus, and of a galaxy, in metres: squares of such lengths are no floats.
+TEST(LinearVolume, LooksTheSameInAnyUnit) {
+    const auto picture = [](const View& view, const Vec3d& normal, double metre) {
+        VolumeScene scene(test::zoo(Box{{4, 4, 4}, 0, 3, 0.25 * metre}), [&](const Vec3d& p) {
+            return ramp({p[0] / metre, p[1] / metre, p[2] / metre});
+        });
+        Frame frame = frame_of(view);
+        for (Vec3d* place : {&frame.bounds_min, &frame.bounds_max, &frame.camera.position, &frame.camera.target})
+            for (double& coordinate : *place) coordinate *= metre;
+        frame.camera.parallel_height *= metre;
+        frame.volumes.push_back(scene.volume(normal, 100));
+        frame.volumes[0].scale.range = {0, 1};
+        frame.volumes[0].unit_length = 0.3 * metre;
+        frame.volumes[0].shaded = true;
+        Image image;
+        renderer().draw(frame, image);
+        return image.rgb;
+    };
+    for (const View& view : views)
+        for (const Vec3d& normal : {nearest_axis(view.from), unit_of(view.from)}) {
+            const auto expected = picture(view, normal, 1);
+            EXPECT_GT(std::ranges::max(expected), 100) << view.name;
+            for (const double metre : {1e-22, 1e22}) {
+                const auto drawn = picture(view, normal, metre);
+                std::size_t others = 0;
+                for (std::size_t i = 0; i < drawn.size(); ++i) others += std::abs(drawn[i] - expected[i]) > 3;
+                EXPECT_LT(others, drawn.size() / 500) << view.name << ", " << metre;
+            }
+        }
+}
+
 TEST(ConstantVolume, EndsOnAnOpaqueSurfaceInside) {
     VolumeScene scene(test::hexahedra(Box{{4, 4, 4}, 0, 1, 0.25}), [](const Vec3d&) { return 1.0; });
     const double depth = 0.613;

@@ -22,7 +22,8 @@
 namespace ciel::render {
 namespace {
 
-// Values come as shares of the range, gradients along the eye's axes.
+// Values come as shares of the range, gradients along the eye's axes, by the length that `scale` makes 1: squares of
+// lengths in a galaxy's metres are more than a float holds.
 constexpr const char* slab_vertex = R"(
 layout(location = 0) in vec3 position;
 layout(location = 1) in float value;
@@ -32,7 +33,7 @@ uniform mat4 transform;
 uniform mat4 view;
 uniform vec2 to_share;
 uniform float density; // 1 / unit length
-uniform float steepness;
+uniform float scale;
 out vec4 property;
 flat out vec4 cell;
 #ifdef INNER
@@ -57,11 +58,11 @@ flat out vec4 slab_row;
 invariant gl_Position;
 void main() {
     gl_Position = transform * vec4(position, 1.0);
-    property = vec4(mat3(view) * gradient * to_share.x, value * to_share.x + to_share.y);
+    property = vec4(mat3(view) * gradient * (to_share.x / scale), value * to_share.x + to_share.y);
     vec2 ends = limits * to_share.x + to_share.y;
-    cell = vec4(clamp(vec2(min(ends.x, ends.y), max(ends.x, ends.y)), 0.0, 1.0), density, steepness);
+    cell = vec4(clamp(vec2(min(ends.x, ends.y), max(ends.x, ends.y)), 0.0, 1.0), density / scale, scale);
 #ifdef INNER
-    half_piece = half_of.xyz + half_of.w * vec3(view * vec4(position, 1.0));
+    half_piece = scale * (half_of.xyz + half_of.w * vec3(view * vec4(position, 1.0)));
 #else
     ray_row = rays;
 #ifdef EDGE
@@ -102,7 +103,7 @@ vec3 limits_of(vec2 place) {
 constexpr const char* light = R"(
 uniform sampler2D table;
 in vec4 property;   // its slope, and itself
-flat in vec4 cell;  // its least and most there, the light lost per length, and how steep is half steep
+flat in vec4 cell;  // its least and most there, the light lost per scaled length, and the scale
 out vec4 picture;
 
 // Of a piece of a ray: by how much the property rises along `way`, of which `length` is so many that the piece is
@@ -126,7 +127,8 @@ vec4 light(vec3 way, float rise, float first, float last, float length) {
 #ifdef SHADED
     float steep = dot(property.xyz, property.xyz);
     float facing = min(rise * rise / max(steep * dot(way, way), 1e-30), 1.0);
-    float part = steep / (steep + cell.w);
+    // Where it changes by less than a third of its range along the whole mesh there is no surface to light.
+    float part = steep / (steep + 0.1);
     float shine = facing * facing;
     shine *= shine;
     shine *= shine;
@@ -169,7 +171,7 @@ void main() {
     from = max(from, span.x);
     to = min(to, span.y);
 #endif
-    vec3 half_piece = ray_along() / per_depth;
+    vec3 half_piece = ray_along() * (cell.w / per_depth);
     float rise = dot(property.xyz, half_piece);
     vec4 seen = light(half_piece, rise, property.w + rise * from, property.w + rise * to,
                       max(to - from, 0.0) * sqrt(dot(half_piece, half_piece)));
@@ -232,8 +234,9 @@ void main() {
     to = min(to, span.y);
 #endif
     float rise = dot(property.xyz, along);
-    picture = light(along, rise, property.w + rise * (from - t), property.w + rise * (to - t),
-                    max(to - from, 0.0) * sqrt(dot(along, along)));
+    vec2 ends = (vec2(from, to) - t) * cell.w;
+    picture = light(along, rise, property.w + rise * ends.x, property.w + rise * ends.y,
+                    max(ends.y - ends.x, 0.0) * sqrt(dot(along, along)));
 }
 )";
 

@@ -189,8 +189,7 @@ void VolumePainter::set_light(const ShaderProgram& program, const Volume& volume
     program.set("view", glm::mat4(view_.transform->view));
     program.set("to_share", normalisation(volume.scale.range));
     program.set("density", static_cast<float>(1 / volume.unit_length));
-    // Where the property changes by less than a third of its range along the whole mesh there is no surface to light.
-    program.set("steepness", static_cast<float>(0.1 * view_.transform->scale * view_.transform->scale));
+    program.set("scale", static_cast<float>(view_.transform->scale));
     program.set("table", int{table_unit});
 }
 
