@@ -150,8 +150,10 @@ float light_from_everywhere(float depth) {
             vec2 far = vec2(middle + ivec2(x, y)) - at;
             vec2 near = max(1.5 - abs(far), 0.0);
             vec2 found = texelFetch(occlusion, texel, 0).rg;
-            // Of another surface, as seen by the other samples of a pixel on an edge.
-            float weight = near.x * near.y * max(1.0 - abs(found.g - depth - dot(slope, far)) * 10.0, 0.0);
+            // Of another surface, as seen by the other samples of a pixel on an edge. What is nearly as deep counts
+            // where nothing is: on the steep rim of a ball, whose slope differs from pixel to pixel.
+            float off = abs(found.g - depth - dot(slope, far));
+            float weight = near.x * near.y * (max(1.0 - off * 10.0, 0.0) + 1e-3 * max(1.0 - off, 0.0));
             sum += weight * found.r;
             weights += weight;
         }

@@ -62,7 +62,6 @@ namespace ciel::render {
     X(GetUniformLocation, PFNGLGETUNIFORMLOCATIONPROC)                                                                 \
     X(LinkProgram, PFNGLLINKPROGRAMPROC)                                                                               \
     X(PixelStorei, PFNGLPIXELSTOREIPROC)                                                                               \
-    X(PolygonOffset, PFNGLPOLYGONOFFSETPROC)                                                                           \
     X(ProvokingVertex, PFNGLPROVOKINGVERTEXPROC)                                                                       \
     X(ReadPixels, PFNGLREADPIXELSPROC)                                                                                 \
     X(RenderbufferStorageMultisample, PFNGLRENDERBUFFERSTORAGEMULTISAMPLEPROC)                                         \

@@ -1,5 +1,5 @@
 // The depth of what is opaque, and its normals for those who want them, in the middle of each pixel. Drawn for itself:
-// the picture's own depth has its surfaces a little back, for the lines on them, and its samples elsewhere.
+// the picture's own depth has its samples elsewhere.
 #pragma once
 
 #include "render/gl.hpp"

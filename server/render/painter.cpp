@@ -34,17 +34,7 @@ bool has_lines_in_layers(const Frame& frame) {
            any([](const Mesh& mesh) { return is_transparent(mesh) && mesh.color[3] > 0; });
 }
 
-// Pixels by which the lines and points of a frame reach over the place where they are: a surface under them goes back
-// by what it may rise over so many. More than a few would push what is steep behind what lies behind it.
-float reach_of_overlays(const Frame& frame) {
-    float reach = 1;
-    for (const Mesh& mesh : frame.meshes)
-        if (mesh.lines || mesh.points)
-            reach = std::max(reach, (mesh.points ? mesh.point_size : mesh.line_width) / 2 + 0.5F);
-    // Lines among layers meet a depth of opaque surfaces that was taken up to a pixel away.
-    if (has_lines_in_layers(frame)) reach += 1;
-    return std::min(reach, 6.0F);
-}
+bool lies_on_surfaces(const Mesh& mesh) { return (mesh.lines || mesh.points) && !mesh.indices.empty(); }
 
 // A software rasteriser pays for what its programs could do, not for what they do.
 bool is_plain(const Mesh& mesh, const Frame& frame) {
@@ -57,8 +47,8 @@ Painter::Painter(const Gl& gl)
     : gl_(gl), renderer_name_(text_of(gl_, GL_RENDERER)), version_(text_of(gl_, GL_VERSION)),
       triangles_(make_triangle_program(gl_)), plain_(make_plain_program(gl_)), normals_(make_normals_program(gl_)),
       occluded_(make_occluded_program(gl_)), lines_(make_line_program(gl_)), points_(make_point_program(gl_)),
-      scales_(gl_), target_(gl_), picture_(gl_, target_), opaque_depth_(gl_), occlusion_(gl_), transparent_(gl_),
-      peeling_(gl_), volumes_(gl_), overlay_(gl_) {
+      scales_(gl_), target_(gl_), picture_(gl_, target_), opaque_depth_(gl_), occlusion_(gl_), slopes_(gl_),
+      transparent_(gl_), peeling_(gl_), volumes_(gl_), overlay_(gl_) {
     gl_.DepthFunc(GL_LEQUAL);
     gl_.Enable(GL_PROGRAM_POINT_SIZE);
     gl_.BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
@@ -84,6 +74,7 @@ const Image& Painter::draw(const Frame& frame, const AfterStage& after) {
                    touched_by(frame));
     enable_clip_planes(true);
     draw_opaque(frame);
+    find_slopes(frame);
     gl_.Enable(GL_BLEND);
     if (!has_lines_in_layers(frame)) draw_overlays(frame, lines_);
     draw_overlays(frame, points_);
@@ -205,11 +196,8 @@ void Painter::draw_meshes(const Frame& frame, const Program& program, bool befor
     const bool surfaces = &program == &triangles_ || &program == &occluded_;
     const Program* in_use = &program;
     if (&program == &occluded_) use_occlusion(frame);
-    if (surfaces) { // a little back, so that lines on them are not half buried
-        gl_.Enable(GL_POLYGON_OFFSET_FILL);
-        gl_.PolygonOffset(reach_of_overlays(frame), 1);
-    }
     if (!surfaces) {
+        slopes_.use(program);
         gl_.ActiveTexture(GL_TEXTURE0 + limits_unit);
         gl_.BindTexture(GL_TEXTURE_2D, volumes_.limits());
         gl_.ActiveTexture(GL_TEXTURE0);
@@ -229,7 +217,6 @@ void Painter::draw_meshes(const Frame& frame, const Program& program, bool befor
         if (in_use == &plain_) use_look(frame, mesh);
         buffers(i).draw(mesh, scale_rows_[i]);
     }
-    gl_.Disable(GL_POLYGON_OFFSET_FILL);
 }
 
 // Lines or points. Under sorted transparent triangles, which are drawn later and only where no line is before them,
@@ -256,6 +243,19 @@ void Painter::draw_opaque(const Frame& frame) {
     if (is_occluded) occlusion_.find(frame, transform_, opaque_depth_);
     target_.bind_again();
     draw_meshes(frame, is_occluded ? occluded_ : triangles_);
+}
+
+// For the lines and points on surfaces.
+void Painter::find_slopes(const Frame& frame) {
+    slopes_.begin();
+    if (std::ranges::none_of(frame.meshes, lies_on_surfaces)) return;
+    if (std::ranges::any_of(frame.meshes, is_opaque)) slopes_.copy_opaque(target_, frame.width, frame.height);
+    if (transparent_.is_empty()) return;
+    slopes_.find_sheets(frame.width, frame.height, [&] {
+        use(slopes_.program(), frame);
+        transparent_.draw();
+    });
+    target_.bind_again();
 }
 
 void Painter::draw_opaque_depth(const Frame& frame, bool with_normals) {
@@ -304,25 +304,24 @@ void Painter::draw_transparent(const Frame& frame) {
     if (is_peeled(frame)) return peel_transparent(frame);
     use(triangles_, frame);
     gl_.DepthMask(GL_FALSE);
-    gl_.Enable(GL_POLYGON_OFFSET_FILL); // behind the lines on them, which have left their depth
     transparent_.draw();
-    gl_.Disable(GL_POLYGON_OFFSET_FILL);
     gl_.DepthMask(GL_TRUE);
 }
 
 void Painter::peel_transparent(const Frame& frame) {
     DepthPeeling::Scene layers{frame.width, frame.height, frame.samples, 0, {}, {}, {}};
     const bool has_points = std::ranges::any_of(frame.meshes, [](const Mesh& mesh) { return mesh.points; });
-    if (!has_points) layers.draw_opaque = [&] { draw_opaque_of_layers(frame); };
+    if (!has_points)
+        layers.draw_opaque = [&] {
+            enable_clip_planes(true);
+            draw_depths(frame, triangles_);
+            enable_clip_planes(false);
+        };
     layers.draw_surfaces = [&] {
         use(peeling_.surfaces(), frame);
         gl_.Uniform1i(peeling_.surfaces().nearer, DepthPeeling::nearer_unit);
         enable_clip_planes(true);
-        // Behind the lines on them; a slope is one over a layer's pixels.
-        gl_.PolygonOffset(reach_of_overlays(frame) * static_cast<float>(peeling_.layer_pixels()), 1);
-        gl_.Enable(GL_POLYGON_OFFSET_FILL);
         transparent_.draw();
-        gl_.Disable(GL_POLYGON_OFFSET_FILL);
         if (has_lines_in_layers(frame)) draw_lines_of_layer(frame);
         enable_clip_planes(false);
     };
@@ -336,21 +335,13 @@ void Painter::peel_transparent(const Frame& frame) {
     if (!frame.volumes.empty()) draw_meshes(frame, points_, true);
 }
 
-void Painter::draw_opaque_of_layers(const Frame& frame) {
-    enable_clip_planes(true);
-    gl_.PolygonOffset(reach_of_overlays(frame) * static_cast<float>(peeling_.layer_pixels()), 1);
-    gl_.Enable(GL_POLYGON_OFFSET_FILL);
-    draw_depths(frame, triangles_);
-    gl_.Disable(GL_POLYGON_OFFSET_FILL);
-    enable_clip_planes(false);
-}
-
 // In their order too: drawn before the surfaces, their soft edges would keep what is transparent from being seen.
 void Painter::draw_lines_of_layer(const Frame& frame) {
     const Program& program = peeling_.lines();
     const auto factor = static_cast<float>(peeling_.layer_pixels());
     use(program, frame);
     gl_.Uniform1i(program.nearer, DepthPeeling::nearer_unit);
+    slopes_.use(program);
     gl_.Uniform2f(program.viewport, factor * static_cast<float>(frame.width),
                   factor * static_cast<float>(frame.height));
     for (std::size_t i = 0; i < frame.meshes.size(); ++i) {

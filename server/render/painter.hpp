@@ -10,6 +10,7 @@
 #include "render/opaque_depth.hpp"
 #include "render/overlay_painter.hpp"
 #include "render/shaders.hpp"
+#include "render/surface_slopes.hpp"
 #include "render/target.hpp"
 #include "render/transparency.hpp"
 #include "render/volume/volume_painter.hpp"
@@ -37,9 +38,9 @@ private:
     void draw_meshes(const Frame& frame, const Program& program, bool before_volume = false);
     void draw_overlays(const Frame& frame, const Program& program);
     void draw_opaque(const Frame& frame);
+    void find_slopes(const Frame& frame);
     void draw_opaque_depth(const Frame& frame, bool with_normals);
     void draw_depths(const Frame& frame, const Program& program);
-    void draw_opaque_of_layers(const Frame& frame);
     void use_occlusion(const Frame& frame);
     void draw_volumes(const Frame& frame);
     void draw_before_volumes(const Frame& frame);
@@ -60,6 +61,7 @@ private:
     KeptPicture picture_;
     OpaqueDepth opaque_depth_;
     AmbientOcclusion occlusion_;
+    SurfaceSlopes slopes_;
     std::list<MeshBuffers> buffers_;  // one per mesh of the largest frame so far
     std::vector<MeshBuffers*> slots_; // of the frame's meshes; null where they are transparent
     TransparentTriangles transparent_;

@@ -7,9 +7,8 @@ namespace {
 
 // Depths of the window run straight over a plane: only where they bend is an outline. A hundredth of all that is
 // between the nearest and the farthest place of the picture hides too little of a volume to be seen, and a ball bends
-// by less within itself. A target's own depth lies behind its surfaces (for the lines on them), most of all at their
-// outlines, so the border between what is in front and what is behind is close to what is behind, and where that is
-// nothing, next to it.
+// by less within itself. At its outline a surface is steep, and a sample of it far behind the pixel's middle: so the
+// border between what is in front and what is behind is close to what is behind, and where that is nothing, next to it.
 constexpr const char* per_sample = R"(
 uniform sampler2D opaque;
 uniform float behind; // 1: samples that see past what ends there, and all where nothing does; 0: the others

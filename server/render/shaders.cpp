@@ -79,19 +79,55 @@ void main() {
 constexpr const char* peeled_glsl = R"(
 #define PEELED
 uniform sampler2D nearer;
-bool is_seen() { return gl_FragCoord.z > texelFetch(nearer, ivec2(gl_FragCoord.xy), 0).r; }
+bool is_seen(float depth) { return depth > texelFetch(nearer, ivec2(gl_FragCoord.xy), 0).r; }
+)";
+
+// A pixel of a line or point is beside the place where that is: as deep as there, it would be buried where the surface
+// under it rises. So it comes as much nearer. Surfaces that went back instead would go behind what is behind them, most
+// of all at their outlines. How a surface rises is what two steps to one side agree on, for one may be over an outline.
+constexpr const char* on_surface_glsl = R"(
+uniform vec2 viewport;
+uniform sampler2D opaque_depth; // of the window, of what is opaque, in the picture's pixels
+uniform sampler2D sheet_slopes; // depth a pixel of the steepest transparent surface
+const float least = 5e-7;       // of 24 bits the last few, and what rounding takes
+const float most_beside = 6.0;  // pixels: farther off it would come before what is well before it
+float opaque_at(ivec2 pixel) {
+    return texelFetch(opaque_depth, clamp(pixel, ivec2(0), textureSize(opaque_depth, 0) - 1), 0).r;
+}
+float smaller(float a, float b) { return abs(a) < abs(b) ? a : b; }
+float rise_along(ivec2 pixel, ivec2 axis) {
+    float own = opaque_at(pixel), next = opaque_at(pixel + axis), last = opaque_at(pixel - axis);
+    float ahead = smaller(next - own, opaque_at(pixel + 2 * axis) - next);
+    float behind = smaller(own - last, last - opaque_at(pixel - 2 * axis));
+    return abs(ahead) > abs(behind) ? ahead : behind;
+}
+// `beside`: the place, from that of the line or point; `slack`: by how much that is unsure. Pixels.
+float depth_on_surface(vec2 beside, float slack) {
+    vec2 size = vec2(textureSize(opaque_depth, 0));
+    beside *= min(1.0, most_beside / (length(beside) + slack));
+    ivec2 pixel = ivec2(gl_FragCoord.xy / viewport * size);
+    vec2 rise = vec2(rise_along(pixel, ivec2(1, 0)), rise_along(pixel, ivec2(0, 1))) * size / viewport;
+    float depth = gl_FragCoord.z + min(dot(rise, beside), 0.0) - slack * length(rise) - least;
+    if (depth > opaque_at(pixel)) return depth; // hidden, whatever sheets are there
+    vec2 sheets = vec2(textureSize(sheet_slopes, 0)) / viewport;
+    pixel = ivec2(gl_FragCoord.xy * sheets);
+    float slope = 0.0; // of those beside as well: one that ends within the pixel may have missed its middle
+    for (int i = 0; i < 9; ++i)
+        slope = max(slope, texelFetch(sheet_slopes, clamp(pixel + ivec2(i % 3, i / 3) - 1, ivec2(0),
+                                                          textureSize(sheet_slopes, 0) - 1), 0).r);
+    return min(depth, gl_FragCoord.z - (length(beside) + slack) * slope * sheets.x - least);
+}
 )";
 
 // Of lines and points, which are drawn after the volumes too, then only what is in front of them. A line on the
 // boundary is, though in the middle of a pixel a steep face may come before it: so a pixel's slope behind counts.
 constexpr const char* before_volume_glsl = R"(
-uniform vec2 viewport;
 uniform float before_volume; // 1: only what is in front of the volume
 uniform sampler2D volume_limits;
 float first_depth(ivec2 pixel) {
     return texelFetch(volume_limits, clamp(pixel, ivec2(0), textureSize(volume_limits, 0) - 1), 0).a;
 }
-bool is_seen() {
+bool is_seen(float depth) {
     if (before_volume < 0.5) return true;
     const float most = 5e-3; // beside an outline
     ivec2 pixel = ivec2(gl_FragCoord.xy / viewport * vec2(textureSize(volume_limits, 0)));
@@ -124,7 +160,11 @@ vec3 facing_normal(vec3 viewer) {
 
 void main() {
 #ifdef PEELED
-    if (!is_seen()) discard;
+    if (!is_seen(gl_FragCoord.z)) discard;
+#endif
+#ifdef SLOPES
+    picture = vec4(length(vec2(dFdx(gl_FragCoord.z), dFdy(gl_FragCoord.z))));
+    return;
 #endif
     vec3 viewer = mix(normalize(-surface.place), vec3(0.0, 0.0, 1.0), parallel);
 #ifdef NORMALS
@@ -154,17 +194,19 @@ in)" + surface_block + R"([];
 out Line {
     float value;
     noperspective float across;
+    flat vec2 side; // of unit length, in pixels: where `across` runs to
     flat vec4 color;
     flat vec2 style;
 } line;
 
 // `along`: where between the two vertices.
-void corner(vec4 end, float value, float along, vec2 offset, float across) {
+void corner(vec4 end, float value, float along, vec2 offset, vec2 side, float across) {
     vec3 position = mix(surface[0].position, surface[1].position, along);
     for (int i = 0; i < 6; ++i) gl_ClipDistance[i] = dot(clip[i].xyz, position) + clip[i].w;
     gl_Position = end + vec4(offset / viewport * 2.0 * end.w, 0.0, 0.0);
     line.value = value;
     line.across = across;
+    line.side = side;
     line.color = surface[0].color;
     line.style = surface[0].style;
     EmitVertex();
@@ -191,12 +233,13 @@ void main() {
     }
     vec2 along = (b.xy / b.w - a.xy / a.w) * viewport * 0.5;
     along = length(along) > 1e-6 ? normalize(along) : vec2(1.0, 0.0);
-    vec2 side = vec2(-along.y, along.x) * (half_width + 0.5);
+    vec2 side = vec2(-along.y, along.x);
+    float edge = half_width + 0.5;
     vec2 cap = along * half_width * 0.5; // so that lines that meet leave no notch
-    corner(a, value_a, from, side - cap, half_width + 0.5);
-    corner(a, value_a, from, -side - cap, -half_width - 0.5);
-    corner(b, value_b, to, side + cap, half_width + 0.5);
-    corner(b, value_b, to, -side + cap, -half_width - 0.5);
+    corner(a, value_a, from, edge * side - cap, side, edge);
+    corner(a, value_a, from, -edge * side - cap, side, -edge);
+    corner(b, value_b, to, edge * side + cap, side, edge);
+    corner(b, value_b, to, -edge * side + cap, side, -edge);
     EndPrimitive();
 }
 )";
@@ -215,12 +258,14 @@ uniform float half_width;
 in Line {
     float value;
     noperspective float across;
+    flat vec2 side;
     flat vec4 color;
     flat vec2 style;
 } line;
 out vec4 picture;
 void main() {
-    if (!is_seen()) discard;
+    gl_FragDepth = depth_on_surface(line.side * line.across, 0.5 + 0.5 * half_width); // a pixel's half, and the caps
+    if (!is_seen(gl_FragDepth)) discard;
     float cover = cover_drawn(clamp(half_width + 0.5 - abs(line.across), 0.0, 1.0));
     if (cover < 0.02) discard; // else an unseen edge would still hide what is behind it
     picture = vec4(base_color(line.value, line.color.rgb, line.style.x), line.color.a * cover);
@@ -233,8 +278,9 @@ uniform float point_size;
 in)" + surface_block + R"(;
 out vec4 picture;
 void main() {
-    if (!is_seen()) discard;
     vec2 from_center = (gl_PointCoord - 0.5) * (point_size + 1.0);
+    gl_FragDepth = depth_on_surface(vec2(from_center.x, -from_center.y), 0.75);
+    if (!is_seen(gl_FragDepth)) discard;
     float radius = length(from_center);
     float cover = cover_drawn(clamp(point_size * 0.5 + 0.5 - radius, 0.0, 1.0));
     if (cover < 0.02) discard;
@@ -277,6 +323,8 @@ Program link(const Gl& gl, const std::vector<Stage>& stages) {
     program.point_size = uniform("point_size");
     program.viewport = uniform("viewport");
     program.half_width = uniform("half_width");
+    program.opaque_depth = uniform("opaque_depth");
+    program.sheet_slopes = uniform("sheet_slopes");
     program.before_volume = uniform("before_volume");
     program.volume_limits = uniform("volume_limits");
     program.cover_part = uniform("cover_part");
@@ -295,7 +343,8 @@ std::string with_color_scale(const std::string& body, const char* defines = "") 
 Program make_line_program(const Gl& gl, const char* visibility) {
     return link(gl, {{GL_VERTEX_SHADER, surface_vertex},
                      {GL_GEOMETRY_SHADER, line_geometry},
-                     {GL_FRAGMENT_SHADER, with_color_scale(std::string(cover_glsl) + line_fragment, visibility)}});
+                     {GL_FRAGMENT_SHADER, with_color_scale(std::string(cover_glsl) + line_fragment,
+                                                           (std::string(on_surface_glsl) + visibility).c_str())}});
 }
 
 } // namespace
@@ -331,8 +380,10 @@ Program make_plain_program(const Gl& gl) {
 }
 
 Program make_point_program(const Gl& gl) {
-    return link(gl, {{GL_VERTEX_SHADER, surface_vertex},
-                     {GL_FRAGMENT_SHADER, with_color_scale(cover_glsl + point_fragment, before_volume_glsl)}});
+    return link(gl,
+                {{GL_VERTEX_SHADER, surface_vertex},
+                 {GL_FRAGMENT_SHADER, with_color_scale(cover_glsl + point_fragment,
+                                                       (std::string(on_surface_glsl) + before_volume_glsl).c_str())}});
 }
 
 Program make_peeling_program(const Gl& gl) {
@@ -345,6 +396,11 @@ Program make_peeling_line_program(const Gl& gl) { return make_line_program(gl, p
 Program make_normals_program(const Gl& gl) {
     return link(gl, {{GL_VERTEX_SHADER, surface_vertex},
                      {GL_FRAGMENT_SHADER, with_color_scale(triangle_fragment, "#define NORMALS\n")}});
+}
+
+Program make_slopes_program(const Gl& gl) {
+    return link(gl, {{GL_VERTEX_SHADER, surface_vertex},
+                     {GL_FRAGMENT_SHADER, with_color_scale(triangle_fragment, "#define SLOPES\n")}});
 }
 
 Program make_occluded_program(const Gl& gl) {

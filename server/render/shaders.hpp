@@ -29,6 +29,7 @@ struct Program {
     GLint look = -1, solid = -1, lit = -1;                                  // plain triangles
     GLint point_size = -1;                                                  // points
     GLint viewport = -1, before_volume = -1, volume_limits = -1;            // lines and points
+    GLint opaque_depth = -1, sheet_slopes = -1;                             // likewise (surface_slopes.hpp)
     GLint cover_part = -1;                                                  // likewise
     GLint half_width = -1;                                                  // lines
     GLint nearer = -1;                                                      // triangles and lines that are peeled
@@ -52,6 +53,8 @@ using Stage = std::pair<GLenum, std::string>; // kind and source of a shader
 [[nodiscard]] Program make_peeling_line_program(const Gl& gl);
 // Triangles again, only their normals, towards the viewer and along the eye's axes.
 [[nodiscard]] Program make_normals_program(const Gl& gl);
+// Triangles again, only how steep they are: window depth a pixel.
+[[nodiscard]] Program make_slopes_program(const Gl& gl);
 // Triangles again, darker by what AmbientOcclusion found.
 [[nodiscard]] Program make_occluded_program(const Gl& gl);
 [[nodiscard]] Program make_line_program(const Gl& gl);

@@ -124,7 +124,7 @@ TEST_F(OutlineInFog, IsSmoothInFrontOfAWall) {
     EXPECT_LT(roughness(), smooth);
 }
 
-// Surfaces lie back for the lines on them: far behind the ball's outline where it is steep.
+// Thick lines must not move the surface that they may lie on, most of all where it is steep.
 TEST_F(OutlineInFog, IsSmoothWithLinesAround) {
     Shape line;
     line.positions = {{0, 0, 0}, {0, 0, 1}};
