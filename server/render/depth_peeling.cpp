@@ -7,7 +7,6 @@
 namespace ciel::render {
 namespace {
 
-constexpr int most_layers = 32;
 // A layer's pixels take 20 bytes: with twice the resolution no more than a third of a gigabyte.
 constexpr int most_pixels_at_twice_the_resolution = 4 << 20;
 
@@ -15,22 +14,34 @@ constexpr int most_pixels_at_twice_the_resolution = 4 << 20;
 // through as much of the volumes as the one before.
 bool has_volumes_of_its_own(int layer) { return layer < 8 || layer % 4 == 0; }
 
-enum Unit : int { layer_unit = 0, opaque_unit = 1, volumes_unit = 3 };
+// Behind those of the colour scales, but for what is added up; surface_slopes.cpp has 4 and 5.
+enum Unit : int {
+    layer_unit = 0,
+    opaque_unit = 1,
+    nearer_unit = 2,
+    volumes_unit = 3,
+    lines_unit = 6,
+    own_lines_unit = 7,
+    behind_unit = 8
+};
 
 } // namespace
 
 DepthPeeling::DepthPeeling(const Gl& gl)
-    : gl_(gl), surfaces_(make_peeling_program(gl)), lines_(make_peeling_line_program(gl)),
+    : gl_(gl), programs_{make_peeling_program(gl, false), make_peeling_line_program(gl, false)},
+      recorded_programs_{make_peeling_program(gl, true), make_peeling_line_program(gl, true)},
       copy_depth_(make_depth_copy_program(gl)), add_(make_layer_sum_program(gl)),
       picture_(make_layers_picture_program(gl, false)), sample_picture_(make_layers_picture_program(gl, true)),
       fine_opaque_(gl) {
     for (Layer& layer : layers_) {
         gl_.GenFramebuffers(1, &layer.framebuffer);
         gl_.GenTextures(1, &layer.depth);
+        gl_.GenTextures(1, &layer.lines);
     }
     for (GLuint* texture : {&color_, &opaque_, &sum_, &nothing_}) gl_.GenTextures(1, texture);
     gl_.GenFramebuffers(1, &opaque_framebuffer_);
     gl_.GenFramebuffers(1, &sum_framebuffer_);
+    gl_.GenFramebuffers(1, &color_framebuffer_);
     gl_.GenQueries(1, &query_);
     gl_.GenVertexArrays(1, &no_array_);
     constexpr float zeros[4] = {};
@@ -66,6 +77,7 @@ void DepthPeeling::resize(const Scene& scene) {
     allocate(opaque_, GL_DEPTH_COMPONENT24, width_, height_);
     attach(opaque_framebuffer_, 0, opaque_);
     allocate(color_, GL_RGBA16F, factor * width_, factor * height_);
+    attach(color_framebuffer_, color_, 0);
     for (const Layer& layer : layers_) {
         // Exactly what the program compares it with.
         allocate(layer.depth, GL_DEPTH_COMPONENT32F, factor * width_, factor * height_);
@@ -76,6 +88,39 @@ void DepthPeeling::resize(const Scene& scene) {
     factor_ = factor;
 }
 
+void DepthPeeling::record_lines(bool on) {
+    recorded_ = on;
+    const int width = factor_ * width_, height = factor_ * height_;
+    const bool has_size = recorded_width_ == width && recorded_height_ == height;
+    constexpr GLenum both[] = {GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1};
+    for (const Layer& layer : layers_) {
+        gl_.BindFramebuffer(GL_FRAMEBUFFER, layer.framebuffer);
+        if (on && !has_size) {
+            gl_.BindTexture(GL_TEXTURE_2D, layer.lines);
+            gl_.TexImage2D(GL_TEXTURE_2D, 0, GL_RG32F, width, height, 0, GL_RG, GL_FLOAT, nullptr);
+            filter(gl_, GL_NEAREST);
+            gl_.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT1, GL_TEXTURE_2D, layer.lines, 0);
+        }
+        if (!on && recorded_width_ != 0 && !has_size) // of another size it would make the framebuffer as small
+            gl_.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT1, GL_TEXTURE_2D, 0, 0);
+        gl_.DrawBuffers(on ? 2 : 1, both);
+        if (on && gl_.CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
+            throw Error("the GL driver cannot draw transparent lines to a picture of this size; ask for a smaller one");
+    }
+    if (on || !has_size) {
+        recorded_width_ = on ? width : 0;
+        recorded_height_ = on ? height : 0;
+    }
+}
+
+void DepthPeeling::set_nearer(const Program& program, bool joining) const {
+    gl_.Uniform1i(program.nearer, nearer_unit);
+    gl_.Uniform1i(program.nearer_lines, lines_unit);
+    gl_.Uniform1i(program.own_lines, own_lines_unit);
+    gl_.Uniform1i(program.behind, behind_unit);
+    gl_.Uniform1f(program.joining, joining ? 1.0F : 0.0F);
+}
+
 void DepthPeeling::cover() const {
     gl_.BindVertexArray(no_array_);
     gl_.DrawArrays(GL_TRIANGLES, 0, 3);
@@ -83,6 +128,7 @@ void DepthPeeling::cover() const {
 
 void DepthPeeling::draw(const Scene& scene, Target& target) {
     resize(scene);
+    record_lines(static_cast<bool>(scene.join_lines));
     const GLuint opaque = find_opaque(scene, target);
     gl_.Viewport(0, 0, factor_ * width_, factor_ * height_);
     gl_.BindFramebuffer(GL_FRAMEBUFFER, sum_framebuffer_);
@@ -91,12 +137,12 @@ void DepthPeeling::draw(const Scene& scene, Target& target) {
     gl_.BindFramebuffer(GL_FRAMEBUFFER, layers_[1].framebuffer);
     gl_.DepthMask(GL_TRUE);
     gl_.ClearDepth(0);
-    gl_.Clear(GL_DEPTH_BUFFER_BIT);
+    gl_.Clear(recorded_ ? GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT : GL_DEPTH_BUFFER_BIT);
     gl_.ClearDepth(1);
 
     const auto volumes = [&](GLuint depth) { return scene.volumes ? scene.volumes(depth) : nothing_; };
     GLuint in_front = nothing_;
-    for (int i = 0; i < most_layers; ++i) {
+    for (int i = 0; i < scene.most_layers; ++i) {
         const Layer& layer = layers_[i % 2];
         if (!draw_layer(scene, opaque, layer, layers_[(i + 1) % 2])) break;
         if (has_volumes_of_its_own(i)) in_front = volumes(layer.depth);
@@ -138,6 +184,8 @@ bool DepthPeeling::draw_layer(const Scene& scene, GLuint opaque, const Layer& la
     gl_.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     gl_.DepthFunc(GL_LESS);
     bind(gl_, nearer_unit, nearer.depth);
+    if (recorded_) bind(gl_, lines_unit, nearer.lines);
+    bind(gl_, own_lines_unit, 0); // is drawn to
     gl_.BeginQuery(GL_ANY_SAMPLES_PASSED, query_);
     scene.draw_surfaces();
     gl_.EndQuery(GL_ANY_SAMPLES_PASSED);
@@ -145,7 +193,20 @@ bool DepthPeeling::draw_layer(const Scene& scene, GLuint opaque, const Layer& la
     gl_.Enable(GL_BLEND);
     GLuint any = 0;
     gl_.GetQueryObjectuiv(query_, GL_QUERY_RESULT, &any);
+    if (any != 0 && recorded_) {
+        bind(gl_, behind_unit, opaque);
+        join_lines(scene, layer);
+    }
     return any != 0;
+}
+
+void DepthPeeling::join_lines(const Scene& scene, const Layer& layer) const {
+    gl_.BindFramebuffer(GL_FRAMEBUFFER, color_framebuffer_);
+    gl_.BlendEquationSeparate(GL_FUNC_ADD, GL_MAX);
+    gl_.BlendFuncSeparate(GL_ZERO, GL_ONE, GL_ONE, GL_ONE);
+    bind(gl_, own_lines_unit, layer.lines);
+    scene.join_lines();
+    gl_.BlendEquation(GL_FUNC_ADD);
 }
 
 void DepthPeeling::add_to_sum(const Layer& layer, GLuint volumes) const {

@@ -23,6 +23,10 @@ public:
     struct Scene {
         int width = 0, height = 0; // of the picture
         int samples = 1;           // several: layers are drawn at twice the picture's resolution where memory allows
+        // Where lines of less than full opacity are among the surfaces: these lines once more, as set_nearer(..., true)
+        // says, each of which leaves only what it covers.
+        std::function<void()> join_lines;
+        int most_layers = 32; // what is behind so many is not seen
         // Window depths in the middle of each pixel, whose outlines are seen through volumes, for per_sample.hpp; or 0.
         GLuint outlines = 0;
         // All that is opaque, for its depth at the layers' resolution; without it, or with outlines, the target's own
@@ -34,9 +38,9 @@ public:
         std::function<GLuint(GLuint depth)> volumes;
     };
     // The programs that draw surfaces and lines: the caller sets their uniforms.
-    static constexpr int nearer_unit = 2; // behind those of the colour scales
-    [[nodiscard]] const Program& surfaces() const { return surfaces_; }
-    [[nodiscard]] const Program& lines() const { return lines_; }
+    [[nodiscard]] const Program& surfaces() const { return programs().surfaces; }
+    [[nodiscard]] const Program& lines() const { return programs().lines; }
+    void set_nearer(const Program& program, bool joining) const; // of one of them, which is in use
     // Pixels of a layer to one of the picture along a side, while draw_surfaces is called.
     [[nodiscard]] int layer_pixels() const { return factor_; }
     // Onto the target, over what is opaque there. Leaves depth test and blending on.
@@ -44,27 +48,35 @@ public:
 
 private:
     struct Layer { // one of two that take turns: what is drawn, and what it must be behind
-        GLuint framebuffer = 0, depth = 0;
+        GLuint framebuffer = 0, depth = 0, lines = 0; // lines: what shaders.cpp calls the record of a layer
     };
+    struct Programs {
+        Program surfaces, lines;
+    };
+    [[nodiscard]] const Programs& programs() const { return recorded_ ? recorded_programs_ : programs_; }
+    void record_lines(bool on);
     void resize(const Scene& scene);
     void allocate(GLuint texture, GLint format, int width, int height) const;
     void attach(GLuint framebuffer, GLuint color, GLuint depth) const;
     [[nodiscard]] GLuint find_opaque(const Scene& scene, Target& target);
     [[nodiscard]] bool draw_layer(const Scene& scene, GLuint opaque, const Layer& layer, const Layer& nearer) const;
+    void join_lines(const Scene& scene, const Layer& layer) const;
     void add_to_sum(const Layer& layer, GLuint volumes) const;
     void put_on(const Scene& scene, Target& target, GLuint volumes) const;
     void cover() const;
 
     const Gl& gl_;
-    Program surfaces_, lines_;
+    Programs programs_, recorded_programs_;
     ShaderProgram copy_depth_, add_, picture_, sample_picture_;
     OpaqueDepth fine_opaque_;
     Layer layers_[2];
-    GLuint color_ = 0; // of the layer being drawn
+    GLuint color_ = 0, color_framebuffer_ = 0; // of the layer being drawn
     GLuint opaque_ = 0, opaque_framebuffer_ = 0;
     GLuint sum_ = 0, sum_framebuffer_ = 0; // light so far, and the share of what is behind that comes through
     GLuint nothing_ = 0;                   // a picture of no volume
     GLuint query_ = 0, no_array_ = 0;
+    bool recorded_ = false; // in this picture
+    int recorded_width_ = 0, recorded_height_ = 0;
     int width_ = 0, height_ = 0, factor_ = 0; // of the picture, and layers' pixels per pixel of it along a side
 };
 

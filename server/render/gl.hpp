@@ -18,6 +18,7 @@ namespace ciel::render {
     X(BindTexture, PFNGLBINDTEXTUREPROC)                                                                               \
     X(BindVertexArray, PFNGLBINDVERTEXARRAYPROC)                                                                       \
     X(BlendEquation, PFNGLBLENDEQUATIONPROC)                                                                           \
+    X(BlendEquationSeparate, PFNGLBLENDEQUATIONSEPARATEPROC)                                                           \
     X(BlendFuncSeparate, PFNGLBLENDFUNCSEPARATEPROC)                                                                   \
     X(BlitFramebuffer, PFNGLBLITFRAMEBUFFERPROC)                                                                       \
     X(BufferData, PFNGLBUFFERDATAPROC)                                                                                 \
@@ -37,6 +38,7 @@ namespace ciel::render {
     X(DisableVertexAttribArray, PFNGLDISABLEVERTEXATTRIBARRAYPROC)                                                     \
     X(DrawArrays, PFNGLDRAWARRAYSPROC)                                                                                 \
     X(DrawBuffer, PFNGLDRAWBUFFERPROC)                                                                                 \
+    X(DrawBuffers, PFNGLDRAWBUFFERSPROC)                                                                               \
     X(DrawElements, PFNGLDRAWELEMENTSPROC)                                                                             \
     X(DrawElementsBaseVertex, PFNGLDRAWELEMENTSBASEVERTEXPROC)                                                         \
     X(Enable, PFNGLENABLEPROC)                                                                                         \

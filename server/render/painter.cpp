@@ -21,18 +21,30 @@ bool is_opaque(const Mesh& mesh) {
     return !mesh.lines && !mesh.points && !is_transparent(mesh) && !mesh.indices.empty();
 }
 
-// Stills, because triangles that are sorted by their centres show where they cross or enclose each other; and where
-// surfaces are inside volumes.
-bool is_peeled(const Frame& frame) { return frame.samples > 1 || !frame.volumes.empty(); }
+template <typename Is>
+bool has(const Frame& frame, Is is) {
+    return std::ranges::any_of(frame.meshes, [&](const Mesh& mesh) { return !mesh.indices.empty() && is(mesh); });
+}
+
+bool has_transparent_lines(const Frame& frame) {
+    return has(frame, [](const Mesh& mesh) { return mesh.lines && mesh.color[3] > 0 && mesh.color[3] < 1; });
+}
+
+// Stills, because triangles that are sorted by their centres show where they cross or enclose each other; where
+// surfaces are inside volumes; and lines that one can see through, whose joints are seen twice else.
+bool is_peeled(const Frame& frame) {
+    return frame.samples > 1 || !frame.volumes.empty() || has_transparent_lines(frame);
+}
 
 // Where something is peeled, lines are among it.
 bool has_lines_in_layers(const Frame& frame) {
-    const auto any = [&](auto&& is) {
-        return std::ranges::any_of(frame.meshes, [&](const Mesh& mesh) { return is(mesh) && !mesh.indices.empty(); });
-    };
-    return is_peeled(frame) && any([](const Mesh& mesh) { return mesh.lines; }) &&
-           any([](const Mesh& mesh) { return is_transparent(mesh) && mesh.color[3] > 0; });
+    return has_transparent_lines(frame) ||
+           (is_peeled(frame) && has(frame, [](const Mesh& mesh) { return mesh.lines; }) &&
+            has(frame, [](const Mesh& mesh) { return is_transparent(mesh) && mesh.color[3] > 0; }));
 }
+
+// While something moves, what is behind so many layers is not waited for.
+constexpr int most_layers = 32, most_moving_layers = 8;
 
 bool lies_on_surfaces(const Mesh& mesh) { return (mesh.lines || mesh.points) && !mesh.indices.empty(); }
 
@@ -297,19 +309,41 @@ void Painter::draw_before_volumes(const Frame& frame) {
 
 void Painter::draw_transparent(const Frame& frame) {
     transparent_depth_drawn_ = transparent_.is_empty();
-    if (transparent_.is_empty()) {
+    const bool has_lines = has_lines_in_layers(frame);
+    if (transparent_.is_empty() && !has_lines) {
         if (!frame.volumes.empty()) draw_volumes(frame);
         return;
     }
-    if (is_peeled(frame)) return peel_transparent(frame);
+    if (is_peeled(frame)) {
+        peel_transparent(frame);
+        if (has_lines) draw_depth_of_lines(frame);
+        return;
+    }
     use(triangles_, frame);
     gl_.DepthMask(GL_FALSE);
     transparent_.draw();
     gl_.DepthMask(GL_TRUE);
 }
 
+// For pick: layers leave none.
+void Painter::draw_depth_of_lines(const Frame& frame) {
+    gl_.ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+    draw_meshes(frame, lines_);
+    gl_.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+}
+
 void Painter::peel_transparent(const Frame& frame) {
-    DepthPeeling::Scene layers{frame.width, frame.height, frame.samples, 0, {}, {}, {}};
+    DepthPeeling::Scene layers;
+    layers.width = frame.width;
+    layers.height = frame.height;
+    layers.samples = frame.samples;
+    if (has_transparent_lines(frame))
+        layers.join_lines = [&] {
+            enable_clip_planes(true);
+            draw_lines_of_layer(frame, true);
+            enable_clip_planes(false);
+        };
+    layers.most_layers = frame.samples > 1 || !frame.volumes.empty() ? most_layers : most_moving_layers;
     const bool has_points = std::ranges::any_of(frame.meshes, [](const Mesh& mesh) { return mesh.points; });
     if (!has_points)
         layers.draw_opaque = [&] {
@@ -319,10 +353,10 @@ void Painter::peel_transparent(const Frame& frame) {
         };
     layers.draw_surfaces = [&] {
         use(peeling_.surfaces(), frame);
-        gl_.Uniform1i(peeling_.surfaces().nearer, DepthPeeling::nearer_unit);
+        peeling_.set_nearer(peeling_.surfaces(), false);
         enable_clip_planes(true);
         transparent_.draw();
-        if (has_lines_in_layers(frame)) draw_lines_of_layer(frame);
+        if (has_lines_in_layers(frame)) draw_lines_of_layer(frame, false);
         enable_clip_planes(false);
     };
     if (!frame.volumes.empty())
@@ -336,18 +370,19 @@ void Painter::peel_transparent(const Frame& frame) {
 }
 
 // In their order too: drawn before the surfaces, their soft edges would keep what is transparent from being seen.
-void Painter::draw_lines_of_layer(const Frame& frame) {
+void Painter::draw_lines_of_layer(const Frame& frame, bool joining) {
     const Program& program = peeling_.lines();
     const auto factor = static_cast<float>(peeling_.layer_pixels());
     use(program, frame);
-    gl_.Uniform1i(program.nearer, DepthPeeling::nearer_unit);
+    peeling_.set_nearer(program, joining);
     slopes_.use(program);
     gl_.Uniform2f(program.viewport, factor * static_cast<float>(frame.width),
                   factor * static_cast<float>(frame.height));
     for (std::size_t i = 0; i < frame.meshes.size(); ++i) {
         const Mesh& mesh = frame.meshes[i];
-        if (!mesh.lines || mesh.indices.empty()) continue;
+        if (!mesh.lines || mesh.indices.empty() || mesh.color[3] <= 0 || (joining && mesh.color[3] >= 1)) continue;
         gl_.Uniform1f(program.half_width, factor * mesh.line_width / 2);
+        gl_.Uniform1f(program.number, mesh.color[3] < 1 ? static_cast<float>(i + 1) : 0.0F);
         buffers(i).draw(mesh, scale_rows_[i]);
     }
 }

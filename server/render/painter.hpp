@@ -45,7 +45,8 @@ private:
     void draw_volumes(const Frame& frame);
     void draw_before_volumes(const Frame& frame);
     void draw_transparent(const Frame& frame);
-    void draw_lines_of_layer(const Frame& frame);
+    void draw_lines_of_layer(const Frame& frame, bool joining);
+    void draw_depth_of_lines(const Frame& frame);
     void peel_transparent(const Frame& frame);
     void use(const Program& program, const Frame& frame);
     void use_look(const Frame& frame, const Mesh& mesh);

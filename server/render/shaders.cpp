@@ -101,13 +101,16 @@ float rise_along(ivec2 pixel, ivec2 axis) {
     float behind = smaller(own - last, last - opaque_at(pixel - 2 * axis));
     return abs(ahead) > abs(behind) ? ahead : behind;
 }
-// `beside`: the place, from that of the line or point; `slack`: by how much that is unsure. Pixels.
-float depth_on_surface(vec2 beside, float slack) {
+// `beside`: the place, from that of the line or point, at most `reach` away; `slack`: by how much that is unsure. Pixels.
+// `back`: whether it may go back, so that all lines on one surface are as deep. `give`: by how much they may yet differ.
+float depth_on_surface(vec2 beside, float reach, float slack, bool back, out float give) {
     vec2 size = vec2(textureSize(opaque_depth, 0));
-    beside *= min(1.0, most_beside / (length(beside) + slack));
+    beside *= min(1.0, most_beside / (reach + slack));
     ivec2 pixel = ivec2(gl_FragCoord.xy / viewport * size);
     vec2 rise = vec2(rise_along(pixel, ivec2(1, 0)), rise_along(pixel, ivec2(0, 1))) * size / viewport;
-    float depth = gl_FragCoord.z + min(dot(rise, beside), 0.0) - slack * length(rise) - least;
+    float shift = dot(rise, beside);
+    float depth = gl_FragCoord.z + (back ? shift : min(shift, 0.0)) - slack * length(rise) - least;
+    give = 0.0;
     if (depth > opaque_at(pixel)) return depth; // hidden, whatever sheets are there
     vec2 sheets = vec2(textureSize(sheet_slopes, 0)) / viewport;
     pixel = ivec2(gl_FragCoord.xy * sheets);
@@ -115,7 +118,26 @@ float depth_on_surface(vec2 beside, float slack) {
     for (int i = 0; i < 9; ++i)
         slope = max(slope, texelFetch(sheet_slopes, clamp(pixel + ivec2(i % 3, i / 3) - 1, ivec2(0),
                                                           textureSize(sheet_slopes, 0) - 1), 0).r);
-    return min(depth, gl_FragCoord.z - (length(beside) + slack) * slope * sheets.x - least);
+    give = min(reach, most_beside) * slope * sheets.x;
+    return min(depth, gl_FragCoord.z - min(reach + slack, most_beside) * slope * sheets.x - least);
+}
+)";
+
+// The same where lines of less than full opacity are among the layers. Segments that meet in a joint lie over each
+// other there, and each would take its share of the light: so the last line at a pixel is passed on from layer to
+// layer, and what is of the same mesh and as deep, within what either may rise in a joint, is the same line. Of its
+// segments the nearest is the layer's; drawn a second time, they leave what they cover most of the pixel with.
+constexpr const char* recorded_glsl = R"(
+#define PEELED
+#define RECORDED
+uniform sampler2D nearer;
+uniform sampler2D nearer_lines;
+uniform sampler2D own_lines; // of the layer itself, the second time
+uniform sampler2D behind;    // window depths of what is opaque, as the layers end on it
+layout(location = 1) out vec2 record; // number of the last line, and how far back it is that; -1: nothing is seen behind
+bool is_seen(float depth) {
+    record = texelFetch(nearer_lines, ivec2(gl_FragCoord.xy), 0).rg;
+    return record.x >= 0.0 && depth > texelFetch(nearer, ivec2(gl_FragCoord.xy), 0).r;
 }
 )";
 
@@ -143,7 +165,7 @@ bool is_seen(float depth) {
 const std::string triangle_fragment = R"(
 uniform float parallel;
 in)" + surface_block + R"(;
-out vec4 picture;
+layout(location = 0) out vec4 picture;
 #ifdef OCCLUDED
 uniform float occlusion_scale; // bounds' diagonal in units of the radius
 #endif
@@ -195,18 +217,20 @@ out Line {
     float value;
     noperspective float across;
     flat vec2 side; // of unit length, in pixels: where `across` runs to
+    flat float joint; // depth within which it meets others
     flat vec4 color;
     flat vec2 style;
 } line;
 
 // `along`: where between the two vertices.
-void corner(vec4 end, float value, float along, vec2 offset, vec2 side, float across) {
+void corner(vec4 end, float value, float along, vec2 offset, vec2 side, float across, float joint) {
     vec3 position = mix(surface[0].position, surface[1].position, along);
     for (int i = 0; i < 6; ++i) gl_ClipDistance[i] = dot(clip[i].xyz, position) + clip[i].w;
     gl_Position = end + vec4(offset / viewport * 2.0 * end.w, 0.0, 0.0);
     line.value = value;
     line.across = across;
     line.side = side;
+    line.joint = joint;
     line.color = surface[0].color;
     line.style = surface[0].style;
     EmitVertex();
@@ -232,14 +256,16 @@ void main() {
         value_b = mix(value_a, value_b, to);
     }
     vec2 along = (b.xy / b.w - a.xy / a.w) * viewport * 0.5;
-    along = length(along) > 1e-6 ? normalize(along) : vec2(1.0, 0.0);
+    float pixels = length(along);
+    float joint = abs(b.z / b.w - a.z / a.w) * 0.5 * min(1.0, (half_width + 1.0) / max(pixels, 1e-6));
+    along = pixels > 1e-6 ? along / pixels : vec2(1.0, 0.0);
     vec2 side = vec2(-along.y, along.x);
     float edge = half_width + 0.5;
     vec2 cap = along * half_width * 0.5; // so that lines that meet leave no notch
-    corner(a, value_a, from, edge * side - cap, side, edge);
-    corner(a, value_a, from, -edge * side - cap, side, -edge);
-    corner(b, value_b, to, edge * side + cap, side, edge);
-    corner(b, value_b, to, -edge * side + cap, side, -edge);
+    corner(a, value_a, from, edge * side - cap, side, edge, joint);
+    corner(a, value_a, from, -edge * side - cap, side, -edge, joint);
+    corner(b, value_b, to, edge * side + cap, side, edge, joint);
+    corner(b, value_b, to, -edge * side + cap, side, -edge, joint);
     EndPrimitive();
 }
 )";
@@ -259,15 +285,34 @@ in Line {
     float value;
     noperspective float across;
     flat vec2 side;
+    flat float joint;
     flat vec4 color;
     flat vec2 style;
 } line;
-out vec4 picture;
+layout(location = 0) out vec4 picture;
+#ifdef RECORDED
+uniform float number;  // of lines that are the same where they meet; 0: of none
+uniform float joining; // 1: the second time
+#endif
 void main() {
-    gl_FragDepth = depth_on_surface(line.side * line.across, 0.5 + 0.5 * half_width); // a pixel's half, and the caps
-    if (!is_seen(gl_FragDepth)) discard;
     float cover = cover_drawn(clamp(half_width + 0.5 - abs(line.across), 0.0, 1.0));
     if (cover < 0.02) discard; // else an unseen edge would still hide what is behind it
+    float give;
+    float slack = 0.5 + 0.5 * half_width; // a pixel's half, and the caps
+    float depth = depth_on_surface(line.side * line.across, half_width + 0.5, slack, true, give);
+    if (!is_seen(depth)) discard;
+#ifdef RECORDED
+    float joint = 3.0 * (line.joint + give + least);
+    if (number > 0.5 && record.x == number && depth - joint < record.y) discard;
+    if (joining > 0.5) {
+        vec2 own = texelFetch(own_lines, ivec2(gl_FragCoord.xy), 0).rg;
+        if (own.x != number || depth - joint > own.y ||
+            depth > texture(behind, gl_FragCoord.xy / viewport).r)
+            discard;
+    }
+    record = vec2(number > 0.5 ? number : line.color.a * cover > 0.998 ? -1.0 : 0.0, depth + joint);
+#endif
+    gl_FragDepth = depth;
     picture = vec4(base_color(line.value, line.color.rgb, line.style.x), line.color.a * cover);
 }
 )";
@@ -279,7 +324,8 @@ in)" + surface_block + R"(;
 out vec4 picture;
 void main() {
     vec2 from_center = (gl_PointCoord - 0.5) * (point_size + 1.0);
-    gl_FragDepth = depth_on_surface(vec2(from_center.x, -from_center.y), 0.75);
+    float give;
+    gl_FragDepth = depth_on_surface(vec2(from_center.x, -from_center.y), point_size * 0.5 + 0.5, 0.75, false, give);
     if (!is_seen(gl_FragDepth)) discard;
     float radius = length(from_center);
     float cover = cover_drawn(clamp(point_size * 0.5 + 0.5 - radius, 0.0, 1.0));
@@ -329,6 +375,11 @@ Program link(const Gl& gl, const std::vector<Stage>& stages) {
     program.volume_limits = uniform("volume_limits");
     program.cover_part = uniform("cover_part");
     program.nearer = uniform("nearer");
+    program.nearer_lines = uniform("nearer_lines");
+    program.own_lines = uniform("own_lines");
+    program.behind = uniform("behind");
+    program.number = uniform("number");
+    program.joining = uniform("joining");
     program.occlusion = uniform("occlusion");
     program.occlusion_stride = uniform("occlusion_stride");
     program.occlusion_strength = uniform("occlusion_strength");
@@ -386,12 +437,15 @@ Program make_point_program(const Gl& gl) {
                                                        (std::string(on_surface_glsl) + before_volume_glsl).c_str())}});
 }
 
-Program make_peeling_program(const Gl& gl) {
-    return link(gl, {{GL_VERTEX_SHADER, surface_vertex},
-                     {GL_FRAGMENT_SHADER, with_color_scale(triangle_fragment, peeled_glsl)}});
+Program make_peeling_program(const Gl& gl, bool recorded) {
+    return link(gl,
+                {{GL_VERTEX_SHADER, surface_vertex},
+                 {GL_FRAGMENT_SHADER, with_color_scale(triangle_fragment, recorded ? recorded_glsl : peeled_glsl)}});
 }
 
-Program make_peeling_line_program(const Gl& gl) { return make_line_program(gl, peeled_glsl); }
+Program make_peeling_line_program(const Gl& gl, bool recorded) {
+    return make_line_program(gl, recorded ? recorded_glsl : peeled_glsl);
+}
 
 Program make_normals_program(const Gl& gl) {
     return link(gl, {{GL_VERTEX_SHADER, surface_vertex},

@@ -32,7 +32,8 @@ struct Program {
     GLint opaque_depth = -1, sheet_slopes = -1;                             // likewise (surface_slopes.hpp)
     GLint cover_part = -1;                                                  // likewise
     GLint half_width = -1;                                                  // lines
-    GLint nearer = -1;                                                      // triangles and lines that are peeled
+    GLint nearer = -1, nearer_lines = -1;                                   // triangles and lines that are peeled
+    GLint own_lines = -1, behind = -1, number = -1, joining = -1;           // lines that are peeled
     GLint occlusion = -1, occlusion_stride = -1;                            // triangles with ambient occlusion
     GLint occlusion_strength = -1, occlusion_scale = -1;                    // likewise
 };
@@ -48,9 +49,10 @@ using Stage = std::pair<GLenum, std::string>; // kind and source of a shader
 [[nodiscard]] Program make_triangle_program(const Gl& gl);
 // The same for the most common mesh: one colour, normals of its own, no clip plane.
 [[nodiscard]] Program make_plain_program(const Gl& gl);
-// Triangles again, but only what lies behind a depth (depth_peeling.hpp).
-[[nodiscard]] Program make_peeling_program(const Gl& gl);
-[[nodiscard]] Program make_peeling_line_program(const Gl& gl);
+// Triangles again, but only what lies behind a depth (depth_peeling.hpp). `recorded`: with a second picture, of where
+// lines are.
+[[nodiscard]] Program make_peeling_program(const Gl& gl, bool recorded);
+[[nodiscard]] Program make_peeling_line_program(const Gl& gl, bool recorded);
 // Triangles again, only their normals, towards the viewer and along the eye's axes.
 [[nodiscard]] Program make_normals_program(const Gl& gl);
 // Triangles again, only how steep they are: window depth a pixel.

@@ -68,6 +68,22 @@ json parts() {
               {"color", {{"array", "p"}}}}}};
 }
 
+json lines_to_see_through() {
+    return {{"skin",
+             {{"type", "surface"},
+              {"opacity", 0.35},
+              {"color", {{"array", "p"}, {"map", "viridis"}}},
+              {"edges", {{"color", "#000000"}, {"width", 3}}}}},
+            {"in_it",
+             {{"type", "iso"},
+              {"array", "p"},
+              {"values", {12}},
+              {"color", {{"solid", "#c0c0c0"}}},
+              {"edges", {{"color", "#400000"}}}}},
+            {"bends", {{"type", "edges"}, {"angle", 30}, {"width", 5}, {"opacity", 0.6}}},
+            {"box", {{"type", "outline"}, {"opacity", 0.5}}}};
+}
+
 TEST(GoldenScenes, LayersOfADocumentLookAsTheyDid) {
     const test::Folder folder;
     test::write_small_dataset(folder.path() / "box.ciel");
@@ -76,7 +92,8 @@ TEST(GoldenScenes, LayersOfADocumentLookAsTheyDid) {
     for (const auto& [name, layers] : {std::pair{"scene_iso", iso()},
                                        {"scene_slices", slices()},
                                        {"scene_cut_open", cut_open()},
-                                       {"scene_parts", parts()}}) {
+                                       {"scene_parts", parts()},
+                                       {"scene_lines_to_see_through", lines_to_see_through()}}) {
         const scene::Scene scene = scene::parse(
             {{"dataset", "box"},
              {"layers", layers},
