@@ -169,6 +169,7 @@ int run_command(const RenderCommand& render) {
     render::Image image;
     render::Renderer renderer(backend);
     renderer.draw(session::picture_of(*geometry, scene, size), image);
+    for (const std::string& remark : renderer.remarks()) std::cerr << "ciel: " << remark << '\n';
     std::vector<std::uint8_t> png;
     wire::encode_png(image.width, image.height, image.rgb, png);
     store::replace_file(std::filesystem::absolute(render.output), std::as_bytes(std::span(png)));

@@ -142,9 +142,12 @@ void DepthPeeling::draw(const Scene& scene, Target& target) {
 
     const auto volumes = [&](GLuint depth) { return scene.volumes ? scene.volumes(depth) : nothing_; };
     GLuint in_front = nothing_;
-    for (int i = 0; i < scene.most_layers; ++i) {
+    was_cut_ = false;
+    for (int i = 0; i <= scene.most_layers; ++i) {
         const Layer& layer = layers_[i % 2];
         if (!draw_layer(scene, opaque, layer, layers_[(i + 1) % 2])) break;
+        was_cut_ = i == scene.most_layers; // drawn to know it, and no more
+        if (was_cut_) break;
         if (has_volumes_of_its_own(i)) in_front = volumes(layer.depth);
         add_to_sum(layer, in_front);
     }
@@ -178,7 +181,9 @@ bool DepthPeeling::draw_layer(const Scene& scene, GLuint opaque, const Layer& la
     gl_.DepthFunc(GL_ALWAYS);
     bind(gl_, layer_unit, opaque);
     copy_depth_.use();
+    bind(gl_, opaque_unit, sum_);
     copy_depth_.set("opaque", int{layer_unit});
+    copy_depth_.set("sum", int{opaque_unit});
     copy_depth_.set("viewport", glm::vec2(factor_ * width_, factor_ * height_));
     cover();
     gl_.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);

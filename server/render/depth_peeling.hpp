@@ -43,8 +43,10 @@ public:
     void set_nearer(const Program& program, bool joining) const; // of one of them, which is in use
     // Pixels of a layer to one of the picture along a side, while draw_surfaces is called.
     [[nodiscard]] int layer_pixels() const { return factor_; }
-    // Onto the target, over what is opaque there. Leaves depth test and blending on.
+    // Onto the target, over what is opaque there. Leaves depth test and blending on. Afterwards was_cut() says whether
+    // something would be seen behind the last layer.
     void draw(const Scene& scene, Target& target);
+    [[nodiscard]] bool was_cut() const { return was_cut_; }
 
 private:
     struct Layer { // one of two that take turns: what is drawn, and what it must be behind
@@ -76,6 +78,7 @@ private:
     GLuint nothing_ = 0;                   // a picture of no volume
     GLuint query_ = 0, no_array_ = 0;
     bool recorded_ = false; // in this picture
+    bool was_cut_ = false;
     int recorded_width_ = 0, recorded_height_ = 0;
     int width_ = 0, height_ = 0, factor_ = 0; // of the picture, and layers' pixels per pixel of it along a side
 };

@@ -77,6 +77,7 @@ const Image& Painter::draw(const Frame& frame, const AfterStage& after) {
     if (clip_planes_ > most_clip_planes)
         throw Error("a frame cannot be cut by more than " + std::to_string(most_clip_planes) + " clip planes");
     origin_ = frame.origin;
+    remarks_.clear();
     width_ = height_ = 0; // nothing to pick from if this throws
     load_scales(frame);
     upload(frame);
@@ -365,6 +366,10 @@ void Painter::peel_transparent(const Frame& frame) {
         layers.outlines = opaque_depth_.texture();
     enable_clip_planes(false);
     peeling_.draw(layers, target_);
+    if (peeling_.was_cut())
+        remarks_.push_back("somewhere more than " + std::to_string(layers.most_layers) +
+                           " transparent layers lie behind each other, and those behind are not seen; show fewer, or "
+                           "make them less transparent");
     enable_clip_planes(true);
     if (!frame.volumes.empty()) draw_meshes(frame, points_, true);
 }

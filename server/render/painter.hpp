@@ -27,6 +27,8 @@ public:
 
     const Image& draw(const Frame& frame, const AfterStage& after); // until the next
     bool pick(int x, int y, Vec3d& position);
+    // Of the last frame: what it does not show in full, as sentences.
+    [[nodiscard]] const std::vector<std::string>& remarks() const { return remarks_; }
     [[nodiscard]] const std::string& renderer_name() const { return renderer_name_; }
     [[nodiscard]] const std::string& version() const { return version_; }
 
@@ -55,6 +57,7 @@ private:
 
     Gl gl_;
     std::string renderer_name_, version_;
+    std::vector<std::string> remarks_;
     Program triangles_, plain_, normals_, occluded_, lines_, points_;
     ColorScales scales_;
     std::vector<float> scale_rows_; // of the frame's meshes

@@ -7,8 +7,13 @@ namespace {
 
 constexpr const char* depth_copy_fragment = R"(#version 330 core
 uniform sampler2D opaque;
+uniform sampler2D sum; // of the nearer layers
 uniform vec2 viewport;
-void main() { gl_FragDepth = texture(opaque, gl_FragCoord.xy / viewport).r; }
+const float least_share = 1.0 / 512.0; // of the light: half of a step of the picture's colours
+void main() {
+    float through = texelFetch(sum, ivec2(gl_FragCoord.xy), 0).a;
+    gl_FragDepth = through < least_share ? 0.0 : texture(opaque, gl_FragCoord.xy / viewport).r;
+}
 )";
 
 constexpr const char* layer_sum_fragment = R"(#version 330 core

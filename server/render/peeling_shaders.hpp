@@ -5,7 +5,7 @@
 
 namespace ciel::render {
 
-// The depth of what is opaque, at the layers' resolution.
+// The depth of what is opaque, at the layers' resolution; the nearest where nearer layers let nothing through.
 [[nodiscard]] ShaderProgram make_depth_copy_program(const Gl& gl);
 // One layer seen through the volumes in front of it; blended with what the nearer ones let through.
 [[nodiscard]] ShaderProgram make_layer_sum_program(const Gl& gl);

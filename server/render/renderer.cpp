@@ -70,6 +70,8 @@ const Image& Renderer::draw(const Frame& frame, const AfterStage& after) {
     return state_->painter->draw(frame, after);
 }
 
+const std::vector<std::string>& Renderer::remarks() const { return state_->painter->remarks(); }
+
 bool Renderer::pick(int x, int y, Vec3d& position) {
     return !state_->is_lost() && state_->painter->pick(x, y, position);
 }

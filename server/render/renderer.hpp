@@ -85,6 +85,8 @@ public:
     void draw(const Frame& frame, Image& image, const AfterStage& after = {});
     // The same without a copy: the picture is the renderer's, until its next draw.
     const Image& draw(const Frame& frame, const AfterStage& after = {});
+    // Of the last frame: what it does not show in full, as sentences.
+    [[nodiscard]] const std::vector<std::string>& remarks() const;
     // World position under a pixel of the last drawn frame; false where there is only background.
     bool pick(int x, int y, Vec3d& position);
     [[nodiscard]] const std::string& gl_renderer() const; // GL_RENDERER

@@ -47,15 +47,18 @@ void show_frame(View& view, Worker& worker, bool still) {
         header.extract_ms = elapsed_ms(request->started);
         const auto drawing = Clock::now();
         std::vector<std::vector<std::uint8_t>> messages;
+        std::optional<std::vector<std::string>> drawn;
+        if (request->still || request->stream != Stream::image) drawn.emplace();
         if (request->stream == Stream::image) {
             const auto& image = draw(*geometry, request->version->scene, request->size, request->still, worker);
             header.draw_ms = elapsed_ms(drawing);
+            if (drawn) drawn = worker.renderer().remarks();
             if (request->still && request->stop.stop_requested()) return view.give_up();
             messages.push_back(image_message(header, image, request->moving));
         } else if (view.is_new_content(content_of(*geometry))) {
             messages = geometry_messages(header, *geometry);
         }
-        view.tell_lacking(*request, lacking_in(*geometry, request->version->scene.lighting, request->stream));
+        view.tell_lacking(*request, lacking_in(*geometry, request->version->scene.lighting, request->stream), drawn);
         view.deliver(*request, std::move(messages),
                      {header.wait_ms, header.extract_ms, header.draw_ms, header.encode_ms});
     } catch (const std::exception& error) {

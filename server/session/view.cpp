@@ -124,8 +124,11 @@ void View::deliver(const FrameRequest& request, std::vector<std::vector<std::uin
     if (bytes > 0) services_.metrics.count_frame(request.still, bytes, times);
 }
 
-void View::tell_lacking(const FrameRequest& request, const std::vector<std::string>& lacking) {
+void View::tell_lacking(const FrameRequest& request, std::vector<std::string> lacking,
+                        const std::optional<std::vector<std::string>>& drawn) {
     const std::scoped_lock lock(mutex_);
+    if (drawn) drawn_lacking_ = *drawn;
+    lacking.insert(lacking.end(), drawn_lacking_.begin(), drawn_lacking_.end());
     if (closed_ || lacking == lacking_) return;
     lacking_ = lacking;
     const protocol::ViewLacking note{id_, static_cast<std::int64_t>(request.version->revision), lacking};

@@ -51,8 +51,10 @@ public:
 
     // For the frame loop, which follows a take() that returned something by exactly one of deliver, give_up and fail.
     [[nodiscard]] std::optional<FrameRequest> take(bool still);
-    // Before deliver: what the frame lacks is told when it differs from what the one before lacked.
-    void tell_lacking(const FrameRequest& request, const std::vector<std::string>& lacking);
+    // Before deliver: what the frame lacks is told when it differs from what the one before lacked. `drawn`: what its
+    // drawing added to that; none while something moves: as of the still before, or the sentence would come and go.
+    void tell_lacking(const FrameRequest& request, std::vector<std::string> lacking,
+                      const std::optional<std::vector<std::string>>& drawn);
     // `messages` in order; their headers get the frame number. Empty: nothing new to see.
     void deliver(const FrameRequest& request, std::vector<std::vector<std::uint8_t>> messages, const FrameTimes& times);
     void give_up(); // superseded
@@ -90,7 +92,7 @@ private:
     bool gave_up_ = false; // the last interactive frame: the next is not cancelled, or a steady drag would show nothing
     std::uint32_t sent_ = 0, acknowledged_ = 0;
     ContentKey content_;
-    std::vector<std::string> lacking_; // of the last frame
+    std::vector<std::string> lacking_, drawn_lacking_; // of the last frame, and of the last still
 };
 
 } // namespace ciel::session

@@ -138,6 +138,18 @@ TEST_P(PeelingTest, ThirtyTwoLayersAreSeen) {
     }
     renderer.draw(frame, image);
     expect(160, 120, over(expected, {}));
+    ASSERT_EQ(renderer.remarks().size(), 1U);
+    EXPECT_NE(renderer.remarks()[0].find("more than 32 transparent layers"), std::string::npos);
+}
+
+TEST_P(PeelingTest, NothingIsSaidOfLayersThatWouldNotBeSeen) {
+    for (int i = 0; i < 32; ++i) add(square(-0.9 + 0.045 * i), {0, 0, 1}, 0.02);
+    renderer.draw(frame, image);
+    EXPECT_TRUE(renderer.remarks().empty()) << "as many as there may be";
+    for (int i = 32; i < 40; ++i) add(square(-0.9 + 0.045 * i), {0, 0, 1}, 0.02);
+    for (Mesh& mesh : frame.meshes) mesh.color[3] = 0.3F;
+    renderer.draw(frame, image);
+    EXPECT_TRUE(renderer.remarks().empty()) << "the first eighteen let nothing through";
 }
 
 TEST_P(PeelingTest, MoreThanEightLayersAreSeenInAVolume) {
