@@ -2,7 +2,9 @@
 // of a picture.
 #include "render/renderer.hpp"
 #include "render/scenes.hpp"
+#include "render/volume_scene.hpp"
 #include "support/golden/golden.hpp"
+#include "support/meshes.hpp"
 
 #include <cstdlib>
 #include <gmock/gmock.h>
@@ -57,6 +59,47 @@ TEST(GoldenPicture, CatchesASmallChangeOfTheCameraOrOfAnOpacity) {
         const test::Difference found = difference(usual, row.stage.draw(renderer));
         EXPECT_FALSE(is_within(found, {})) << row.name << ": " << words(found, {});
     }
+}
+
+// A shaded ball of fog that is thickest in its middle.
+struct FogStage {
+    VolumeScene fog{test::hexahedra({{6, 6, 6}, -1, 1, 1.0 / 3}),
+                    [](const Vec3d& p) { return std::hypot(p[0], p[1], p[2]); }};
+    Frame frame = front_view(480, 270);
+
+    test::Picture draw(Renderer& renderer, double opacity = 1, double turn_degrees = 0, double tilt_degrees = 0) {
+        const double turn = turn_degrees * std::numbers::pi / 180, tilt = tilt_degrees * std::numbers::pi / 180;
+        frame.camera.parallel = false;
+        frame.camera.position = {6 * std::sin(0.4 + turn) * std::cos(0.3 + tilt),
+                                 -6 * std::cos(0.4 + turn) * std::cos(0.3 + tilt), 6 * std::sin(0.3 + tilt)};
+        frame.samples = 4;
+        Volume volume = fog.volume({0, 1, 0}, 60);
+        volume.scale.map = "viridis";
+        volume.scale.range = {0, 1.6F};
+        volume.opacity_points = {{0, 0.9 * opacity}, {0.5, 0.4 * opacity}, {1, 0.1 * opacity}};
+        volume.unit_length = 1;
+        volume.shaded = true;
+        frame.volumes = {volume};
+        Image image;
+        renderer.draw(frame, image);
+        return {image.width, image.height, image.rgb};
+    }
+};
+
+TEST(GoldenPicture, CatchesASmallChangeOfAVolume) {
+    Renderer renderer(Backend::automatic);
+    FogStage stage;
+    const test::Picture usual = stage.draw(renderer);
+    struct Row {
+        const char* name;
+        double opacity, turn, tilt;
+    };
+    for (const Row& row : {Row{"opacity 3 % less", 0.97, 0, 0}, Row{"opacity 3 % more", 1.03, 0, 0},
+                           Row{"2 degrees to the right", 1, 2, 0}, Row{"2 degrees up", 1, 0, 2}}) {
+        const test::Difference found = difference(usual, stage.draw(renderer, row.opacity, row.turn, row.tilt));
+        EXPECT_FALSE(is_within(found, {})) << row.name << ": " << words(found, {});
+    }
+    EXPECT_TRUE(is_within(difference(usual, stage.draw(renderer)), {}));
 }
 
 class GoldenFailure : public testing::Test {

@@ -184,6 +184,81 @@ TEST_P(SteadyStateTest, AVolumeIsSentOnce) {
     expect_nothing_sent(draw()); // layers in a volume are peeled: their triangles have no order
 }
 
+// All that a scene may hold: nothing of it is sent or made again while the camera turns or a plane moves.
+class SteadyScenes : public SteadyStateTest {
+protected:
+    void add_all(float opacity) {
+        Mesh& edges = add(lines);
+        edges.lines = true;
+        edges.color = {0, 0, 0, opacity};
+        Mesh& dots = add(corners);
+        dots.points = true;
+        add(ball);
+        add(plane);
+        frame.occlusion = {0.5, 1};
+    }
+    // While the camera turns and a plane moves. A volume may be met by rays in more parts than before: the
+    // `first_rounds` make what that takes.
+    void expect_steady(const char* what, int first_rounds = 0) {
+        SCOPED_TRACE(what);
+        const double from = angle;
+        for (int round = -first_rounds; round <= 0; ++round) {
+            angle = from;
+            frame.clip = {{1, 0, 0, 2}};
+            (void)draw();
+            for (int i = 0; i < 4; ++i) {
+                turn();
+                const GlCounts turned = draw();
+                frame.clip[0][3] -= 0.3F;
+                const GlCounts cut = draw();
+                if (round < 0) continue;
+                expect_nothing_sent(turned);
+                expect_nothing_sent(cut);
+            }
+        }
+    }
+
+    Shape ball = sphere(0.6), plane = square(0.3);
+    Shape lines{{{-1, 0, -1}, {1, 0, 1}, {-1, -0.5F, 1}}, {}, {}, {0, 1, 1, 2}};
+    Shape corners{{{-1, 0, -1}, {1, 0, 1}, {-1, -0.5F, 1}}, {}, {}, {0, 1, 2}};
+};
+
+INSTANTIATE_TEST_SUITE_P(Backends, SteadyScenes, testing::ValuesIn(available_backends()), name_of_test);
+GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(SteadyScenes);
+
+TEST_P(SteadyScenes, LinesPointsOcclusionAndAMovingPlane) {
+    add_all(1);
+    for (const int samples : {1, 4}) {
+        frame.samples = samples;
+        expect_steady(samples == 1 ? "moving" : "still");
+    }
+}
+
+TEST_P(SteadyScenes, LinesToSeeThrough) {
+    add_all(0.5F);
+    for (const int samples : {1, 4}) {
+        frame.samples = samples;
+        expect_steady(samples == 1 ? "moving" : "still");
+    }
+}
+
+TEST_P(SteadyScenes, SeveralVolumesAmongAllOfIt) {
+    add_all(1);
+    frame.meshes.back().color[3] = 0.5F;
+    VolumeScene warm(test::hexahedra({{3, 3, 3}, 0, 1, 1.0 / 3}), [](const Vec3d& p) { return p[0]; });
+    VolumeScene cold(test::hexahedra({{3, 3, 3}, -0.5, 1, 1.0 / 3}), [](const Vec3d& p) { return p[2]; });
+    frame.volumes = {warm.volume({0, 1, 0}, 15), cold.volume({0, 1, 0}, 9)};
+    frame.volumes[1].identity = 2;
+    for (const std::size_t stride : {3U, 1U}) {
+        for (Volume& volume : frame.volumes) {
+            volume.stride = stride;
+            volume.coarseness = stride > 1 ? 2 : 1;
+        }
+        frame.samples = stride > 1 ? 1 : 4;
+        expect_steady(stride > 1 ? "moving" : "still", 1);
+    }
+}
+
 TEST_P(SteadyStateTest, WritingIsSentWhenItChanges) {
     const Shape plane = square(0);
     add(plane);
