@@ -108,7 +108,7 @@ private:
 
     void write(const Placed& placed) {
         page_.take(placed.box);
-        page_.write(placed.text, page_.text(), placed.x, placed.y, page_.ink());
+        page_.write_backed(placed.text, page_.text(), placed.x, placed.y);
     }
 
     void write_numbers() {

@@ -19,7 +19,7 @@ void lay_title(Page& page, const Annotations& annotations) {
     const int left = (page.width() - page.width_of(text, size)) / 2;
     const Box box = page.box_of(text, size, left, base);
     if (text.empty() || !page.is_free(box)) return;
-    page.write(text, size, left, base, page.ink());
+    page.write_backed(text, size, left, base);
     page.take(box);
     page.room.top = box.bottom + page.em() / 2; // the rest stands below it
 }
@@ -32,7 +32,7 @@ void lay_captions(Page& page, const Annotations& annotations) {
         const std::string text = page.shortened(caption, size, widest_caption * page.width());
         const Box box = page.box_of(text, size, left, base);
         if (text.empty() || !page.is_free(box)) continue;
-        page.write(text, size, left, base, page.ink());
+        page.write_backed(text, size, left, base);
         page.take(box);
         base += size.line();
     }

@@ -138,7 +138,9 @@ void draw_entry(Page& page, const Entry& entry, int left, double top, double bar
     draw_marks(page, entry.ends, bar); // first: where there is no room for both, the inner mark goes
     const int most = std::clamp(static_cast<int>(bar.height() / (tick_spacing * size.line())), 1, most_ticks);
     draw_marks(page, inner_marks(entry.legend.scale, most), bar);
-    page.take({left - frame_width(page), std::round(top), left + entry.width, bar.bottom + 0.5 * size.line()});
+    const Box all{left - frame_width(page), std::round(top), left + entry.width, bar.bottom + 0.5 * size.line()};
+    page.back(all);
+    page.take(all);
 }
 
 } // namespace

@@ -1,5 +1,5 @@
 // A flat drawing over a picture, in pixels from the upper left corner: what the layout makes and the overlay painter
-// draws. In this order: fills, strokes, triangles, labels.
+// draws. In this order: plates, fills, strokes, triangles, labels.
 #pragma once
 
 #include <array>
@@ -32,6 +32,11 @@ struct Box {
 // Which part of a line from a to b is inside the box, as shares of the way; none where they only touch.
 [[nodiscard]] std::optional<std::pair<double, double>> part_inside(const Box& box, const Place& a, const Place& b);
 
+struct Plate { // behind what is written, so that it is read on any picture; fades out around the box
+    Box box;
+    double edge = 0; // pixels over which it does
+    Ink top{}, bottom{};
+};
 struct Fill { // from one ink at the top to another at the bottom
     Box box;
     Ink top{}, bottom{};
@@ -54,6 +59,7 @@ struct Label {
 };
 
 struct Overlay {
+    std::vector<Plate> plates;
     std::vector<Fill> fills;
     std::vector<Stroke> strokes;
     std::vector<Triangle> triangles;

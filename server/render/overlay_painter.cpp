@@ -10,7 +10,7 @@
 namespace ciel::render {
 namespace {
 
-constexpr float flat = 0, soft = 1, letter = 2, letter_halo = 3; // kinds of vertices
+constexpr float flat = 0, soft = 1, letter = 2, letter_halo = 3, plate = 4; // kinds of vertices
 
 constexpr const char* overlay_vertex = R"(#version 330 core
 layout(location = 0) in vec2 position;
@@ -41,7 +41,9 @@ in Mark {
 out vec4 picture;
 void main() {
     float cover = 1.0;
-    if (mark.style.x > 1.5) {
+    if (mark.style.x > 3.5) {
+        cover = 1.0 - smoothstep(0.0, 1.0, length(mark.place)); // the place: how far outside, in widths of the edge
+    } else if (mark.style.x > 1.5) {
         vec2 coverage = texelFetch(glyphs, ivec2(mark.place), 0).rg;
         cover = mark.style.x > 2.5 ? coverage.g : coverage.r;
     } else if (mark.style.x > 0.5) {
@@ -84,6 +86,22 @@ void OverlayPainter::add_quad(const Vertex& vertex, const Box& box, const Box& t
         corner.v = static_cast<float>(bottom == 1 ? texels.bottom : texels.top);
         vertices_.push_back(corner);
     }
+}
+
+// The box, and around it four sides and four corners.
+void OverlayPainter::add(const Plate& back) {
+    const Box& box = back.box;
+    const std::array<double, 4> xs{box.left - back.edge, box.left, box.right, box.right + back.edge};
+    const std::array<double, 4> ys{box.top - back.edge, box.top, box.bottom, box.bottom + back.edge};
+    const std::array<double, 4> away{1, 0, 0, 1};
+    for (std::size_t j = 0; j < 3; ++j)
+        for (std::size_t i = 0; i < 3; ++i) {
+            const std::size_t first = vertices_.size();
+            add_quad({0, 0, 0, 0, back.top, plate, 0}, {xs[i], ys[j], xs[i + 1], ys[j + 1]},
+                     {away[i], away[j], away[i + 1], away[j + 1]});
+            for (std::size_t k = first; k < vertices_.size(); ++k)
+                if (vertices_[k].y >= static_cast<float>(box.bottom)) vertices_[k].ink = back.bottom;
+        }
 }
 
 void OverlayPainter::add(const Fill& fill) {
@@ -137,6 +155,7 @@ bool OverlayPainter::add_labels(const Overlay& overlay) {
 
 void OverlayPainter::build(const Overlay& overlay) {
     vertices_.clear();
+    for (const Plate& back : overlay.plates) add(back);
     for (const Fill& fill : overlay.fills) add(fill);
     for (const Stroke& stroke : overlay.strokes) add(stroke, halo_width(stroke), overlay.halo);
     for (const Stroke& stroke : overlay.strokes) add(stroke, stroke.width, stroke.ink);

@@ -28,6 +28,7 @@ private:
         bool operator==(const Vertex&) const = default;
     };
     void add_quad(const Vertex& vertex, const Box& box, const Box& texels);
+    void add(const Plate& back);
     void add(const Fill& fill);
     void add(const Stroke& stroke, double width, const Ink& ink);
     void add(const Triangle& triangle);

@@ -11,6 +11,10 @@ constexpr double usual_text = 13, usual_heading = 18;
 constexpr int smallest_text = 9, largest_text = 200;
 constexpr Ink light{0.93F, 0.94F, 0.96F, 1}, dark{0.07F, 0.08F, 0.10F, 1};
 constexpr float halo_opacity = 0.75F;
+// Light text keeps a contrast of 4.5 (WCAG 2.1, 1.4.3) to a white picture behind a dark plate, and dark text likewise.
+constexpr float plate_opacity = 0.72F;
+constexpr double plate_edge = 0.3;   // ems
+constexpr float middle_gray = 0.46F; // on which light and dark text are as good as each other
 
 TextSize size_of(double pixels, Font& font) {
     const int rounded = std::clamp(static_cast<int>(std::lround(pixels)), smallest_text, largest_text);
@@ -26,14 +30,18 @@ bool is_bright(const Frame& frame) { // by the luma of the background's middle
     constexpr std::array<float, 3> weights{0.2126F, 0.7152F, 0.0722F};
     float luma = 0;
     for (std::size_t i = 0; i < 3; ++i) luma += weights[i] * (frame.background_top[i] + frame.background_bottom[i]) / 2;
-    return luma > 0.5F;
+    return luma > middle_gray;
 }
+
+Ink translucent(const std::array<float, 3>& color) { return {color[0], color[1], color[2], plate_opacity}; }
 
 } // namespace
 
 Page::Page(const Frame& frame, Font& font)
     : font_(font), width_(frame.width), height_(frame.height), text_(size_of(usual_text * unit_of(frame), font)),
-      heading_(size_of(usual_heading * unit_of(frame), font)), ink_(is_bright(frame) ? dark : light) {
+      heading_(size_of(usual_heading * unit_of(frame), font)),
+      ink_(is_bright(frame) ? dark : light), paper_{translucent(frame.background_top),
+                                                    translucent(frame.background_bottom)} {
     overlay.halo = is_bright(frame) ? light : dark;
     overlay.halo[3] = halo_opacity;
     const double margin = std::round(em());
@@ -63,6 +71,23 @@ Box Page::box_of(const std::string& text, const TextSize& size, int x, int y) {
 
 void Page::write(const std::string& text, const TextSize& size, int x, int y, const Ink& ink) {
     overlay.labels.push_back({text, size.pixels, x, y, ink, box_of(text, size, x, y)});
+}
+
+Ink Page::paper_at(double y) const {
+    const auto share = static_cast<float>(std::clamp(y / height_, 0.0, 1.0));
+    Ink ink{};
+    for (std::size_t k = 0; k < ink.size(); ++k) ink[k] = paper_[0][k] + share * (paper_[1][k] - paper_[0][k]);
+    return ink;
+}
+
+// In the background's own colours: where nothing lies behind it there is nothing to see of it.
+void Page::back(const Box& box) {
+    overlay.plates.push_back({box, plate_edge * em(), paper_at(box.top), paper_at(box.bottom)});
+}
+
+void Page::write_backed(const std::string& text, const TextSize& size, int x, int y) {
+    back(box_of(text, size, x, y));
+    write(text, size, x, y, ink());
 }
 
 bool Page::is_free(const Box& box) const {

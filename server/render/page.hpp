@@ -35,6 +35,9 @@ public:
     // Around text whose base line starts at (x, y).
     [[nodiscard]] Box box_of(const std::string& text, const TextSize& size, int x, int y);
     void write(const std::string& text, const TextSize& size, int x, int y, const Ink& ink);
+    // A plate behind what is written in the box.
+    void back(const Box& box);
+    void write_backed(const std::string& text, const TextSize& size, int x, int y); // in the page's ink, with its plate
 
     // Whether the box lies in the picture and on nothing that was taken.
     [[nodiscard]] bool is_free(const Box& box) const;
@@ -45,12 +48,14 @@ public:
     Overlay overlay;
 
 private:
+    [[nodiscard]] Ink paper_at(double y) const;
     [[nodiscard]] std::vector<std::pair<Place, Place>> free_parts(const Place& from, const Place& to) const;
 
     Font& font_;
     int width_, height_;
     TextSize text_, heading_;
     Ink ink_{};
+    std::array<Ink, 2> paper_{}; // the background at the top and the bottom of the picture
     std::vector<Box> taken_;
     std::vector<std::pair<Place, Place>> lines_; // taken as well
 };

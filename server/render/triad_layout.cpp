@@ -58,6 +58,7 @@ void lay_triad(Page& page, const Frame& frame) {
     const bool is_small = side <= 0.5 * page.width() && side <= 0.5 * page.height();
     if (!is_small || !page.is_free(box)) return;
     page.take(box);
+    page.back({box.left + page.em(), box.top + page.em(), box.right - page.em(), box.bottom - page.em()});
     const Place center{(box.left + box.right) / 2, (box.top + box.bottom) / 2};
     for (const Arm& one : arms_of(frame)) draw_arm(page, one, center);
 }

@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { describe, test } from "node:test";
 import { fragmentOf } from "./link.ts";
-import { difference } from "./png.ts";
+import { decodePng, difference, type Color } from "./png.ts";
 import { nameOf } from "./server.ts";
 import { data, skip, Stage } from "./stage.ts";
 
@@ -29,6 +29,43 @@ describe("writing", { skip }, () => {
       const stroke = await client.page.locator(".box-axes").evaluate((element) => getComputedStyle(element).stroke);
       for (const css of [color, stroke]) assert.ok(dark ? luma(css) < 0.3 : luma(css) > 0.7, `${css} on ${background}`);
       await client.keep(`writing-${background.replace("#", "")}-${scheme}`);
+      await client.close();
+    });
+  }
+
+  const linear = (channel: number): number =>
+    channel <= 10 ? channel / 255 / 12.92 : ((channel / 255 + 0.055) / 1.055) ** 2.4;
+  const luminance = ([r, g, b]: Color): number => 0.2126 * linear(r) + 0.7152 * linear(g) + 0.0722 * linear(b);
+
+  // WCAG 2.1, 1.4.3: letters to what is around them, which fills most of a text's box.
+  for (const [background, solid] of [
+    ["dark", "#ffffff"],
+    ["dark", "#808080"],
+    ["light", "#000000"],
+    ["light", "#808080"],
+  ] as const) {
+    test(`has a contrast of 4.5 over a picture in ${solid} on ${background}`, async () => {
+      const wall = { type: "surface", color: { solid } };
+      const lighting = { on: false };
+      const client = await stage.fresh({}, linked({ background, annotations, lighting, layers: { wall } }));
+      for (let i = 0; i < 5; i += 1) await client.page.keyboard.press("+");
+      await client.settled();
+      const boxes = await client.page
+        .locator(".captions h2, .captions p, .box-axes text, .legend figcaption")
+        .evaluateAll((all) => all.map((element) => element.getBoundingClientRect().toJSON() as DOMRect));
+      const shot = decodePng(await client.page.screenshot());
+      const contrasts = boxes.map(({ left, top, right, bottom }) => {
+        const found: number[] = [];
+        for (let y = Math.ceil(top); y < bottom; y += 1)
+          for (let x = Math.ceil(left); x < right; x += 1) found.push(luminance(shot.at(x, y)));
+        found.sort((a, b) => (background === "dark" ? b - a : a - b));
+        const share = (of: number): number => found[Math.floor(of * found.length)] ?? NaN;
+        const [letters, around] = [share(0.03), share(0.6)];
+        return (Math.max(letters, around) + 0.05) / (Math.min(letters, around) + 0.05);
+      });
+      await client.keep(`contrast-${background}-${solid.slice(1)}`);
+      assert.ok(contrasts.length >= 5, `${contrasts.length} texts`);
+      for (const contrast of contrasts) assert.ok(contrast >= 4.5, contrasts.map((one) => one.toFixed(1)).join(" "));
       await client.close();
     });
   }

@@ -3,13 +3,44 @@ import type { JSX } from "preact";
 import { useEffect, useRef, useState } from "preact/hooks";
 import type { Size } from "../camera/camera";
 import { prettyUnits } from "../scene/numbers";
-import { boxAxes, keptClear, numberPlace, placeNames, TICK, type BoxAxis } from "../scene/box_axes";
+import { paperAt } from "../display/background";
+import { boxAxes, boxOf, keptClear, numberPlace, placeNames, TICK, type BoxAxis } from "../scene/box_axes";
 import { timesPowerOfTen } from "../scene/ticks";
 import { useAppState, useCamera } from "./context";
 
 const TEXT_PIXELS = 12;
+/** Ems between a text and the edge of its plate. */
+const PLATE_ROOM = 0.25;
 /** Lines of the axes end where something else stands. */
 const MASK = "beside-overlays";
+
+interface TextProps {
+  at: { x: number; y: number };
+  text: string;
+  size: Size;
+  em: number;
+}
+
+/** With a plate in the background's colour behind it, to be read over any picture. */
+function BackedText({ at, text, size, em }: TextProps): JSX.Element {
+  const background = useAppState((state) => state.scene?.background);
+  const { left, top, right, bottom } = boxOf(at, text, em);
+  const room = PLATE_ROOM * em;
+  return (
+    <>
+      <rect
+        class="plate"
+        x={left - room}
+        y={top - room}
+        width={right - left + 2 * room}
+        height={bottom - top + 2 * room}
+        rx={room}
+        style={{ fill: paperAt(background, at.y / size.height) }}
+      />
+      <text {...at}>{text}</text>
+    </>
+  );
+}
 
 function Axis({ axis, size, em }: { axis: BoxAxis; size: Size; em: number }): JSX.Element {
   const { from, to, outward, ticks } = axis;
@@ -19,7 +50,7 @@ function Axis({ axis, size, em }: { axis: BoxAxis; size: Size; em: number }): JS
       {ticks.map(({ x, y, label }) => (
         <g key={label}>
           <line x1={x} y1={y} x2={x + TICK * em * outward.x} y2={y + TICK * em * outward.y} />
-          <text {...numberPlace({ x, y }, outward, label, size, em)}>{label}</text>
+          <BackedText at={numberPlace({ x, y }, outward, label, size, em)} text={label} size={size} em={em} />
         </g>
       ))}
     </g>
@@ -60,9 +91,7 @@ export function BoxAxes(): JSX.Element | null {
       {size !== null &&
         placeNames(axes, names, size, em, taken).map((label, i) =>
           label === null ? null : (
-            <text key={axes[i]?.name} x={label.x} y={label.y}>
-              {label.text}
-            </text>
+            <BackedText key={axes[i]?.name} at={{ x: label.x, y: label.y }} text={label.text} size={size} em={em} />
           ),
         )}
     </svg>
