@@ -166,6 +166,8 @@ int run_command(const RenderCommand& render) {
     const auto geometry = make_geometry(scene, loaded, render.scene.extraction.chosen());
     render.camera.stand_back(scene, *geometry, size);
     for (const std::string& remark : geometry->remarks) std::cerr << "ciel: " << remark << '\n';
+    for (const session::EmptyLayer& empty : geometry->empty)
+        std::cerr << "ciel: layer " << empty.layer << " shows nothing. " << empty.reason << '\n';
     render::Image image;
     render::Renderer renderer(backend);
     renderer.draw(session::picture_of(*geometry, scene, size), image);

@@ -33,9 +33,10 @@ private:
 };
 
 // In the order of the layers, whether they are drawn as surfaces or as volumes.
-std::vector<render::Legend> legends_of(const Geometry& geometry, const scene::Scene& scene) {
+std::vector<render::Legend> legends_of(const Geometry& geometry, const scene::Scene& scene, LegendsOf wanted) {
     Legends found;
     for (const scene::Layer& layer : scene.layers) {
+        if (wanted == LegendsOf::what_is_seen && is_empty(geometry, layer.id)) continue;
         for (const Drawable& drawable : geometry.drawables)
             if (drawable.layer == layer.id && drawable.scalars)
                 found.add(layer, legend_of(drawable), drawable.contours);
@@ -48,13 +49,13 @@ std::vector<render::Legend> legends_of(const Geometry& geometry, const scene::Sc
 
 } // namespace
 
-render::Annotations annotations_of(const Geometry& geometry, const scene::Scene& scene) {
+render::Annotations annotations_of(const Geometry& geometry, const scene::Scene& scene, LegendsOf legends) {
     const scene::Annotations& wanted = scene.annotations;
     render::Annotations annotations;
     annotations.title = wanted.title;
     if (wanted.dataset) annotations.captions.push_back(scene.dataset);
     if (wanted.time) annotations.captions.push_back("Time: " + render::number_label(geometry.time));
-    if (wanted.legend) annotations.legends = legends_of(geometry, scene);
+    if (wanted.legend) annotations.legends = legends_of(geometry, scene, legends);
     annotations.triad = wanted.triad;
     annotations.axes = wanted.axes;
     annotations.length_units = geometry.length_units;

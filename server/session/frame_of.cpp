@@ -60,7 +60,7 @@ render::Volume volume_of(const VolumeDrawable& drawable, const render::Lighting&
 // Frames look from where the scene's pictures do, whether they are written on or not: a pixel of one is the same pixel
 // of the other.
 render::Camera beside_annotations(render::Frame frame, const Geometry& geometry, const scene::Scene& scene) {
-    frame.annotations = annotations_of(geometry, scene);
+    frame.annotations = annotations_of(geometry, scene, LegendsOf::all_layers);
     return render::clear_of_annotations(frame);
 }
 

@@ -37,6 +37,11 @@ void LayerUpdate::lack(const scene::Layer& layer, const char* what, const store:
     out.lacking.push_back("layer " + layer.id + " " + what + ": " + missing.what());
 }
 
+void LayerUpdate::leave_out(const scene::Layer& layer, const store::NotWritten& missing) const {
+    lack(layer, "is not shown", missing);
+    out.empty.push_back({layer.id, EmptyLayer::Why::missing, missing.what()});
+}
+
 void LayerUpdate::add(Painted& painted, const std::shared_ptr<const Shape>& shape, const scene::Coloring& coloring,
                       const scene::Layer& layer, bool lit, std::optional<double> own) {
     scene::Coloring shown = coloring;

@@ -39,6 +39,7 @@ private:
     // Looked at after each surface, so that a scene which is too large is never made.
     void count(std::size_t before, std::size_t after);
     void lack(const scene::Layer& layer, const char* what, const store::NotWritten& missing) const;
+    void leave_out(const scene::Layer& layer, const store::NotWritten& missing) const;
 
     // `own`: the value that the shape has of the array that it is coloured by, where it has one.
     void add(Painted& painted, const std::shared_ptr<const Shape>& shape, const scene::Coloring& coloring,

@@ -26,7 +26,7 @@ bool LayerUpdate::operator()(const scene::Layer& layer, const scene::IsoLayer& i
         try {
             if (cut.field_name != name) cut.use_field(name, loaded->scalar(iso.array, out.step), extraction);
         } catch (const store::NotWritten& missing) {
-            lack(layer, "is not shown", missing);
+            leave_out(layer, missing);
             return true;
         }
         if (!cut.extract(iso.values[i], iso.smooth, stop)) return false;

@@ -53,7 +53,7 @@ Boundary* LayerUpdate::solid(const scene::Layer& layer, const std::vector<std::s
         kept.cells = cells_of(*threshold);
         count(before, kept.memory_bytes());
     } catch (const store::NotWritten& missing) {
-        lack(layer, "is not shown", missing);
+        leave_out(layer, missing);
         return nullptr;
     }
     return &kept;

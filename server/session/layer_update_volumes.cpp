@@ -12,7 +12,7 @@ bool LayerUpdate::operator()(const scene::Layer& layer, const scene::VolumeLayer
     try {
         kept.use_property(volume.array, out.step, *loaded);
     } catch (const store::NotWritten& missing) {
-        lack(layer, "is not shown", missing);
+        leave_out(layer, missing);
         return true;
     }
     const Vec3d normal = slab_normal(slabs_across, camera, moving);

@@ -1,6 +1,7 @@
 #include "session/scene_geometry.hpp"
 
 #include "session/clip.hpp"
+#include "session/empty_layers.hpp"
 #include "session/layer_update.hpp"
 
 #include <set>
@@ -67,6 +68,8 @@ std::shared_ptr<const Geometry> SceneGeometry::update(const scene::Scene& scene,
         const auto make = [&](const auto& kind) { return run(layer, kind); };
         if (!std::visit(make, layer.kind)) return nullptr;
     }
+    const std::vector<EmptyLayer> empty = empty_layers(*geometry, scene, *dataset);
+    geometry->empty.insert(geometry->empty.end(), empty.begin(), empty.end());
     dataset->check_intact();
     geometry->bytes = memory_bytes();
     return geometry;

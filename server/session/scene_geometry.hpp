@@ -60,6 +60,16 @@ struct VolumeDrawable {
     std::uint64_t identity = 0, revision = 0; // as a Drawable's, of the slabs
 };
 
+struct EmptyLayer { // one that is switched on and shows nothing
+    enum class Why { outside, threshold, clipped, opacity, missing, nothing };
+
+    std::string layer;
+    Why why = Why::nothing;
+    std::string reason; // a sentence about "it", the layer
+    bool operator==(const EmptyLayer&) const = default;
+};
+[[nodiscard]] std::string why_text(EmptyLayer::Why why); // as in the contract
+
 // What one scene shows. Immutable, owns all its arrays, may be read from any thread.
 struct Geometry {
     std::vector<Drawable> drawables;     // visible layers, in drawing order
@@ -73,7 +83,9 @@ struct Geometry {
     // A sentence for each layer that is left out, or left uncoloured, because its array was not written at this step.
     std::vector<std::string> lacking;
     std::vector<std::string> remarks; // likewise what is not shown in full, because it is too much
+    std::vector<EmptyLayer> empty;    // those have no legend either
 };
+[[nodiscard]] bool is_empty(const Geometry& geometry, const std::string& layer);
 
 // Throws store::NotWritten when something is lacking: for pictures and files, which nobody can add a word to.
 void require_complete(const Geometry& geometry);

@@ -125,13 +125,16 @@ void View::deliver(const FrameRequest& request, std::vector<std::vector<std::uin
 }
 
 void View::tell_lacking(const FrameRequest& request, std::vector<std::string> lacking,
-                        const std::optional<std::vector<std::string>>& drawn) {
+                        const std::vector<EmptyLayer>& empty, const std::optional<std::vector<std::string>>& drawn) {
     const std::scoped_lock lock(mutex_);
     if (drawn) drawn_lacking_ = *drawn;
     lacking.insert(lacking.end(), drawn_lacking_.begin(), drawn_lacking_.end());
-    if (closed_ || lacking == lacking_) return;
+    if (closed_ || (lacking == lacking_ && empty == empty_)) return;
     lacking_ = lacking;
-    const protocol::ViewLacking note{id_, static_cast<std::int64_t>(request.version->revision), lacking};
+    empty_ = empty;
+    std::vector<protocol::EmptyLayer> told;
+    for (const EmptyLayer& one : empty_) told.push_back({one.layer, why_text(one.why), one.reason});
+    const protocol::ViewLacking note{id_, static_cast<std::int64_t>(request.version->revision), lacking, told};
     connection_->send_text(notification_text(note));
 }
 

@@ -54,7 +54,7 @@ public:
     // Before deliver: what the frame lacks is told when it differs from what the one before lacked. `drawn`: what its
     // drawing added to that; none while something moves: as of the still before, or the sentence would come and go.
     void tell_lacking(const FrameRequest& request, std::vector<std::string> lacking,
-                      const std::optional<std::vector<std::string>>& drawn);
+                      const std::vector<EmptyLayer>& empty, const std::optional<std::vector<std::string>>& drawn);
     // `messages` in order; their headers get the frame number. Empty: nothing new to see.
     void deliver(const FrameRequest& request, std::vector<std::vector<std::uint8_t>> messages, const FrameTimes& times);
     void give_up(); // superseded
@@ -93,6 +93,7 @@ private:
     std::uint32_t sent_ = 0, acknowledged_ = 0;
     ContentKey content_;
     std::vector<std::string> lacking_, drawn_lacking_; // of the last frame, and of the last still
+    std::vector<EmptyLayer> empty_;                    // of the last frame
 };
 
 } // namespace ciel::session

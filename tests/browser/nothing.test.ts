@@ -149,4 +149,52 @@ describe("nothing", { skip }, () => {
     await client.close();
     await cube.stop();
   });
+
+  test("layers that show nothing have no legend, and each says why in its row; the view stays", async () => {
+    const cube = await Server.started([cubeIn(mkdtempSync(join(folder, "cube-")))]);
+    const color = { array: "x" };
+    const surface = { type: "surface", color, threshold: { array: "x", range: [5, 6], enabled: false } };
+    const client = await stage.open(cube.address + fragmentOf({ dataset: "cube", layers: { surface } }));
+    await client.settled();
+    const legend = client.page.getByLabel("Colours of x");
+    const notice = client.page.locator(".lacking");
+    await client.page.getByRole("button", { name: "Layers", exact: true }).click();
+    const row = client.page.locator("[data-layer=surface]");
+    assert.equal(await legend.count(), 1);
+    assert.equal(await client.page.locator(".layer-empty").count(), 0);
+    const session = (await client.page.evaluate(() => sessionStorage.getItem("ciel.session"))) ?? "";
+    const call = async (method: string, params: object): Promise<unknown> => {
+      const body = JSON.stringify({ jsonrpc: "2.0", id: 1, method, params });
+      const headers = { "Content-Type": "application/json" };
+      const answer = await fetch(new URL("rpc", cube.address), { method: "POST", headers, body });
+      return ((await answer.json()) as { result: unknown }).result;
+    };
+    const change = async (patch: object): Promise<void> => {
+      await call("scene.patch", { session, patch });
+      await client.page.waitForTimeout(200);
+      await client.settled();
+    };
+    const camera = async (): Promise<string> =>
+      JSON.stringify(((await call("scene.get", { session })) as { scene: { camera: unknown } }).scene.camera);
+    const before = await camera();
+    const off = { opacity: 1, threshold: { enabled: false } };
+    for (const [patch, reason] of [
+      [{ layers: { surface: { ...off, opacity: 0 } } }, "Its opacity is 0."],
+      [{ layers: { surface: { threshold: { enabled: true } } } }, "Its threshold from 5 to 6 keeps no cell"],
+      [{ layers: { c: { type: "clip", axis: "x", value: -1 } } }, "All of it is clipped away."],
+    ] as const) {
+      await change({ layers: { surface: off, c: null } });
+      assert.equal(await legend.count(), 1, reason);
+      assert.equal(await notice.count(), 0);
+      await change(patch);
+      assert.match((await row.textContent()) ?? "", new RegExp(`Nothing is seen of it. ${reason}`));
+      assert.match((await notice.textContent()) ?? "", new RegExp(reason), "an empty picture is explained");
+      assert.equal(await legend.count(), 0, reason);
+      await client.keep(`empty-${reason.split(" ")[1] ?? ""}`);
+    }
+    assert.equal(await camera(), before);
+    assert.deepEqual(client.problems, []);
+    await client.close();
+    await cube.stop();
+  });
 });

@@ -227,3 +227,17 @@ def test_colours_of_contour_lines_that_make_no_sense_are_refused(server, colorin
         "jsonrpc": "2.0", "id": 1, "method": "picture.render", "params": {"scene": contoured(coloring=coloring)}})
     error = answer.json()["error"]
     assert words in json.dumps(error) and path in json.dumps(error)
+
+
+@pytest.mark.parametrize("flags, reason", [
+    (["--surface", "--threshold", "x=5,6"], "layer surface shows nothing. Its threshold from 5 to 6 keeps no cell: x goes from −1 to 1"),
+    (["--surface", "--clip", "x=-5"], "layer surface shows nothing. All of it is clipped away."),
+    (["--slice", "x=3"], "layer slice1 shows nothing. Its plane lies beside the data."),
+    (["--iso", "r=99"], "layer iso1 shows nothing. 99 is outside the range: r goes from"),
+    (["--slice", "x=0", "--opacity", "0"], "layer slice1 shows nothing. Its opacity is 0."),
+])
+def test_what_shows_nothing_is_said_on_stderr(box, tmp_path, flags, reason):
+    result = ciel("render", box, *flags, "--size", "64x64", "-o", tmp_path / "p.png")
+    assert result.returncode == 0 and reason in result.stderr, result.stderr
+    shown = ciel("render", box, "--surface", "--size", "64x64", "-o", tmp_path / "p.png")
+    assert "shows nothing" not in shown.stderr

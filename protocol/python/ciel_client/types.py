@@ -179,6 +179,12 @@ class VolumeLayer(TypedDict):
 Layer = IsoLayer | SliceLayer | SurfaceLayer | OutlineLayer | ClipLayer | EdgesLayer | PointsLayer | VolumeLayer
 
 
+class EmptyLayer(TypedDict):
+    layer: str
+    why: Literal["outside", "threshold", "clipped", "opacity", "missing", "nothing"]  # outside: its values or its plane are outside the data
+    reason: str  # a sentence about the layer
+
+
 class Annotations(TypedDict):
     """What is written over a picture. Pictures (picture.render, ciel render) carry all of it; the frames of a view carry none: who shows them draws it at the resolution of the screen, from this document."""
 
@@ -587,11 +593,12 @@ class ViewFailedParams(TypedDict):
 
 
 class ViewLackingParams(TypedDict):
-    """view.lacking: What the next frame lacks, a sentence each: layers whose array was not written at its time, points that are too many to show all. Empty when nothing is lacking any more."""
+    """view.lacking: What the next frame lacks, a sentence each: layers whose array was not written at its time, points that are too many to show all; and of which layers that are switched on it shows nothing. Empty when nothing is lacking any more."""
 
     view: int
     revision: int
     sentences: list[str]
+    empty: list[EmptyLayer]
 
 
 class ServerDrainingParams(TypedDict):

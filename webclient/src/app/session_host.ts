@@ -46,6 +46,7 @@ export function sessionHost(app: App): SessionHost {
         description: null,
         probe: null,
         lacking: [],
+        empty: [],
         readout: { ...emptyReadout, roundTripMs },
       });
       void listDatasets(app);
@@ -58,7 +59,7 @@ export function sessionHost(app: App): SessionHost {
       }
       if (connection.kind !== "open") return;
       app.access.opened();
-      app.store.set({ draining: false, fatal: null, lacking: [] });
+      app.store.set({ draining: false, fatal: null, lacking: [], empty: [] });
       void listDatasets(app);
       void app.session.call("server.info", {}).then(
         (server) => app.store.set({ server }),
@@ -96,7 +97,7 @@ function notificationHandlers(app: App): Handlers {
       app.player.stop();
       app.toasts.show(message, "error");
     },
-    "view.lacking": ({ sentences }) => app.store.set({ lacking: sentences }),
+    "view.lacking": ({ sentences, empty }) => app.store.set({ lacking: sentences, empty }),
     "server.draining": () => app.store.set({ draining: true }),
   };
 }

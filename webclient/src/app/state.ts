@@ -1,6 +1,6 @@
 // Everything that the panels show. Changed by session/ and app/ only, never by a panel itself.
 import type { FullCamera, Size } from "../camera/camera";
-import type { DatasetDescription, ProbeResult, Range, Scene } from "../generated/protocol";
+import type { DatasetDescription, EmptyLayer, ProbeResult, Range, Scene } from "../generated/protocol";
 import type { Box } from "../display/overlay_room";
 import type { ConnectionState } from "../protocol/connection";
 import type { Result } from "../protocol/rpc";
@@ -71,6 +71,8 @@ export interface AppState {
   readout: Readout;
   /** What the picture lacks, a sentence each. */
   lacking: string[];
+  /** Layers that are switched on and of which nothing is seen. */
+  empty: EmptyLayer[];
   probe: Probe | null;
   playing: boolean;
   playRate: number;
@@ -125,6 +127,7 @@ export const initialState: AppState = {
   streamChoice: "image",
   readout: emptyReadout,
   lacking: [],
+  empty: [],
   probe: null,
   playing: false,
   playRate: 10,

@@ -73,7 +73,19 @@ export function ColoringFields({ of, coloring, ofArray = false, mapLabel = "Map"
   );
 }
 
-export function OpacityField({ layers, opacity }: { layers: string[]; opacity: number }): JSX.Element {
+/** Why nothing is seen of a layer; where its value or its plane is outside the data, the fields of those say so. */
+function EmptyHint({ layers }: { layers: string[] }): JSX.Element | null {
+  const empty = useAppState((state) => state.empty);
+  const reasons = empty.filter(({ layer, why }) => layers.includes(layer) && why !== "outside");
+  if (reasons.length === 0) return null;
+  return (
+    <p class="hint" role="status">
+      Nothing is seen of it. {[...new Set(reasons.map(({ reason }) => reason))].join(" ")}
+    </p>
+  );
+}
+
+function OpacitySlider({ layers, opacity }: { layers: string[]; opacity: number }): JSX.Element {
   const { editor } = useApp();
   const percent = Math.round(opacity * 100);
   return (
@@ -94,5 +106,14 @@ export function OpacityField({ layers, opacity }: { layers: string[]; opacity: n
       />
       <output>{percent} %</output>
     </div>
+  );
+}
+
+export function OpacityField({ layers, opacity }: { layers: string[]; opacity: number }): JSX.Element {
+  return (
+    <>
+      <OpacitySlider layers={layers} opacity={opacity} />
+      <EmptyHint layers={layers} />
+    </>
   );
 }

@@ -13,6 +13,8 @@ interface RowProps {
   id: string;
   name: string;
   visible: boolean;
+  /** Why nothing is seen of it; empty where something is. */
+  reason: string;
   place: number;
   count: number;
   move: (step: Step) => void;
@@ -21,7 +23,7 @@ interface RowProps {
   drag: { begin: () => void; over: (below: boolean) => void; end: (dropped: boolean) => void };
 }
 
-function LayerRow({ id, name, visible, place, count, move, mark, drag }: RowProps): JSX.Element {
+function LayerRow({ id, name, visible, reason, place, count, move, mark, drag }: RowProps): JSX.Element {
   const { actions } = useApp();
   return (
     <li
@@ -52,6 +54,11 @@ function LayerRow({ id, name, visible, place, count, move, mark, drag }: RowProp
       <span class="layer-name" title={name}>
         {name}
       </span>
+      {visible && reason !== "" && (
+        <p class="hint layer-empty" role="status">
+          Nothing is seen of it. {reason}
+        </p>
+      )}
       <IconButton icon="up" label="Move this layer up" disabled={place === 0} onClick={() => move("up")} />
       <IconButton
         icon="down"
@@ -66,6 +73,7 @@ function LayerRow({ id, name, visible, place, count, move, mark, drag }: RowProp
 export function LayersSection(): JSX.Element {
   const { actions } = useApp();
   const scene = useAppState((state) => state.scene);
+  const empty = useAppState((state) => state.empty);
   const list = useRef<HTMLOListElement>(null);
   const moved = useRef<{ id: string; step: Step } | null>(null);
   const [drag, setDrag] = useState<Drag>(null);
@@ -107,6 +115,7 @@ export function LayersSection(): JSX.Element {
               id={id}
               name={names.get(id) ?? id}
               visible={layer.visible !== false}
+              reason={empty.find((one) => one.layer === id)?.reason ?? ""}
               place={place}
               count={layers.length}
               mark={markOf(place)}

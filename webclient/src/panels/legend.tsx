@@ -205,7 +205,8 @@ function cornerOf(legends: HTMLElement): Size[] {
 export function Legends(): JSX.Element | null {
   const { size } = useApp();
   const scene = useAppState((state) => state.scene);
-  const entries = scene?.annotations?.legend === false ? [] : legendsOf(scene);
+  const empty = useAppState((state) => state.empty);
+  const entries = scene?.annotations?.legend === false ? [] : legendsOf(scene, empty);
   const root = useRef<HTMLDivElement>(null);
   useEffect(() => {
     const element = root.current;

@@ -3,6 +3,8 @@ import type { JSX } from "preact";
 import { useEffect, useState } from "preact/hooks";
 import type { AppState } from "../app/state";
 import { formatCount } from "../scene/numbers";
+import { layerNames } from "../scene/layer_names";
+import { layersInOrder } from "../scene/layer_order";
 import { wantsSurfaces } from "../scene/scalars";
 import { TokenForm } from "./token_form";
 import { useApp, useAppState } from "./context";
@@ -110,6 +112,7 @@ export function FatalNotice(): JSX.Element | null {
   );
 }
 
+const UNSEEN = "Nothing is seen of the layers that are switched on.";
 const EMPTY = "None of the surfaces that are switched on meets the data at this time.";
 
 /** Whether the picture of this scene is here, and no surface is in it. */
@@ -118,11 +121,27 @@ function isEmpty({ scene, readout, pending, revision }: AppState): boolean {
   return current && !pending && readout.triangles === 0 && wantsSurfaces(scene);
 }
 
+const MOST_REASONS = 3;
+
+/** Of a picture in which there is nothing at all: what each layer says of it. */
+function reasonsOf({ scene, empty }: AppState): string[] {
+  const shown = layersInOrder(scene).filter(
+    ([, layer]) => layer.visible !== false && layer.type !== "outline" && layer.type !== "clip",
+  );
+  const reasons = shown.flatMap(([id]) => empty.filter(({ layer }) => layer === id));
+  if (reasons.length < shown.length || reasons.length === 0) return [];
+  const names = layerNames(scene);
+  const sentences = reasons.map(({ layer, reason }) => `${names.get(layer) ?? layer}: ${reason}`);
+  return [reasons.every(({ why }) => why === "outside") ? EMPTY : UNSEEN, ...sentences.slice(0, MOST_REASONS)];
+}
+
 export function LackingNotice(): JSX.Element | null {
   const lacking = useAppState((state) => state.lacking);
+  const reasons = useAppState((state) => reasonsOf(state).join("\n"));
   const empty = useAppState(isEmpty);
   const connected = useAppState((state) => state.connection.kind === "open");
-  const sentences = lacking.length === 0 && empty ? [EMPTY] : lacking;
+  const explained = reasons === "" && empty ? EMPTY : reasons;
+  const sentences = lacking.length === 0 && explained !== "" ? explained.split("\n") : lacking;
   if (sentences.length === 0 || !connected) return null;
   return (
     <div class="lacking" role="status">

@@ -3,7 +3,7 @@ import { scaleOf } from "./color_range";
 import { layersInOrder } from "./layer_order";
 import { legendNameOf, legendNames } from "./legend_names";
 import { prettyUnits } from "./numbers";
-import type { ArrayInfo, Coloring, DatasetDescription, Layer, Range, Scene } from "../generated/protocol";
+import type { ArrayInfo, Coloring, DatasetDescription, EmptyLayer, Layer, Range, Scene } from "../generated/protocol";
 
 export interface Scalar {
   name: string;
@@ -119,11 +119,12 @@ export interface LegendOf {
   name: string;
 }
 
-/** The colourings that the visible layers use, each once, in the order of the layers, with those that share it. */
-export function legendsOf(scene: Scene | null): LegendOf[] {
+/** The colourings that the visible layers use, each once, in the order of the layers, with those that share it; of
+ * layers that show nothing there is none. */
+export function legendsOf(scene: Scene | null, empty: readonly EmptyLayer[] = []): LegendOf[] {
   const found = new Map<string, Omit<LegendOf, "name"> & { names: string[] }>();
   for (const [id, layer] of layersInOrder(scene)) {
-    if (layer.visible === false) continue;
+    if (layer.visible === false || empty.some((one) => one.layer === id)) continue;
     for (const { part, coloring } of scalesOf(layer)) {
       const { array, range, symmetric } = coloring;
       const key = JSON.stringify([array, range ?? null, symmetric === true, scaleOf(coloring, [0, 1])]);
