@@ -2,6 +2,7 @@
 
 #include "app/commands.hpp"
 #include "app/scene_options.hpp"
+#include "session/shown_bounds.hpp"
 
 #include <CLI/CLI.hpp>
 #include <cmath>
@@ -32,7 +33,8 @@ double height_of(const scene::Camera& camera) {
 void CameraOptions::add_to(CLI::App& command) {
     command
         .add_option("--camera", camera,
-                    "Where the eye is, what it looks at, and which way is up (z by default); without it all is seen.")
+                    "Where the eye is, what it looks at, and which way is up (z by default); without it all is seen "
+                    "that clips and thresholds leave.")
         ->type_name("px,py,pz,tx,ty,tz[,ux,uy,uz]");
     command
         .add_option("--field-of-view", field_of_view,
@@ -58,10 +60,10 @@ void CameraOptions::project(scene::Scene& scene) const {
 }
 
 void CameraOptions::stand_back(scene::Scene& scene, const session::Geometry& geometry, session::ViewSize size) const {
-    if (scene.camera || (!field_of_view && !parallel)) return;
-    const render::Camera seen =
-        session::default_view(geometry, scene, static_cast<int>(size.width), static_cast<int>(size.height),
-                              field_of_view.value_or(render::Camera{}.fov_degrees), parallel);
+    if (scene.camera) return;
+    const render::Camera seen = session::default_view(
+        geometry, scene, static_cast<int>(size.width), static_cast<int>(size.height),
+        field_of_view.value_or(render::Camera{}.fov_degrees), parallel, session::shown_bounds(geometry, scene));
     scene.camera = {seen.position, seen.target, seen.up, seen.fov_degrees, seen.parallel, seen.parallel_height};
 }
 

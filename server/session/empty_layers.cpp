@@ -1,7 +1,7 @@
 #include "session/empty_layers.hpp"
 
 #include "render/ticks.hpp"
-#include "session/clip.hpp"
+#include "session/cutter.hpp"
 #include "session/layer_update.hpp"
 #include "session/volume_cut.hpp"
 
@@ -10,55 +10,16 @@
 namespace ciel::session {
 namespace {
 
-double distance(const HalfSpace& half, const Vec3d& point) {
-    return half.normal[0] * point[0] + half.normal[1] * point[1] + half.normal[2] * point[2] + half.offset;
-}
-
-Vec3d wide(const Vec3f& point) { return {point[0], point[1], point[2]}; }
-
-// What every plane leaves of a point, a line or a convex polygon (Sutherland and Hodgman 1974).
-class Cutter {
-public:
-    explicit Cutter(const Geometry& geometry) : planes_(geometry.clip) {
-        for (HalfSpace& plane : planes_) plane.offset += clip_slack(geometry);
-    }
-
-    [[nodiscard]] bool cuts() const { return !planes_.empty(); }
-    [[nodiscard]] bool keeps(const Vec3f& point) const {
-        return std::all_of(planes_.begin(), planes_.end(),
-                           [&](const HalfSpace& plane) { return distance(plane, wide(point)) >= 0; });
-    }
-    [[nodiscard]] bool keeps_some(std::vector<Vec3d> corners) const {
-        for (const HalfSpace& plane : planes_) {
-            std::vector<Vec3d> left;
-            for (std::size_t i = 0; i < corners.size(); ++i) {
-                const Vec3d &from = corners[i], &to = corners[(i + 1) % corners.size()];
-                const double a = distance(plane, from), b = distance(plane, to);
-                if (a >= 0) left.push_back(from);
-                if ((a >= 0) == (b >= 0)) continue;
-                Vec3d between{};
-                for (std::size_t k = 0; k < 3; ++k) between[k] = from[k] + a / (a - b) * (to[k] - from[k]);
-                left.push_back(between);
-            }
-            corners = std::move(left);
-        }
-        return !corners.empty();
-    }
-
-private:
-    std::vector<HalfSpace> planes_;
-};
-
 bool is_seen(const Drawable& drawable, const Cutter& cutter) {
     const std::span<const Index> indices = drawable.indices();
     if (indices.empty() || !cutter.cuts()) return !indices.empty();
     const auto& positions = drawable.shape->surface.positions;
     if (std::any_of(indices.begin(), indices.end(), [&](Index i) { return cutter.keeps(positions[i]); })) return true;
-    const std::size_t corners = drawable.polygons() ? 3 : drawable.lines() ? 2 : 1;
+    const std::size_t corners = corners_of(drawable);
     for (std::size_t i = 0; i + corners <= indices.size(); i += corners) {
         std::vector<Vec3d> piece;
         for (std::size_t k = 0; k < corners; ++k) piece.push_back(wide(positions[indices[i + k]]));
-        if (cutter.keeps_some(std::move(piece))) return true;
+        if (!cutter.rest_of(std::move(piece)).empty()) return true;
     }
     return false;
 }

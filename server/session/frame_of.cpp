@@ -73,12 +73,12 @@ render::Camera camera_of(const Geometry& geometry, const scene::Scene& scene, do
 }
 
 render::Camera default_view(const Geometry& geometry, const scene::Scene& scene, int width, int height,
-                            double fov_degrees, bool parallel) {
+                            double fov_degrees, bool parallel, const std::optional<BoundingBox>& of) {
     render::Frame frame;
     frame.width = width;
     frame.height = height;
-    frame.bounds_min = geometry.bounds_min;
-    frame.bounds_max = geometry.bounds_max;
+    frame.bounds_min = of ? of->low : geometry.bounds_min;
+    frame.bounds_max = of ? of->high : geometry.bounds_max;
     frame.camera =
         render::default_camera(frame.bounds_min, frame.bounds_max, static_cast<double>(width) / height, fov_degrees);
     frame.camera.parallel = parallel;

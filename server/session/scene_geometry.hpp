@@ -70,6 +70,11 @@ struct EmptyLayer { // one that is switched on and shows nothing
 };
 [[nodiscard]] std::string why_text(EmptyLayer::Why why); // as in the contract
 
+struct BoundingBox { // in the dataset's coordinates
+    Vec3d low{}, high{};
+    bool operator==(const BoundingBox&) const = default;
+};
+
 // What one scene shows. Immutable, owns all its arrays, may be read from any thread.
 struct Geometry {
     std::vector<Drawable> drawables;     // visible layers, in drawing order
@@ -127,9 +132,10 @@ private:
 // written over pictures needs (render/make_room.hpp), though it carries none of it.
 [[nodiscard]] render::Frame frame_of(const Geometry& geometry, const scene::Scene& scene, int width, int height,
                                      int samples);
-// Of the whole of the bounds, beside what is written over pictures of that shape.
+// Of the whole of the bounds, or of a box in them, beside what is written over pictures of that shape.
 [[nodiscard]] render::Camera default_view(const Geometry& geometry, const scene::Scene& scene, int width, int height,
-                                          double fov_degrees = render::Camera{}.fov_degrees, bool parallel = false);
+                                          double fov_degrees = render::Camera{}.fov_degrees, bool parallel = false,
+                                          const std::optional<BoundingBox>& of = {});
 // The scene's, or the default view of the bounds.
 [[nodiscard]] render::Camera camera_of(const Geometry& geometry, const scene::Scene& scene, double aspect);
 

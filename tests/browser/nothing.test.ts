@@ -197,4 +197,53 @@ describe("nothing", { skip }, () => {
     await client.close();
     await cube.stop();
   });
+
+  test("R frames what a clip leaves, with Shift the whole box; the view stays while the plane is moved", async () => {
+    const cube = await Server.started([cubeIn(mkdtempSync(join(folder, "cube-")))]);
+    const layers = { surface: { type: "surface" }, clip: { type: "clip", axis: "x", value: 0.9 } };
+    const lighting = { on: false };
+    const client = await stage.open(cube.address + fragmentOf({ dataset: "cube", layers, lighting }));
+    await client.settled();
+    const height = async (): Promise<number> => {
+      const picture = await client.picture();
+      const rows = Array.from({ length: picture.height }, (_, y) => y).filter((y) =>
+        Array.from({ length: picture.width }, (_, x) => x).some((x) => Math.max(...picture.at(x, y)) > 100),
+      );
+      return rows.length;
+    };
+    const session = (await client.page.evaluate(() => sessionStorage.getItem("ciel.session"))) ?? "";
+    const patch = async (change: object): Promise<void> => {
+      const body = JSON.stringify({ jsonrpc: "2.0", id: 1, method: "scene.patch", params: { session, patch: change } });
+      await fetch(new URL("rpc", cube.address), { method: "POST", headers: { "Content-Type": "application/json" }, body });
+      await client.page.waitForTimeout(200);
+      await client.settled();
+    };
+    const press = async (key: string): Promise<number> => {
+      await client.page.keyboard.press(key);
+      await client.page.waitForTimeout(300); // the server is asked what is left
+      await client.settled();
+      return height();
+    };
+    const corner = (at: number): object => ({
+      layers: {
+        clip: { value: at },
+        y: { type: "clip", axis: "y", value: at },
+        z: { type: "clip", axis: "z", value: at },
+      },
+    });
+    const whole = await press("r");
+    await patch(corner(0.25));
+    const small = await height();
+    assert.ok(small < 0.5 * whole, `${small} of ${whole} rows: the view has not moved`);
+    const framed = await press("r");
+    assert.ok(Math.abs(framed / whole - 1) < 0.15, `${framed} rows, as the whole had ${whole}`);
+    await client.keep("framed-corner");
+    assert.ok(Math.abs((await press("Shift+R")) - small) < 0.15 * small);
+    await client.button("Undo").click();
+    await client.settled();
+    assert.ok(Math.abs((await height()) - framed) < 3, "one step of undo");
+    assert.deepEqual(client.problems, []);
+    await client.close();
+    await cube.stop();
+  });
 });

@@ -241,3 +241,22 @@ def test_what_shows_nothing_is_said_on_stderr(box, tmp_path, flags, reason):
     assert result.returncode == 0 and reason in result.stderr, result.stderr
     shown = ciel("render", box, "--surface", "--size", "64x64", "-o", tmp_path / "p.png")
     assert "shows nothing" not in shown.stderr
+
+
+def test_a_picture_without_a_camera_frames_what_clips_and_thresholds_leave(box, tmp_path):
+    """The part of the picture that is not background, of a corner as of the whole box."""
+    def covered(*flags):
+        path = tmp_path / "p.png"
+        result = ciel("render", box, "--surface", *flags, "--background", "#003000", "--annotations", "none",
+                      "--size", "200x200", "-o", path)
+        assert result.returncode == 0, result.stderr
+        reader = vtk.vtkPNGReader()
+        reader.SetFileName(str(path))
+        return np.mean(np.any(pixels_of(reader) != (0, 48, 0), axis=2))
+
+    whole = covered()
+    corner = covered("--clip", "x=-0.5", "--clip", "y=-0.5", "--clip", "z=-0.5")
+    assert abs(corner / whole - 1) < 0.1, "a cube, from the same side"
+    assert covered("--threshold", "x=0.5,1") > 0.3 * whole
+    far = covered("--clip", "x=-0.5", "--clip", "y=-0.5", "--clip", "z=-0.5", "--camera", "3,-5,2.6,0,0,0")
+    assert far < 0.3 * corner, "a camera that is given is taken"

@@ -537,6 +537,17 @@ class SceneCameraParams(TypedDict):
 SceneCameraResult = Camera
 
 
+class SceneBoundsParams(TypedDict):
+    """scene.bounds: The box around what clip planes and thresholds leave of the mesh: what a view of everything frames. Iso-surfaces and slices do not narrow it; where nothing is left it is the dataset's."""
+
+    session: NotRequired[str]  # without it, `scene` is used and nothing is kept
+    scene: NotRequired[Scene]
+
+
+class SceneBoundsResult(TypedDict):
+    bounds: list[float]  # x minimum, x maximum, y minimum, y maximum, z minimum, z maximum
+
+
 class ColorRangeParams(TypedDict):
     """color.range: The range of the values that colour layers, as far as they are in view."""
 

@@ -6,7 +6,7 @@ import type { Json, JsonObject } from "../protocol/merge_patch";
 import type { ColoringChange } from "../scene/color_edit";
 import { movedTo } from "../scene/layer_order";
 import { clamp } from "../scene/numbers";
-import { type Colored, arrayOf, freeId, nearestStep, shownTime, topOrder } from "../scene/scalars";
+import { type Colored, arrayOf, cutsCells, freeId, nearestStep, shownTime, topOrder } from "../scene/scalars";
 import type { App } from "./app";
 import { download } from "./download";
 import { openingScene } from "./first_scene";
@@ -31,20 +31,28 @@ export class Actions {
     this.app.editor.change({ camera }, gesture);
   }
 
-  resetView(): void {
-    const bounds = this.bounds();
-    const now = this.camera();
-    if (bounds === null) return;
-    const whole = defaultView(bounds, this.app.size.aspect, now?.fov, now?.parallel);
-    this.setCamera(this.app.size.clearOfCorner(whole, bounds));
+  /** Of all that clips and thresholds leave, or of the whole box. */
+  resetView(wholeBox = false): void {
+    void this.framed(wholeBox, (bounds, now) => defaultView(bounds, this.app.size.aspect, now.fov, now.parallel));
   }
 
   lookFrom(side: AxisView): void {
-    const bounds = this.bounds();
+    void this.framed(false, (bounds, now) => axisView(side, bounds, this.app.size.aspect, now.fov, now.parallel));
+  }
+
+  private async framed(wholeBox: boolean, view: (bounds: Bounds, now: FullCamera) => FullCamera): Promise<void> {
+    const { app } = this;
+    let bounds = this.bounds();
+    // Only the server knows which cells are left; what nothing is cut from is all there at once.
+    if (!wholeBox && cutsCells(app.editor.scene) && app.editor.isConnected) {
+      try {
+        bounds = (await app.session.call("scene.bounds", { session: app.tab.id })).bounds as Bounds;
+      } catch (error) {
+        app.fail(error);
+      }
+    }
     const now = this.camera();
-    if (bounds === null || now === null) return;
-    const whole = axisView(side, bounds, this.app.size.aspect, now.fov, now.parallel);
-    this.setCamera(this.app.size.clearOfCorner(whole, bounds));
+    if (bounds !== null && now !== null) this.setCamera(app.size.clearOfCorner(view(bounds, now), bounds));
   }
 
   toggleParallel(): void {

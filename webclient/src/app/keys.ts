@@ -49,6 +49,7 @@ function actionFor(event: KeyboardEvent): KeyAction | null {
   }
   if (event.altKey) return null;
   const move = ARROWS[key];
+  if (key === "r" && event.shiftKey) return (app) => app.actions.resetView(true);
   if (move !== undefined) return (app) => arrow(app, move, event.shiftKey);
   if (key === "x" || key === "y" || key === "z") {
     return (app) => app.actions.lookFrom(`${event.shiftKey ? "-" : "+"}${key}` as AxisView);

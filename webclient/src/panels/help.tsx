@@ -19,7 +19,7 @@ const ROWS: { title: string; keys: [string, string][] }[] = [
     keys: [
       ["Arrow keys", "Turn; with Shift move"],
       ["+ and -", "Zoom"],
-      ["R", "Show everything"],
+      ["R", "Show everything that clips and thresholds leave; with Shift the whole box"],
       ["X, Y, Z", "Look along an axis; with Shift from the other side"],
       ["O", "Parallel or perspective"],
       ["Space", "Play or pause"],
