@@ -15,6 +15,8 @@ constexpr double bar_width = 1.3, most_bar = 15, least_bar = 5, tick_start = 0.1
 constexpr double widest_title = 0.3; // of the picture
 constexpr double tick_spacing = 1.7; // lines
 constexpr int most_ticks = 6;
+constexpr double missing_line = 1.9; // lines that a legend with `missing` is higher
+constexpr const char* missing_text = "no value";
 
 struct Mark {
     double share = 0; // of the bar from its lower end
@@ -55,7 +57,9 @@ Entry entry_of(Page& page, const Legend& legend) {
         for (const Mark& mark : marks) labels = std::max(labels, page.width_of(mark.label, size));
     const double scale = (bar_width + tick_end + gap) * page.em() + labels;
     const int words = std::max(page.width_of(entry.title, size), page.width_of(entry.layers, size));
-    entry.width = std::max<double>(scale, words);
+    const double missing =
+        legend.missing ? (bar_width + tick_end + gap) * page.em() + page.width_of(missing_text, size) : 0;
+    entry.width = std::max<double>({scale, static_cast<double>(words), missing});
     return entry;
 }
 
@@ -123,6 +127,21 @@ void draw_marks(Page& page, const std::vector<Mark>& marks, const Box& bar) {
     }
 }
 
+// A patch of the colour below the bar, and its name beside it where the numbers stand. Returns where it ends.
+double draw_missing(Page& page, const ColorScale& scale, const Box& bar) {
+    const TextSize& size = page.text();
+    const double frame = frame_width(page);
+    const double top = std::round(bar.bottom + (missing_line - 0.5) * size.line());
+    const Box patch{bar.left, top, bar.right, top + std::round(0.6 * size.line())};
+    page.overlay.fills.push_back(
+        {{patch.left - frame, patch.top - frame, patch.right + frame, patch.bottom + frame}, page.ink(), page.ink()});
+    page.overlay.fills.push_back({patch, ink_of(scale.nan), ink_of(scale.nan)});
+    const int x = static_cast<int>(std::lround(bar.right + (tick_end + gap) * page.em()));
+    const int base = static_cast<int>(std::lround((patch.top + patch.bottom + size.metrics.digit) / 2));
+    page.write(missing_text, size, x, base, page.ink());
+    return bar.bottom + (missing_line + 0.5) * size.line();
+}
+
 // Below its title, with half a line of room for the numbers at its two ends. Takes all of its place: what is around a
 // legend has nothing between the bar and the numbers.
 void draw_entry(Page& page, const Entry& entry, int left, double top, double bar_height) {
@@ -138,7 +157,9 @@ void draw_entry(Page& page, const Entry& entry, int left, double top, double bar
     draw_marks(page, entry.ends, bar); // first: where there is no room for both, the inner mark goes
     const int most = std::clamp(static_cast<int>(bar.height() / (tick_spacing * size.line())), 1, most_ticks);
     draw_marks(page, inner_marks(entry.legend.scale, most), bar);
-    const Box all{left - frame_width(page), std::round(top), left + entry.width, bar.bottom + 0.5 * size.line()};
+    const double end =
+        entry.legend.missing ? draw_missing(page, entry.legend.scale, bar) : bar.bottom + 0.5 * size.line();
+    const Box all{left - frame_width(page), std::round(top), left + entry.width, end};
     page.back(all);
     page.take(all);
 }
@@ -147,10 +168,12 @@ void draw_entry(Page& page, const Entry& entry, int left, double top, double bar
 
 void lay_legends(Page& page, const Annotations& annotations) {
     const double em = page.em();
-    // The title, or two lines of it, and half a line at each end of the bar.
+    // The title, or two lines of it, half a line at each end of the bar, and what stands below it.
     const auto has_layers = [](const Legend& legend) { return !legend.layers.empty(); };
     const bool two_lines = std::any_of(annotations.legends.begin(), annotations.legends.end(), has_layers);
-    const double around = (two_lines ? 3 : 2) * page.text().line();
+    const auto is_missing = [](const Legend& legend) { return legend.missing; };
+    const bool any_missing = std::any_of(annotations.legends.begin(), annotations.legends.end(), is_missing);
+    const double around = ((two_lines ? 3 : 2) + (any_missing ? missing_line : 0)) * page.text().line();
     double right = page.room.right;
     auto next = annotations.legends.begin();
     while (next != annotations.legends.end()) {

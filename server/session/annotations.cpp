@@ -7,8 +7,8 @@ namespace ciel::session {
 namespace {
 
 template <class Shown>
-render::Legend legend_of(const Shown& drawable) {
-    return {drawable.array, drawable.units, drawable.scale};
+render::Legend legend_of(const Shown& drawable, bool missing) {
+    return {drawable.array, drawable.units, drawable.scale, {}, missing};
 }
 
 class Legends {
@@ -18,8 +18,9 @@ public:
         while (i < legends.size() && !(legends[i].name == legend.name && legends[i].scale == legend.scale)) ++i;
         if (i == legends.size()) {
             named_.push_back({legend.name, {}});
-            legends.push_back(std::move(legend));
+            legends.push_back(legend);
         }
+        legends[i].missing = legends[i].missing || legend.missing;
         named_[i].names.push_back(legend_name_of(layer, contours));
     }
     void tell_apart() {
@@ -39,9 +40,9 @@ std::vector<render::Legend> legends_of(const Geometry& geometry, const scene::Sc
         if (wanted == LegendsOf::what_is_seen && is_empty(geometry, layer.id)) continue;
         for (const Drawable& drawable : geometry.drawables)
             if (drawable.layer == layer.id && drawable.scalars)
-                found.add(layer, legend_of(drawable), drawable.contours);
+                found.add(layer, legend_of(drawable, drawable.missing), drawable.contours);
         for (const VolumeDrawable& volume : geometry.volumes)
-            if (volume.layer == layer.id) found.add(layer, legend_of(volume), false);
+            if (volume.layer == layer.id) found.add(layer, legend_of(volume, false), false); // leaves out
     }
     found.tell_apart();
     return std::move(found.legends);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <numeric>
 
 namespace ciel::session {
@@ -29,6 +30,7 @@ void Painted::paint(const std::shared_ptr<const Shape>& new_shape, const std::st
     shape = new_shape;
     array = new_array;
     step = new_step;
+    missing = values && !std::all_of(values->begin(), values->end(), [](float value) { return std::isfinite(value); });
     scalars = std::move(values);
     revision = unique_number();
 }

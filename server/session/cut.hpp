@@ -15,6 +15,7 @@ struct Painted {
     std::string array;
     std::size_t step = 0;
     std::shared_ptr<const std::vector<float>> scalars;
+    bool missing = false; // some of them are no numbers
     std::uint64_t identity = unique_number(), revision = 0;
 
     [[nodiscard]] std::size_t memory_bytes() const { return scalars ? scalars->size() * sizeof(float) : 0; }

@@ -58,8 +58,8 @@ void show_frame(View& view, Worker& worker, bool still) {
         } else if (view.is_new_content(content_of(*geometry))) {
             messages = geometry_messages(header, *geometry);
         }
-        view.tell_lacking(*request, lacking_in(*geometry, request->version->scene.lighting, request->stream),
-                          geometry->empty, drawn);
+        view.tell_lacking(*request, lacking_in(*geometry, request->version->scene.lighting, request->stream), *geometry,
+                          drawn);
         view.deliver(*request, std::move(messages),
                      {header.wait_ms, header.extract_ms, header.draw_ms, header.encode_ms});
     } catch (const std::exception& error) {

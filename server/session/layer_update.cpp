@@ -56,6 +56,7 @@ void LayerUpdate::add(Painted& painted, const std::shared_ptr<const Shape>& shap
     drawable.layer = layer.id;
     drawable.shape = shape;
     drawable.scalars = painted.scalars;
+    drawable.missing = painted.missing;
     drawable.lit = lit;
     drawable.identity = painted.identity;
     drawable.revision = painted.revision;

@@ -33,6 +33,7 @@ struct Drawable { // one iso-value, slice, boundary surface or outline of a laye
     std::string array;                                 // of the scalars
     std::string units;                                 // of the array, empty where not known
     render::ColorScale scale;                          // of the scalars
+    bool missing = false;                              // some of the scalars are no numbers
     std::array<float, 4> color{0.8F, 0.8F, 0.8F, 1};   // alpha: the layer's opacity
     bool lit = true;
     bool contours = false;      // lines on the layer, whose colours are on a scale of their own

@@ -5,6 +5,8 @@
 #include "session/notify.hpp"
 #include "session/picture.hpp"
 
+#include <algorithm>
+
 namespace ciel::session {
 namespace {
 
@@ -124,17 +126,23 @@ void View::deliver(const FrameRequest& request, std::vector<std::vector<std::uin
     if (bytes > 0) services_.metrics.count_frame(request.still, bytes, times);
 }
 
-void View::tell_lacking(const FrameRequest& request, std::vector<std::string> lacking,
-                        const std::vector<EmptyLayer>& empty, const std::optional<std::vector<std::string>>& drawn) {
+void View::tell_lacking(const FrameRequest& request, std::vector<std::string> lacking, const Geometry& geometry,
+                        const std::optional<std::vector<std::string>>& drawn) {
+    std::vector<std::string> missing;
+    for (const Drawable& drawable : geometry.drawables)
+        if (drawable.missing && std::find(missing.begin(), missing.end(), drawable.layer) == missing.end())
+            missing.push_back(drawable.layer);
     const std::scoped_lock lock(mutex_);
     if (drawn) drawn_lacking_ = *drawn;
     lacking.insert(lacking.end(), drawn_lacking_.begin(), drawn_lacking_.end());
-    if (closed_ || (lacking == lacking_ && empty == empty_)) return;
+    if (closed_ || (lacking == lacking_ && geometry.empty == empty_ && missing == missing_)) return;
     lacking_ = lacking;
-    empty_ = empty;
+    empty_ = geometry.empty;
+    missing_ = std::move(missing);
     std::vector<protocol::EmptyLayer> told;
     for (const EmptyLayer& one : empty_) told.push_back({one.layer, why_text(one.why), one.reason});
-    const protocol::ViewLacking note{id_, static_cast<std::int64_t>(request.version->revision), lacking, told};
+    const protocol::ViewLacking note{id_, static_cast<std::int64_t>(request.version->revision), lacking_,
+                                     std::move(told), missing_};
     connection_->send_text(notification_text(note));
 }
 

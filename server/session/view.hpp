@@ -53,8 +53,8 @@ public:
     [[nodiscard]] std::optional<FrameRequest> take(bool still);
     // Before deliver: what the frame lacks is told when it differs from what the one before lacked. `drawn`: what its
     // drawing added to that; none while something moves: as of the still before, or the sentence would come and go.
-    void tell_lacking(const FrameRequest& request, std::vector<std::string> lacking,
-                      const std::vector<EmptyLayer>& empty, const std::optional<std::vector<std::string>>& drawn);
+    void tell_lacking(const FrameRequest& request, std::vector<std::string> lacking, const Geometry& geometry,
+                      const std::optional<std::vector<std::string>>& drawn);
     // `messages` in order; their headers get the frame number. Empty: nothing new to see.
     void deliver(const FrameRequest& request, std::vector<std::vector<std::uint8_t>> messages, const FrameTimes& times);
     void give_up(); // superseded
@@ -94,6 +94,7 @@ private:
     ContentKey content_;
     std::vector<std::string> lacking_, drawn_lacking_; // of the last frame, and of the last still
     std::vector<EmptyLayer> empty_;                    // of the last frame
+    std::vector<std::string> missing_;                 // layers with places without a value
 };
 
 } // namespace ciel::session

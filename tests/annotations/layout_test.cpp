@@ -163,6 +163,29 @@ TEST_F(Layout, TellsApartLegendsOfOneName) {
     }
 }
 
+TEST_F(Layout, ShowsTheColourOfMissingValuesWhereThereAreSome) {
+    Frame frame = annotated_frame(1280, 720);
+    EXPECT_EQ(find(lay_out(frame, font), "no value"), nullptr);
+    frame.annotations.legends[1].missing = true;
+    frame.annotations.legends[1].scale.nan = {255, 0, 255};
+    const Overlay overlay = lay_out(frame, font);
+    const Label* name = find(overlay, "no value");
+    ASSERT_NE(name, nullptr);
+    const auto is_magenta = [](const Fill& fill) { return fill.top == Ink{1, 0, 1, 1}; };
+    const auto patch = std::find_if(overlay.fills.begin(), overlay.fills.end(), is_magenta);
+    ASSERT_NE(patch, overlay.fills.end());
+    EXPECT_LT(patch->box.right, name->box.left);
+    EXPECT_GT(patch->box.bottom, name->box.top);
+    for (const auto& [width, height] : {std::pair(240, 400), {640, 360}, {1280, 720}, {1920, 300}}) {
+        Frame other = annotated_frame(width, height);
+        for (Legend& legend : other.annotations.legends) {
+            legend.missing = true;
+            legend.scale.below = legend.scale.above = Rgb8{0, 255, 0};
+        }
+        expect_lawful(other, std::to_string(width) + " with missing values");
+    }
+}
+
 TEST_F(Layout, HasAllItsPartsWhereThereIsRoom) {
     const Overlay overlay = lay_out(annotated_frame(1280, 720), font);
     for (const char* text :

@@ -68,7 +68,8 @@ def box_faces(n: int):
     return loop[order], owner[order], neighbour[order]
 
 
-def write_box(directory: pathlib.Path, n: int = 12, steps: int = 4) -> pathlib.Path:
+def write_box(directory: pathlib.Path, n: int = 12, steps: int = 4, holes: bool = False) -> pathlib.Path:
+    """holes: also `m`, which is `x` without a value where that is above zero."""
     loop, owner, neighbour = box_faces(n)
     axis = np.linspace(-1, 1, n + 1, dtype=np.float32)
     z, y, x = np.meshgrid(axis, axis, axis, indexing="ij")
@@ -96,6 +97,8 @@ def write_box(directory: pathlib.Path, n: int = 12, steps: int = 4) -> pathlib.P
         "r": np.stack([np.linalg.norm(positions - [0.3 * t, 0, 0], axis=1) for t in times]).astype("<f4"),
         "x": np.stack([positions[:, 0] for _ in times]).astype("<f4"),
     }
+    if holes:
+        fields["m"] = np.where(fields["x"] > 0, np.float32(np.nan), fields["x"])
     marked = [{"time": t, "arrays": {}} for t in times]
     (mesh / "arrays").mkdir()
     (mesh / "arrays" / ".zgroup").write_text('{"zarr_format": 2}')

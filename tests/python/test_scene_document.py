@@ -260,3 +260,21 @@ def test_a_picture_without_a_camera_frames_what_clips_and_thresholds_leave(box, 
     assert covered("--threshold", "x=0.5,1") > 0.3 * whole
     far = covered("--clip", "x=-0.5", "--clip", "y=-0.5", "--clip", "z=-0.5", "--camera", "3,-5,2.6,0,0,0")
     assert far < 0.3 * corner, "a camera that is given is taken"
+
+
+def test_a_legend_shows_the_colour_of_missing_values_where_some_are_shown(tmp_path):
+    box = box_dataset.write_box(tmp_path / "box.ciel", 8, holes=True)
+    looking_away = ["--camera", "0,-9,0,0,-20,0"]  # all that is coloured then is the legend
+
+    def magenta(*flags):
+        path = tmp_path / "p.png"
+        result = ciel("render", box, *flags, *looking_away, "--nan-color", "#ff00ff", "--size", "400x300", "-o", path)
+        assert result.returncode == 0, result.stderr
+        reader = vtk.vtkPNGReader()
+        reader.SetFileName(str(path))
+        return np.count_nonzero(np.all(pixels_of(reader) == (255, 0, 255), axis=2))
+
+    assert magenta("--slice", "x=0.5", "--color", "m") > 40
+    assert magenta("--slice", "x=-0.5", "--color", "m") == 0, "all of these have a value"
+    assert magenta("--slice", "x=0.5", "--color", "x") == 0
+    assert magenta("--slice", "x=0.5", "--color", "x", "--above-color", "#ff00ff", "--range", "0,0.2") > 20

@@ -610,6 +610,7 @@ class ViewLackingParams(TypedDict):
     revision: int
     sentences: list[str]
     empty: list[EmptyLayer]
+    missing: list[str]  # layers whose colours have places without a value
 
 
 class ServerDrainingParams(TypedDict):

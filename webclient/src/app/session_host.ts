@@ -47,6 +47,7 @@ export function sessionHost(app: App): SessionHost {
         probe: null,
         lacking: [],
         empty: [],
+        missing: [],
         readout: { ...emptyReadout, roundTripMs },
       });
       void listDatasets(app);
@@ -59,7 +60,7 @@ export function sessionHost(app: App): SessionHost {
       }
       if (connection.kind !== "open") return;
       app.access.opened();
-      app.store.set({ draining: false, fatal: null, lacking: [], empty: [] });
+      app.store.set({ draining: false, fatal: null, lacking: [], empty: [], missing: [] });
       void listDatasets(app);
       void app.session.call("server.info", {}).then(
         (server) => app.store.set({ server }),
@@ -97,7 +98,7 @@ function notificationHandlers(app: App): Handlers {
       app.player.stop();
       app.toasts.show(message, "error");
     },
-    "view.lacking": ({ sentences, empty }) => app.store.set({ lacking: sentences, empty }),
+    "view.lacking": ({ sentences, empty, missing }) => app.store.set({ lacking: sentences, empty, missing }),
     "server.draining": () => app.store.set({ draining: true }),
   };
 }

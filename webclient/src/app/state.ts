@@ -73,6 +73,8 @@ export interface AppState {
   lacking: string[];
   /** Layers that are switched on and of which nothing is seen. */
   empty: EmptyLayer[];
+  /** Layers whose colours have places without a value. */
+  missing: string[];
   probe: Probe | null;
   playing: boolean;
   playRate: number;
@@ -128,6 +130,7 @@ export const initialState: AppState = {
   readout: emptyReadout,
   lacking: [],
   empty: [],
+  missing: [],
   probe: null,
   playing: false,
   playRate: 10,

@@ -156,6 +156,7 @@ function RangeButtons({ coloring, of, range }: Entry & { range: Range }): JSX.El
 
 function LegendEntry({ coloring, of, name }: LegendOf): JSX.Element {
   const description = useAppState((state) => state.description);
+  const missing = useAppState((state) => state.missing);
   const units = unitsOf(description, coloring.array);
   const [head, ...tail] = coloring.array.split(":"); // a long name is broken where its component begins
   const data = useDataRange(coloring.array);
@@ -181,7 +182,7 @@ function LegendEntry({ coloring, of, name }: LegendOf): JSX.Element {
             <LegendScale coloring={coloring} of={of} scale={scale} range={range} />
           ))}
       </div>
-      {(data?.invalid ?? 0) > 0 && (
+      {of.layers.some((layer) => missing.includes(layer)) && (
         <p class="missing">
           <span style={{ background: scale.nan }} /> no value
         </p>
