@@ -5,6 +5,7 @@
 #include "render/color_map.hpp"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 namespace ciel::app {
@@ -39,6 +40,12 @@ std::string map_names() {
 
 } // namespace
 
+void check_map(const std::string& option, const std::string& name) {
+    const auto& known = render::color_map_names();
+    if (std::find(known.begin(), known.end(), name) == known.end())
+        throw UsageError(option + " " + name + ": there is no such colour map; there are " + map_names());
+}
+
 void ColorOptions::add_to(CLI::App& command) {
     command.add_option("--color", array, "Point scalar that colours the layers.")->type_name("ARRAY");
     command.add_option("--map", map, "Colour map: " + map_names() + ".")->type_name("NAME")->default_str("viridis");
@@ -67,6 +74,7 @@ void ColorOptions::apply_to(nlohmann::json& color) const {
     const auto set = [&](const char* name, const auto& option) {
         if (option) color[name] = *option;
     };
+    if (map) check_map("--map", *map);
     set("array", array);
     set("map", map);
     set("nan", nan);

@@ -23,4 +23,7 @@ struct ColorOptions {
     void apply_to(nlohmann::json& color) const;
 };
 
+// Throws UsageError, which names those that there are, where it is none.
+void check_map(const std::string& option, const std::string& name);
+
 } // namespace ciel::app

@@ -110,7 +110,8 @@ nlohmann::json document_of_file(const RenderCommand& render, const std::string& 
             "--scene says what to show and how; leave out --iso, --slice, --plane, --volume, --background, "
             "the options of layers, and what is about colours");
     nlohmann::json document = read_scene_file(render.scene_file);
-    if (!document.is_object()) return document; // refused with the place by who checks it
+    if (!document.is_object()) return document;                        // refused with the place by who checks it
+    document = scene::merge_patch(nlohmann::json::object(), document); // null and absent mean the same in a scene
     if (!document.contains("dataset")) document["dataset"] = dataset;
     if (document["dataset"] != dataset)
         throw Error(render.scene_file + " is a scene of the dataset " + document["dataset"].dump() + ", not of \"" +
@@ -189,8 +190,8 @@ void add_render(CLI::App& app, Run& run) {
     render->layers.add_to(*command);
     command
         ->add_option("--volume", render->scene.volumes,
-                     "Volume of a point scalar, and how opaque a ray gets per tenth of the diagonal from the lowest "
-                     "value (position 0) to the highest (1); may be repeated.")
+                     "Volume of a point scalar, and how opaque a ray gets per tenth of the diagonal (or "
+                     "--volume-unit-length) from the lowest value (position 0) to the highest (1); may be repeated.")
         ->type_name("ARRAY[=POSITION:OPACITY,...]");
     command
         ->add_option("--scene", render->scene_file,

@@ -1,9 +1,11 @@
 #include "app/layer_options.hpp"
 
+#include "app/color_options.hpp"
 #include "app/commands.hpp"
 #include "app/scene_options.hpp"
 
 #include <CLI/CLI.hpp>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 namespace ciel::app {
@@ -92,6 +94,18 @@ void LayerOptions::add_to(CLI::App& command) {
     command.add_option("--opacity", opacity, "Of all layers, from 0 to 1.")->type_name("SHARE");
     command.add_flag("--flat", flat, "Iso-surfaces shaded polygon by polygon, not by the field's gradient.");
     command.add_option("--volume-slices", volume_slices, "How finely volumes are cut; 200 by default.")->type_name("N");
+    command
+        .add_option(
+            "--volume-direction", volume_direction,
+            "What volumes are cut across: an axis, or the view's own direction (screen); auto, the axis nearest "
+            "to the view, by default.")
+        ->check(CLI::IsMember({"auto", "x", "y", "z", "screen"}));
+    command.add_flag("--volume-unshaded", volume_unshaded, "Volumes without light and shade by the array's gradient.");
+    command
+        .add_option("--volume-unit-length", volume_unit_length,
+                    "The length after which a ray has the opacity that --volume gives; a tenth of the diagonal by "
+                    "default.")
+        ->type_name("LENGTH");
     command.add_flag("--edges", edges, "Lines along the edges of all polygons: those of the cells.");
     command.add_option("--contours", contours, "Contour lines of a point scalar on slices: ten, or at these values.")
         ->type_name("ARRAY[=VALUE,...]");
@@ -102,6 +116,20 @@ void LayerOptions::add_to(CLI::App& command) {
                     "Cut away what lies beyond a plane, with a cap where --surface is cut open; up to six. "
                     "--clip=-x=1 takes the other side of --clip x=1.")
         ->type_name("[-]x|y|z=VALUE or ox,oy,oz,nx,ny,nz");
+}
+
+void LayerOptions::shape_volumes(nlohmann::json& layers) const {
+    const auto set = [&](const char* option, const char* member, const auto& value) {
+        if (change(layers, is_volume, [&](auto& layer) { layer[member] = value; }) == 0)
+            throw UsageError(std::string(option) + " is about volumes; give --volume");
+    };
+    if (volume_slices) set("--volume-slices", "slices", *volume_slices);
+    if (volume_direction) set("--volume-direction", "direction", *volume_direction);
+    if (volume_unshaded) set("--volume-unshaded", "shaded", false);
+    if (!volume_unit_length) return;
+    if (!(*volume_unit_length > 0) || !std::isfinite(*volume_unit_length))
+        throw UsageError("--volume-unit-length is a length of more than 0");
+    set("--volume-unit-length", "unit_length", *volume_unit_length);
 }
 
 void LayerOptions::apply(nlohmann::json& layers) const {
@@ -120,8 +148,7 @@ void LayerOptions::apply(nlohmann::json& layers) const {
         throw UsageError("--opacity has nothing to work on; give --iso, --slice, --plane, --surface or --volume");
     if (flat && change(layers, is_iso, [](auto& layer) { layer["smooth"] = false; }) == 0)
         throw UsageError("--flat is about iso-surfaces; give --iso");
-    if (volume_slices && change(layers, is_volume, [&](auto& layer) { layer["slices"] = *volume_slices; }) == 0)
-        throw UsageError("--volume-slices is about volumes; give --volume");
+    shape_volumes(layers);
     if (edges && change(layers, has_polygons, [](auto& layer) { layer["edges"] = nlohmann::json::object(); }) == 0)
         throw UsageError("nothing has polygons whose edges could be drawn; give --iso, --slice or --surface");
     for (std::size_t i = 0; i < clips.size(); ++i) layers["clip" + std::to_string(i + 1)] = clip_of(clips[i]);
@@ -129,6 +156,7 @@ void LayerOptions::apply(nlohmann::json& layers) const {
         throw UsageError("--contour-map colours contour lines; give --contours");
     if (contours.empty()) return;
     nlohmann::json lines = contours_of(contours);
+    if (!contour_map.empty()) check_map("--contour-map", contour_map);
     if (!contour_map.empty()) lines["coloring"] = {{"map", contour_map}};
     if (change(layers, is_slice, [&](auto& layer) { layer["contours"] = lines; }) == 0)
         throw UsageError("contour lines are drawn on slices; give --slice or --plane");

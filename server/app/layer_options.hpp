@@ -21,17 +21,24 @@ struct LayerOptions {
     std::optional<double> feature_edges; // degrees
     std::optional<double> opacity;
     std::optional<int> volume_slices;
+    std::optional<std::string> volume_direction;
+    std::optional<double> volume_unit_length;
+    bool volume_unshaded = false;
     std::vector<std::string> patches;
 
     void add_to(CLI::App& command);
     [[nodiscard]] bool has_layers() const { return surface || points || feature_edges; }
     [[nodiscard]] bool any() const {
-        return has_layers() || edges || flat || opacity || volume_slices || !patches.empty() || !contours.empty() ||
-               !contour_map.empty() || !clips.empty() || threshold;
+        return has_layers() || edges || flat || opacity || volume_slices || volume_direction || volume_unit_length ||
+               volume_unshaded || !patches.empty() || !contours.empty() || !contour_map.empty() || !clips.empty() ||
+               threshold;
     }
     // Adds the layers that were asked for behind those that are there, and the styles to all. Throws UsageError on an
     // option that cannot be read, or that has nothing to work on.
     void apply(nlohmann::json& layers) const;
+
+private:
+    void shape_volumes(nlohmann::json& layers) const;
 };
 
 } // namespace ciel::app

@@ -34,6 +34,8 @@ void append_color(std::vector<float>& rules, const Rgb8& color) {
     rules.push_back(1);
 }
 
+constexpr double largest_factor = 3e38; // of a range of subnormal numbers it would be infinite, and 0 times it nothing
+
 void append_rule(std::vector<float>& rules, const ColorScale& scale) {
     const ColorLimits inside = limits_of(scale);
     double low = scale.range[0];
@@ -43,8 +45,9 @@ void append_rule(std::vector<float>& rules, const ColorScale& scale) {
         width = (scale.log ? std::log2(static_cast<double>(scale.range[1])) : scale.range[1]) - low;
     }
     const auto ends = color_row(scale, 2);
-    rules.insert(rules.end(), {static_cast<float>(low), width > 0 ? static_cast<float>(1 / width) : 0.0F,
-                               static_cast<float>(scale.steps), scale.log ? 1.0F : 0.0F});
+    rules.insert(rules.end(),
+                 {static_cast<float>(low), width > 0 ? static_cast<float>(std::min(1 / width, largest_factor)) : 0.0F,
+                  static_cast<float>(scale.steps), scale.log ? 1.0F : 0.0F});
     rules.insert(rules.end(), {inside.low, inside.high, 0, 0});
     append_color(rules, scale.below.value_or(ends.front()));
     append_color(rules, scale.above.value_or(ends.back()));

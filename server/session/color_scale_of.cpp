@@ -7,7 +7,13 @@
 namespace ciel::session {
 namespace {
 
+constexpr float largest_of_range = 4e37F; // the inverse of twice as much is no subnormal float
 constexpr float smallest_of_log = 1e-37F; // smaller ones lose digits as floats, or are zero to a graphics card
+
+// A range may be wider than a float: of its end what a graphics card can still divide by the width of.
+float within_floats(double end) {
+    return static_cast<float>(std::clamp<double>(end, -largest_of_range, largest_of_range));
+}
 
 std::array<float, 2> range_above_zero(std::array<float, 2> range) {
     auto [low, high] = range;
@@ -29,9 +35,10 @@ render::ColorScale color_scale_of(const scene::Coloring& coloring, std::array<fl
     render::ColorScale scale;
     scale.map = coloring.map;
     for (const scene::ColorPoint& point : coloring.points) scale.points.push_back({point.at, point.color});
-    scale.range = data_range;
     if (coloring.range)
-        scale.range = {static_cast<float>((*coloring.range)[0]), static_cast<float>((*coloring.range)[1])};
+        scale.range = {within_floats((*coloring.range)[0]), within_floats((*coloring.range)[1])};
+    else
+        scale.range = {within_floats(data_range[0]), within_floats(data_range[1])};
     if (coloring.symmetric) {
         const float reach = std::max(std::abs(scale.range[0]), std::abs(scale.range[1]));
         scale.range = {-reach, reach};

@@ -278,3 +278,50 @@ def test_a_legend_shows_the_colour_of_missing_values_where_some_are_shown(tmp_pa
     assert magenta("--slice", "x=-0.5", "--color", "m") == 0, "all of these have a value"
     assert magenta("--slice", "x=0.5", "--color", "x") == 0
     assert magenta("--slice", "x=0.5", "--color", "x", "--above-color", "#ff00ff", "--range", "0,0.2") > 20
+
+
+@pytest.mark.parametrize("flags, sentence", [
+    (["--slice", "y=0", "--color", "x", "--map", "rainbow"], "--map rainbow: there is no such colour map; there are viridis, inferno"),
+    (["--slice", "y=0", "--contours", "x", "--contour-map", "jet"], "--contour-map jet: there is no such colour map; there are"),
+    (["--surface", "--volume-direction", "x"], "--volume-direction is about volumes; give --volume"),
+    (["--surface", "--volume-unshaded"], "--volume-unshaded is about volumes; give --volume"),
+    (["--volume", "x", "--volume-unit-length", "0"], "--volume-unit-length is a length of more than 0"),
+    (["--volume", "x", "--volume-unit-length", "nan"], "--volume-unit-length is a length of more than 0"),
+    (["--volume", "x", "--volume-direction", "up"], "--volume-direction"),
+])
+def test_wrong_usage_exits_with_2_and_says_what_there_is(box, tmp_path, flags, sentence):
+    result = ciel("render", box, *flags, "-o", tmp_path / "p.png")
+    assert result.returncode == 2 and sentence in result.stderr, result.stderr
+    assert not (tmp_path / "p.png").exists()
+
+
+def test_options_of_volumes_are_those_of_the_scene(box, tmp_path):
+    """Unshaded, in one colour: Beer-Lambert, whatever the slices go across; half of the light per unit length."""
+    def middle(*flags):
+        result = ciel("render", box, "--volume", "x=0:0.5", "--color-points", "0=#000000,1=#000000", "--volume-unshaded",
+                      "--background", "#ffffff", "--annotations", "none", "--camera", "0,-9,0,0,0,0", "--parallel",
+                      "--size", "64x64", *flags, "-o", tmp_path / "p.png")
+        assert result.returncode == 0, result.stderr
+        reader = vtk.vtkPNGReader()
+        reader.SetFileName(str(tmp_path / "p.png"))
+        return pixels_of(reader)[36, 36, 0] / 255  # beside the middle, through which no outline goes
+
+    for direction in ("auto", "x", "y", "z", "screen"):
+        found = middle("--volume-unit-length", "2", "--volume-direction", direction)
+        assert abs(found - 0.5) < 0.02, direction
+    assert abs(middle("--volume-unit-length", "1") - 0.25) < 0.02
+
+
+def test_null_in_a_scene_file_is_as_if_it_were_not_there(by_command_line):
+    scene = copy.deepcopy(SCENE)
+    plain = by_command_line(scene)
+    scene["layers"]["gone"] = None
+    scene["time"] = scene["layers"]["slice"]["opacity"] = scene["layers"]["slice"]["contours"] = None
+    assert np.array_equal(by_command_line(scene), plain)
+
+
+@pytest.mark.parametrize("ends", ["-1e308,1e308", "1e-42,3e-42", "5,5", "1000000000,1000000000.001", "-3.4e38,3.4e38"])
+def test_any_range_is_drawn(box, tmp_path, ends):
+    result = ciel("render", box, "--slice", "y=0", "--color", "x", f"--range={ends}", "--size", "64x64", "-o",
+                  tmp_path / "p.png")
+    assert result.returncode == 0, result.stderr

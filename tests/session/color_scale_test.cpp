@@ -108,6 +108,47 @@ TEST(ColorScale, TicksStayInsideAndInOrderWhateverTheRange) {
             }
 }
 
+// Ends that no float can hold, or whose difference none can, ends that are subnormal, and a long way from zero.
+TEST(ColorScale, AnyRangeHasEndsThatAreWrittenAndAFiniteWidth) {
+    for (const auto& range : {std::array{-1e308, 1e308},
+                              {-3.4e38, 3.4e38},
+                              {0.0, 1e308},
+                              {1e-42, 3e-42},
+                              {5e-324, 1e-320},
+                              {1e9, 1e9 + 1e-3},
+                              {1e9, 1e9 + 1000},
+                              {-1e37, 1e-30},
+                              {5.0, 5.0},
+                              {0.0, 0.0}}) {
+        scene::Coloring coloring;
+        coloring.array = "p";
+        coloring.range = range;
+        const render::ColorScale scale = color_scale_of(coloring, {0, 1});
+        const double width = static_cast<double>(scale.range[1]) - scale.range[0];
+        ASSERT_TRUE(std::isfinite(scale.range[0]) && std::isfinite(scale.range[1]) && width >= 0) << range[0];
+        EXPECT_EQ(render::has_width(scale), width > 0);
+        if (width > 0) {
+            EXPECT_TRUE(std::isnormal(static_cast<float>(std::min(1 / width, 3e38)))) << range[1];
+        }
+        for (const double end : scale.range) {
+            EXPECT_NE(render::label_on(scale, end), "n/a") << range[0];
+            EXPECT_LT(render::label_on(scale, end).size(), 12U) << render::label_on(scale, end);
+        }
+        double before = -INFINITY;
+        const auto ticks = render::color_ticks(scale, 6);
+        EXPECT_GE(ticks.size(), 1U);
+        for (const render::ColorTick& tick : ticks) {
+            EXPECT_TRUE(tick.value > before && tick.at >= 0 && tick.at <= 1) << range[0] << ' ' << tick.value;
+            EXPECT_NE(tick.label, "n/a");
+            before = tick.value;
+        }
+        const float middle = static_cast<float>(scale.range[0] + width / 2);
+        if (width > 1e-30) {
+            EXPECT_NEAR(render::place_of(scale, middle), 0.5, 1e-3);
+        }
+    }
+}
+
 TEST(ColorScale, WhatIsSentHasTheMembersThatAreNotTheDefault) {
     EXPECT_EQ(json_of(render::ColorScale()), json::object());
     const json words = {{"reverse", true},

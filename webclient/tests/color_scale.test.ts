@@ -2,8 +2,9 @@ import { describe, expect, test } from "vitest";
 import cases from "../../tests/support/color_cases.json";
 import { colorOf, colorRow, hexOf } from "../src/display/color_scale";
 import type { Coloring, Range } from "../src/generated/protocol";
+import { scaleUniforms } from "../src/display/scale_textures";
 import { isShownBy, scaleOf } from "../src/scene/color_range";
-import { colorTicks } from "../src/scene/color_ticks";
+import { colorTicks, labelOn } from "../src/scene/color_ticks";
 
 interface Case {
   name: string;
@@ -15,6 +16,27 @@ interface Case {
 }
 
 describe("the colour scale", () => {
+  test.each([
+    [-1e308, 1e308],
+    [-3.4e38, 3.4e38],
+    [0, 1e308],
+    [1e-42, 3e-42],
+    [5e-324, 1e-320],
+    [1e9, 1e9 + 1e-3],
+    [5, 5],
+  ] as Range[])("from %d to %d has ends that are written, and a finite width", (low, high) => {
+    const scale = scaleOf({ array: "p", range: [low, high] }, [0, 1]);
+    expect(scale.range.every(Number.isFinite)).toBe(true);
+    for (const end of scale.range) {
+      expect(labelOn(scale, end)).not.toBe("n/a");
+      expect(labelOn(scale, end).length).toBeLessThan(12);
+    }
+    const ticks = colorTicks(scale);
+    expect(ticks.length).toBeGreaterThan(0);
+    for (const { at } of ticks) expect(at >= 0 && at <= 1).toBe(true);
+    expect(scaleUniforms(scale).rule.map(Math.fround).every(Number.isFinite)).toBe(true);
+  });
+
   test.each(cases.cases as unknown as Case[])("$name", ({ coloring, data, range, colors, ticks }) => {
     const scale = scaleOf(coloring, data);
     expect(scale.range).toEqual(range.map(Math.fround));

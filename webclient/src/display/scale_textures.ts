@@ -22,9 +22,9 @@ const unit = (color: Rgb8): Rgb => color.map((channel) => channel / 255) as Rgb;
 export function scaleUniforms(scale: ColorScale): ScaleUniforms {
   const measure = (value: number): number => (scale.log ? Math.log2(value) : value);
   const low = hasWidth(scale) ? measure(scale.range[0]) : scale.range[0];
-  const scaling = hasWidth(scale) ? 1 / (measure(scale.range[1]) - low) : 0;
+  const largest = 3e38; // shaders take no infinities
+  const scaling = hasWidth(scale) ? Math.min(1 / (measure(scale.range[1]) - low), largest) : 0;
   const [first = [0, 0, 0], last = first] = colorRow({ ...scale, steps: 0 }, 2);
-  const largest = 3.4e38; // WebGL takes no infinities
   const [lowest, highest] = limitsOf(scale);
   return {
     rule: [low, scaling, scale.steps, scale.log ? 1 : 0],

@@ -3,9 +3,12 @@
 import type { ColorScale } from "../display/color_scale";
 import { DEFAULT_MAP, missingHex } from "../display/color_maps";
 import type { Coloring, Range } from "../generated/protocol";
+import { clamp } from "./numbers";
 
 /** How far a logarithmic scale reaches down from the largest value of data that hold zero. */
 const LOG_DECADES = 6;
+/** What a graphics card can still divide by the width of. */
+const LARGEST = 4e37;
 /** Smaller ones lose digits as floats. */
 const SMALLEST_OF_LOG = 1e-37;
 
@@ -17,7 +20,7 @@ export function rangeAboveZero([low, high]: Range): Range {
 
 /** What a person reads: not yet rounded to what is drawn. */
 export function rangeOf(coloring: Coloring, data: Range): Range {
-  let range = coloring.range ?? data;
+  let range = (coloring.range ?? data).map((end) => clamp(end, -LARGEST, LARGEST)) as Range;
   if (coloring.symmetric === true) {
     const reach = Math.max(Math.abs(range[0]), Math.abs(range[1]));
     range = [-reach, reach];
