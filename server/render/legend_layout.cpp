@@ -13,6 +13,9 @@ namespace {
 constexpr double bar_width = 1.3, most_bar = 15, least_bar = 5, tick_start = 0.15, tick_end = 0.5, gap = 0.35,
                  between = 1.6, cap_height = 0.35;
 constexpr double widest_title = 0.3; // of the picture
+// Of the picture: where columns may begin, the first and others, for it is what it is for.
+constexpr double leftmost_first = 1.0 / 3, leftmost_other = 0.66;
+constexpr double wide_legend = 0.18, upper_part = 0.55;
 constexpr double tick_spacing = 1.7; // lines
 constexpr int most_ticks = 6;
 constexpr double missing_line = 1.9; // lines that a legend with `missing` is higher
@@ -164,44 +167,74 @@ void draw_entry(Page& page, const Entry& entry, int left, double top, double bar
     page.take(all);
 }
 
+// Beside legends that are wide for the picture there is little of it left: they keep to its upper part.
+double height_for(Page& page, const Annotations& annotations, double least) {
+    const double whole = page.room.height();
+    const bool is_narrow = entry_of(page, annotations.legends.front()).width > wide_legend * page.width();
+    const double upper = page.height() * upper_part - page.room.top;
+    const auto count = static_cast<double>(annotations.legends.size());
+    if (!is_narrow || count * least <= upper || upper < least) return whole;
+    return upper;
+}
+
+// For who would look for them; where there is room.
+void note_left_out(Page& page, Place corner, std::ptrdiff_t count) {
+    const TextSize& size = page.text();
+    const std::string text = "+ " + std::to_string(count) + " more";
+    const std::string fitting = page.shortened(text, size, page.room.right - corner.x);
+    const int base = static_cast<int>(std::lround(corner.y + 0.3 * size.line())) + size.metrics.ascent;
+    const int left = static_cast<int>(corner.x);
+    if (fitting.empty() || !page.is_free(page.box_of(fitting, size, left, base))) return;
+    page.write_backed(fitting, size, left, base);
+    page.take(page.box_of(fitting, size, left, base));
+}
+
 } // namespace
 
 void lay_legends(Page& page, const Annotations& annotations) {
+    if (annotations.legends.empty()) return;
     const double em = page.em();
+    const double line = page.text().line();
     // The title, or two lines of it, half a line at each end of the bar, and what stands below it.
     const auto has_layers = [](const Legend& legend) { return !legend.layers.empty(); };
     const bool two_lines = std::any_of(annotations.legends.begin(), annotations.legends.end(), has_layers);
     const auto is_missing = [](const Legend& legend) { return legend.missing; };
     const bool any_missing = std::any_of(annotations.legends.begin(), annotations.legends.end(), is_missing);
-    const double around = ((two_lines ? 3 : 2) + (any_missing ? missing_line : 0)) * page.text().line();
+    const double around = ((two_lines ? 3 : 2) + (any_missing ? missing_line : 0)) * line;
+    const double least = around + (least_bar + between) * em;
+    const double height = height_for(page, annotations, least);
     double right = page.room.right;
     auto next = annotations.legends.begin();
+    Place below{}; // the last column
     while (next != annotations.legends.end()) {
         const auto left_over = static_cast<double>(annotations.legends.end() - next);
-        const double least = around + (least_bar + between) * em;
-        const double fitting = std::floor((page.room.height() + between * em) / least);
+        const double fitting = std::floor((height + between * em) / least);
         const double count = std::min(left_over, fitting);
-        if (count < 1) return;
-        const double block = (page.room.height() + between * em) / count;
+        if (count < 1) break;
+        const double block = (height + between * em) / count;
         const double bar_height = std::min(most_bar * em, block - around - between * em);
         std::vector<Entry> column;
         double width = 0;
         for (int i = 0; i < static_cast<int>(count); ++i) {
-            column.push_back(entry_of(page, *next++));
+            column.push_back(entry_of(page, *(next + i)));
             width = std::max(width, column.back().width);
         }
         const int left = static_cast<int>(std::floor(right - width));
         double top = page.room.top;
         const Box all{static_cast<double>(left), top, right, top + count * block - between * em};
-        const bool is_first = column.size() == static_cast<std::size_t>(next - annotations.legends.begin());
-        const double leftmost = is_first ? page.width() / 3.0 : page.width() / 2.0; // the picture is what it is for
-        if (left < leftmost || !page.is_free(all)) return;
+        const bool is_first = next == annotations.legends.begin();
+        const double leftmost = (is_first ? leftmost_first : leftmost_other) * page.width();
+        if (left < leftmost || !page.is_free(all)) break;
         for (const Entry& entry : column) {
             draw_entry(page, entry, left, top, bar_height);
             top += around + bar_height + between * em;
         }
+        next += static_cast<std::ptrdiff_t>(count);
+        below = {static_cast<double>(left), top - between * em};
         right = left - between * em;
     }
+    if (next != annotations.legends.begin() && next != annotations.legends.end())
+        note_left_out(page, below, annotations.legends.end() - next);
 }
 
 } // namespace ciel::render

@@ -56,10 +56,11 @@ void step_back(Camera& camera, double by = step) {
     camera.parallel_height *= by;
 }
 
-// Moves what is seen to the left by a share of the picture's width.
-Camera stepped_aside(const Frame& frame, double share) {
+// Moves what is seen to the left and down, by shares of the picture's width.
+Camera stepped_aside(const Frame& frame, double to_left, double down) {
     const glm::dmat4 view = view_transform(frame).view;
     const glm::dvec3 right(view[0].x, view[1].x, view[2].x);
+    const glm::dvec3 up(view[0].y, view[1].y, view[2].y);
     Camera camera = frame.camera;
     const auto distance = [](const Vec3d& a, const Vec3d& b) {
         return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
@@ -67,24 +68,25 @@ Camera stepped_aside(const Frame& frame, double share) {
     const double height =
         camera.parallel ? camera.parallel_height
                         : 2 * distance(camera.position, camera.target) * std::tan(glm::radians(camera.fov_degrees) / 2);
-    const double shift = share * height * frame.width / frame.height;
+    const glm::dvec3 shift = height * frame.width / frame.height * (to_left * right + down * up);
     for (int k = 0; k < 3; ++k) {
         const auto at = static_cast<std::size_t>(k);
-        camera.position[at] += shift * right[k];
-        camera.target[at] += shift * right[k];
+        camera.position[at] += shift[k];
+        camera.target[at] += shift[k];
     }
     return camera;
 }
 
-// In a narrow picture the legends reach so far that nothing in the middle is clear of them.
-std::optional<Camera> clear_at_the_left(Frame frame, const std::vector<glm::dvec3>& points, const Page& page) {
+// In a narrow picture the legends reach so far that nothing in the middle is clear of them: left of them, or below.
+std::optional<Camera> clear_aside(Frame frame, const std::vector<glm::dvec3>& points, const Page& page) {
     constexpr double large_step = 1.1, furthest_aside = 3;
     for (double away = 1; away < furthest_aside; away *= large_step, step_back(frame.camera, large_step))
-        for (int i = 1; i <= most_aside; ++i) {
-            Frame moved = frame;
-            moved.camera = stepped_aside(frame, i * aside);
-            if (is_clear(moved, points, page)) return moved.camera;
-        }
+        for (int i = 1; i <= most_aside; ++i)
+            for (const auto& [to_left, down] : {std::pair(1, 0), {0, 1}, {0, 2}}) { // narrow pictures are high
+                Frame moved = frame;
+                moved.camera = stepped_aside(frame, i * to_left * aside, i * down * aside);
+                if (is_clear(moved, points, page)) return moved.camera;
+            }
     return {};
 }
 
@@ -109,7 +111,7 @@ Camera clear_of_annotations(const Frame& frame) {
     for (double away = 1; away < furthest; away *= step, step_back(judged.camera))
         if (is_clear(judged, points, page)) return judged.camera;
     judged.camera = frame.camera;
-    return clear_at_the_left(judged, points, page).value_or(frame.camera);
+    return clear_aside(judged, points, page).value_or(frame.camera);
 }
 
 } // namespace ciel::render

@@ -163,6 +163,33 @@ TEST_F(Layout, TellsApartLegendsOfOneName) {
     }
 }
 
+// Legends leave most of a small picture to what it shows; how many are left out is said, and the first ones stay.
+TEST_F(Layout, LeavesRoomForTheBoxInSmallPictures) {
+    for (const auto& [width, height] : {std::pair(240, 400), {400, 240}, {320, 480}, {480, 320}, {640, 360}}) {
+        Frame frame = annotated_frame(width, height);
+        frame.annotations.legends.push_back({"s", "", scale_of("magma", {0, 1})});
+        for (Legend& legend : frame.annotations.legends) legend.layers = "Slice";
+        const Overlay overlay = lay_out(frame, font);
+        const std::string what = std::to_string(width) + "x" + std::to_string(height);
+        double covered = 0;
+        int bars = 0;
+        for (const Plate& plate : overlay.plates) {
+            const bool is_legend = std::any_of(overlay.fills.begin(), overlay.fills.end(),
+                                               [&](const Fill& fill) { return plate.box.overlaps(fill.box); });
+            covered += is_legend ? plate.box.width() * plate.box.height() : 0;
+            bars += is_legend ? 1 : 0;
+        }
+        EXPECT_GE(bars, 1) << what;
+        EXPECT_LT(covered, 0.25 * width * height) << what;
+        if (width == 240) {
+            EXPECT_NE(find(overlay, "+ " + std::to_string(4 - bars) + " more"), nullptr) << what;
+        }
+        const auto is_first = [](const Label& label) { return label.text.starts_with("U:ma"); };
+        EXPECT_TRUE(std::any_of(overlay.labels.begin(), overlay.labels.end(), is_first)) << what;
+        expect_lawful(frame, what);
+    }
+}
+
 TEST_F(Layout, ShowsTheColourOfMissingValuesWhereThereAreSome) {
     Frame frame = annotated_frame(1280, 720);
     EXPECT_EQ(find(lay_out(frame, font), "no value"), nullptr);
