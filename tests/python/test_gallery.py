@@ -4,6 +4,7 @@ import os
 import pathlib
 import re
 import shlex
+import tarfile
 
 import numpy as np
 import pytest
@@ -13,7 +14,8 @@ from vtk.util.numpy_support import vtk_to_numpy
 from program import ciel
 
 GALLERY = pathlib.Path(__file__).resolve().parents[2] / "protocol" / "gallery"
-NASA = pathlib.Path(os.environ.get("CIEL_DATA", "data")) / "nasa"
+DATA = pathlib.Path(os.environ.get("CIEL_DATA", "data"))
+NASA, SPHERE = DATA / "nasa", DATA / "sphere_polyhedra.tar.xz"
 COMMANDS = [shlex.split(line, comments=True) for line in re.findall(r"^build/ciel .*$", (GALLERY / "README.md").read_text(), re.MULTILINE)]
 RENDERS = {pathlib.Path(words[4]).stem: words for words in COMMANDS if words[1] == "render"}
 MAKES = {words[-1]: words for words in COMMANDS if words[1] != "render"}
@@ -38,13 +40,22 @@ def test_every_scene_has_a_picture_and_a_command():
         assert pixels(GALLERY / f"{name}.png").shape == (height, width, 3)
 
 
-@pytest.mark.parametrize("name", ["blunt_fin", "oxygen_post", "vortex_street"])
+def input_of(word, folder):
+    """Where a file that a command reads is here."""
+    if word.endswith(".foam"):
+        with tarfile.open(SPHERE) as files:
+            files.extractall(folder)
+        return folder / "sphere_polyhedra" / word
+    return NASA / word if word.endswith(".bin") else word
+
+
+@pytest.mark.parametrize("name", sorted(RENDERS))
 def test_its_command_draws_the_picture(name, tmp_path):
     render = RENDERS[name]
     make = MAKES[render[2]]
-    if make[1] == "import" and not NASA.is_dir():
+    if make[1] == "import" and not (NASA.is_dir() and SPHERE.is_file()):
         pytest.skip("CIEL_DATA does not name the folder with the real datasets")
-    inputs = [NASA / word if word.endswith(".bin") else word for word in make[1:]]
+    inputs = [input_of(word, tmp_path) for word in make[1:]]
     for words in (inputs, [GALLERY.parents[1] / word if word.endswith(".json") else word for word in render[1:]]):
         done = ciel(*words, cwd=tmp_path)
         assert done.returncode == 0, done.stderr
