@@ -214,7 +214,11 @@ describe("nothing", { skip }, () => {
     const session = (await client.page.evaluate(() => sessionStorage.getItem("ciel.session"))) ?? "";
     const patch = async (change: object): Promise<void> => {
       const body = JSON.stringify({ jsonrpc: "2.0", id: 1, method: "scene.patch", params: { session, patch: change } });
-      await fetch(new URL("rpc", cube.address), { method: "POST", headers: { "Content-Type": "application/json" }, body });
+      await fetch(new URL("rpc", cube.address), {
+        method: "POST",
+        headers: { "Content-Type": "application/json" },
+        body,
+      });
       await client.page.waitForTimeout(200);
       await client.settled();
     };

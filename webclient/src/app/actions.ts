@@ -46,7 +46,7 @@ export class Actions {
     // Only the server knows which cells are left; what nothing is cut from is all there at once.
     if (!wholeBox && cutsCells(app.editor.scene) && app.editor.isConnected) {
       try {
-        bounds = (await app.session.call("scene.bounds", { session: app.tab.id })).bounds as Bounds;
+        bounds = (await app.session.call("scene.bounds", { session: app.tab.id })).bounds;
       } catch (error) {
         app.fail(error);
       }

@@ -40,6 +40,13 @@ const ROWS: { title: string; keys: [string, string][] }[] = [
       ["Home, End", "Lowest, highest"],
     ],
   },
+  {
+    title: "In the list of layers",
+    keys: [
+      ["Drag a row", "Another order"],
+      ["The arrows of a row", "The same, by keys and fingers"],
+    ],
+  },
 ];
 
 export function Help(): JSX.Element | null {

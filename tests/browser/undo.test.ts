@@ -1,0 +1,150 @@
+// Every control of every panel is one step of undo: it is changed, undone and done again, and the scene document that
+// the server has is compared each time.
+import assert from "node:assert/strict";
+import { after, before, describe, test } from "node:test";
+import type { Locator } from "./chromium.ts";
+import { fragmentOf } from "./link.ts";
+import type { Client } from "./page.ts";
+import { nameOf } from "./server.ts";
+import { data, skip, Stage } from "./stage.ts";
+
+const threshold = { array: "tracer", range: [0, 0.5] };
+const by = { array: "tracer" };
+const layers = {
+  iso: { type: "iso", array: "tracer", values: [0.3], color: by, edges: { width: 1 } },
+  slice: { type: "slice", axis: "z", value: 2.4, color: by, contours: { array: "tracer", coloring: {} } },
+  plane: { type: "slice", origin: [5, 0, 2], normal: [1, 1, 0], color: by },
+  clip: { type: "clip", axis: "y", value: 3 },
+  free: { type: "clip", origin: [5, 4, 2], normal: [0, 1, 1] },
+  surface: { type: "surface", color: by, threshold, opacity: 0.5 },
+  edges: { type: "edges", angle: 30, threshold },
+  points: { type: "points", threshold, most: 1000 },
+  volume: { type: "volume", array: "tracer", slices: 20 },
+  outline: { type: "outline" },
+};
+const lighting = { ambient_occlusion: { on: true } };
+
+/** What each panel has at least, so that a control that is not found any more is missed. */
+const PANELS: readonly (readonly [string, number])[] = [
+  ["Iso-surfaces", 8],
+  ["Slices", 12],
+  ["Volumes", 6],
+  ["Boundary", 8],
+  ["Lines and points", 12],
+  ["Clip", 8],
+  ["Camera", 8],
+  ["Lighting", 8],
+  ["View", 8],
+];
+/** No part of the scene. */
+const OWN = ["Stream"];
+
+const CONTROLS = "input[type=checkbox], select, input[type=range], input[type=color], input[type=text], [role=slider]";
+
+const sorted = (value: unknown): unknown => {
+  if (Array.isArray(value)) return value.map(sorted);
+  if (typeof value !== "object" || value === null) return value;
+  return Object.fromEntries(
+    Object.entries(value)
+      .sort(([a], [b]) => (a < b ? -1 : 1))
+      .map(([key, member]) => [key, sorted(member)]),
+  );
+};
+
+describe("undo", { skip }, () => {
+  const stage = new Stage();
+  let client: Client;
+  let session = "";
+  before(async () => {
+    const scene = { dataset: nameOf(data[0] ?? ""), layers, lighting };
+    client = await stage.fresh({ width: 1200, height: 800 }, fragmentOf(scene));
+    session = (await client.page.evaluate(() => sessionStorage.getItem("ciel.session"))) ?? "";
+  });
+  after(() => client.close());
+
+  async function state(): Promise<{ revision: number; scene: string }> {
+    const body = JSON.stringify({ jsonrpc: "2.0", id: 1, method: "scene.get", params: { session } });
+    const headers = { "Content-Type": "application/json" };
+    const answer = await fetch(new URL("rpc", stage.server.address), { method: "POST", headers, body });
+    const { result } = (await answer.json()) as { result: { revision: number; scene: unknown } };
+    return { revision: result.revision, scene: JSON.stringify(sorted(result.scene)) };
+  }
+
+  /** The document after the revision has moved and stands; the same where it does not move. */
+  async function moved(from: number, patience: number): Promise<{ revision: number; scene: string }> {
+    const deadline = Date.now() + patience;
+    let now = await state();
+    while (now.revision === from && Date.now() < deadline) {
+      await client.page.waitForTimeout(20);
+      now = await state();
+    }
+    for (let last = -1; last !== now.revision; now = await state()) {
+      last = now.revision;
+      await client.page.waitForTimeout(60);
+    }
+    return now;
+  }
+
+  async function use(control: Locator): Promise<void> {
+    const kind = await control.evaluate((element) => `${element.tagName} ${element.getAttribute("type") ?? ""}`);
+    if (kind === "INPUT checkbox") await control.click();
+    else if (kind.startsWith("SELECT")) {
+      const other = await control.evaluate((element) => {
+        const { options, selectedIndex } = element as HTMLSelectElement;
+        return options[(selectedIndex + 1) % options.length]?.value ?? "";
+      });
+      await control.selectOption(other);
+    } else if (kind === "INPUT color") await control.fill("#123456");
+    else if (kind === "INPUT text") {
+      const value = await control.inputValue();
+      await control.fill(value === "" || Number.isNaN(Number(value)) ? "2" : String(Number(value) * 0.9 + 0.1));
+      await control.press("Enter");
+    } else {
+      const [now, most] = await control.evaluate((element) =>
+        element instanceof HTMLInputElement
+          ? [element.value, element.max]
+          : [element.getAttribute("aria-valuenow"), element.getAttribute("aria-valuemax")],
+      );
+      await control.focus();
+      await control.press(Number(now) === Number(most) ? "ArrowLeft" : "ArrowRight");
+    }
+  }
+
+  for (const [panel, least] of PANELS)
+    test(`of each control of ${panel}`, async () => {
+      const section = client.page
+        .locator(".section")
+        .filter({ has: client.page.getByRole("button", { name: panel, exact: true }) });
+      const head = section.getByRole("button", { name: panel, exact: true });
+      if ((await head.getAttribute("aria-expanded")) === "false") await head.click();
+      const count = await section.locator(CONTROLS).count();
+      const wrong: string[] = [];
+      let changed = 0;
+      for (let i = 0; i < count; i += 1) {
+        const control = section.locator(CONTROLS).nth(i);
+        if (!(await control.isVisible()) || !(await control.isEnabled())) continue;
+        const name = await control.evaluate(
+          (element) => element.getAttribute("aria-label") ?? element.closest("label")?.textContent ?? "",
+        );
+        if (OWN.includes(name)) continue;
+        const was = await state();
+        await use(control);
+        const then = await moved(was.revision, 400);
+        if (then.scene === was.scene) continue; // it was at its end
+        changed += 1;
+        await client.button("Undo").click();
+        const undone = await moved(then.revision, 4000);
+        await client.button("Redo").click();
+        const again = await moved(undone.revision, 4000);
+        await client.button("Undo").click();
+        const back = await moved(again.revision, 4000);
+        if (undone.scene !== was.scene) wrong.push(`${name}: undone is not what it was`);
+        if (again.scene !== then.scene) wrong.push(`${name}: done again is not what it became`);
+        if (back.scene !== was.scene) wrong.push(`${name}: undone once more is not what it was`);
+        assert.equal(await section.locator(CONTROLS).count(), count, `${name}: the controls are those that were`);
+      }
+      assert.deepEqual(wrong, []);
+      assert.ok(changed >= least, `${changed} controls changed the scene, of ${count}`);
+      assert.deepEqual(client.problems, []);
+    });
+});
