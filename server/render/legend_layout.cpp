@@ -15,7 +15,7 @@ constexpr double bar_width = 1.3, most_bar = 15, least_bar = 5, tick_start = 0.1
 constexpr double widest_title = 0.3; // of the picture
 // Of the picture: where columns may begin, the first and others, for it is what it is for.
 constexpr double leftmost_first = 1.0 / 3, leftmost_other = 0.66;
-constexpr double wide_legend = 0.18, upper_part = 0.55;
+constexpr double wide_legend = 0.22, upper_part = 0.55;
 constexpr double tick_spacing = 1.7; // lines
 constexpr int most_ticks = 6;
 constexpr double missing_line = 1.9; // lines that a legend with `missing` is higher
