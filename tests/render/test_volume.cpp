@@ -66,11 +66,11 @@ const std::vector<Solid> solids{
      [] { return cube_without(4, [](auto c) { return c[1] == 1 || (c[1] == 2 && c[2] > 1); }); },
      unit_cube,
      {{Vec3d{0, 0.25, 0}, Vec3d{1, 0.5, 1}}, {Vec3d{0, 0.5, 0.5}, Vec3d{1, 0.75, 1}}}},
-    {"comb", // a ray across it is in it six times
-     [] { return cube_without(11, [](auto c) { return c[1] % 2 == 1; }); }, unit_cube,
+    {"comb", // a ray across it is in it eight times
+     [] { return cube_without(15, [](auto c) { return c[1] % 2 == 1; }); }, unit_cube,
      [] {
          std::vector<std::array<Vec3d, 2>> gaps;
-         for (int i = 1; i < 11; i += 2) gaps.push_back({Vec3d{0, i / 11.0, 0}, Vec3d{1, (i + 1) / 11.0, 1}});
+         for (int i = 1; i < 15; i += 2) gaps.push_back({Vec3d{0, i / 15.0, 0}, Vec3d{1, (i + 1) / 15.0, 1}});
          return gaps;
      }()},
     {"inner_wall", // two parts that touch without sharing a vertex: a wall of two sides in the middle
