@@ -8,4 +8,4 @@ CIEL = os.environ.get("CIEL_BINARY", str(pathlib.Path(__file__).parents[2] / "bu
 
 
 def ciel(*arguments, **options):
-    return subprocess.run([CIEL, *map(str, arguments)], capture_output=True, text=True, **options)
+    return subprocess.run([CIEL, *map(str, arguments)], capture_output=True, encoding="utf-8", **options)
