@@ -30,9 +30,9 @@ enum Unit : int {
 DepthPeeling::DepthPeeling(const Gl& gl)
     : gl_(gl), programs_{make_peeling_program(gl, false), make_peeling_line_program(gl, false)},
       recorded_programs_{make_peeling_program(gl, true), make_peeling_line_program(gl, true)},
-      copy_depth_(make_depth_copy_program(gl)), add_(make_layer_sum_program(gl)),
-      picture_(make_layers_picture_program(gl, false)), sample_picture_(make_layers_picture_program(gl, true)),
-      fine_opaque_(gl) {
+      behind_samples_(make_depth_behind_samples_program(gl)), copy_depth_(make_depth_copy_program(gl)),
+      add_(make_layer_sum_program(gl)), picture_(make_layers_picture_program(gl, false)),
+      sample_picture_(make_layers_picture_program(gl, true)), fine_opaque_(gl) {
     for (Layer& layer : layers_) {
         gl_.GenFramebuffers(1, &layer.framebuffer);
         gl_.GenTextures(1, &layer.depth);
@@ -159,7 +159,17 @@ void DepthPeeling::draw(const Scene& scene, Target& target) {
 GLuint DepthPeeling::find_opaque(const Scene& scene, Target& target) {
     if (factor_ == 1 || scene.outlines != 0 || !scene.draw_opaque) {
         target.copy_depth(opaque_framebuffer_);
-        return opaque_;
+        if (scene.samples == 1) return opaque_;
+        fine_opaque_.begin(width_, height_, false);
+        gl_.Enable(GL_DEPTH_TEST);
+        gl_.DepthMask(GL_TRUE);
+        gl_.DepthFunc(GL_ALWAYS);
+        bind(gl_, opaque_unit, opaque_);
+        behind_samples_.use();
+        behind_samples_.set("opaque", int{opaque_unit});
+        cover();
+        gl_.DepthFunc(GL_LEQUAL);
+        return fine_opaque_.texture();
     }
     fine_opaque_.begin(factor_ * width_, factor_ * height_, false);
     gl_.Enable(GL_DEPTH_TEST);

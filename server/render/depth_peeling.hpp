@@ -69,7 +69,7 @@ private:
 
     const Gl& gl_;
     Programs programs_, recorded_programs_;
-    ShaderProgram copy_depth_, add_, picture_, sample_picture_;
+    ShaderProgram behind_samples_, copy_depth_, add_, picture_, sample_picture_;
     OpaqueDepth fine_opaque_;
     Layer layers_[2];
     GLuint color_ = 0, color_framebuffer_ = 0; // of the layer being drawn

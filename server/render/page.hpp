@@ -62,8 +62,8 @@ private:
 
 // Each draws its part of frame.annotations where there is room for it, and nothing on anything that was drawn before.
 // In this order: what comes later gives way. Of captions the last are left out first, of legends likewise, which is
-// said, and all of those that would begin in the left third; the triad as a whole; of axes single numbers and names, and
-// parts of lines.
+// said, and all of those that would begin in the left third; the triad as a whole; of axes single numbers and names,
+// and parts of lines.
 void lay_title(Page& page, const Annotations& annotations);
 void lay_captions(Page& page, const Annotations& annotations);
 void lay_legends(Page& page, const Annotations& annotations);

@@ -5,14 +5,33 @@
 namespace ciel::render {
 namespace {
 
+// A sample lies up to half a pixel away from where a layer meets the same face: so much farther, by the lesser slope to
+// either side, which at an outline is the face's own.
+constexpr const char* depth_behind_samples_fragment = R"(#version 330 core
+uniform sampler2D opaque;
+float depth_at(ivec2 pixel) { return texelFetch(opaque, clamp(pixel, ivec2(0), textureSize(opaque, 0) - 1), 0).r; }
+void main() {
+    ivec2 pixel = ivec2(gl_FragCoord.xy);
+    float own = depth_at(pixel);
+    float rise = 0.0;
+    for (int axis = 0; axis < 2; ++axis) {
+        ivec2 beside = ivec2(1 - axis, axis);
+        rise += min(abs(depth_at(pixel - beside) - own), abs(depth_at(pixel + beside) - own));
+    }
+    gl_FragDepth = min(own + rise, 1.0);
+}
+)";
+
+// A layer on the very faces of what is opaque lies over it, whatever the rounding.
 constexpr const char* depth_copy_fragment = R"(#version 330 core
 uniform sampler2D opaque;
 uniform sampler2D sum; // of the nearer layers
 uniform vec2 viewport;
+const float rounding = 1e-6;
 const float least_share = 1.0 / 512.0; // of the light: half of a step of the picture's colours
 void main() {
     float through = texelFetch(sum, ivec2(gl_FragCoord.xy), 0).a;
-    gl_FragDepth = through < least_share ? 0.0 : texture(opaque, gl_FragCoord.xy / viewport).r;
+    gl_FragDepth = through < least_share ? 0.0 : min(texture(opaque, gl_FragCoord.xy / viewport).r + rounding, 1.0);
 }
 )";
 
@@ -63,6 +82,9 @@ void main() {
 
 } // namespace
 
+ShaderProgram make_depth_behind_samples_program(const Gl& gl) {
+    return make_cover_program(gl, depth_behind_samples_fragment);
+}
 ShaderProgram make_depth_copy_program(const Gl& gl) { return make_cover_program(gl, depth_copy_fragment); }
 ShaderProgram make_layer_sum_program(const Gl& gl) { return make_cover_program(gl, layer_sum_fragment); }
 ShaderProgram make_layers_picture_program(const Gl& gl, bool per_sample) {

@@ -13,7 +13,7 @@ render::Legend legend_of(const Shown& drawable, bool missing) {
 
 class Legends {
 public:
-    void add(const scene::Layer& layer, render::Legend legend, bool contours) {
+    void add(const scene::Layer& layer, const render::Legend& legend, bool contours) {
         std::size_t i = 0;
         while (i < legends.size() && !(legends[i].name == legend.name && legends[i].scale == legend.scale)) ++i;
         if (i == legends.size()) {

@@ -175,5 +175,36 @@ TEST_P(LinesOnSurfaces, TransparentSurfacesKeepTheirOrder) {
         }
 }
 
+// Over the very faces of an opaque surface, wherever its samples are.
+TEST_P(LinesOnSurfaces, ATransparentSurfaceOnAnOpaqueOneIsSeenAllOver) {
+    const Shape ball = sphere(0.9, {0.1, 0, 0.05}, 64);
+    const std::vector<Vec3f> center{{-1.5F, 0, -1.2F}};
+    const std::vector<Index> one{0};
+    Mesh point; // elsewhere, with which opaque depths are copied, not drawn again
+    point.positions = center;
+    point.indices = one;
+    point.points = true;
+    point.point_size = 3;
+    point.lit = false;
+    point.color = {0, 0, 1, 1};
+    frame.bounds_min = {-1, -1, -1};
+    frame.bounds_max = {1, 1, 1};
+    frame.camera.position = {2, -4, 1.5};
+    for (const int samples : {1, 4})
+        for (const bool with_point : {false, true}) {
+            frame.samples = samples;
+            frame.meshes = {colored(ball, {1, 0, 0, 1}), colored(ball, {0, 1, 0, 0.5F})};
+            if (with_point) frame.meshes.push_back(point);
+            renderer.draw(frame, image);
+            int red = 0, mixed = 0;
+            for (std::size_t i = 0; i < image.rgb.size(); i += 3) {
+                red += image.rgb[i] > 200 ? 1 : 0;
+                mixed += std::abs(image.rgb[i] - 128) < 8 && std::abs(image.rgb[i + 1] - 128) < 8 ? 1 : 0;
+            }
+            EXPECT_GT(mixed, 10000) << samples;
+            EXPECT_EQ(red, 0) << samples << " samples, with a point: " << with_point;
+        }
+}
+
 } // namespace
 } // namespace ciel::render

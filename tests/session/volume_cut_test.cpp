@@ -87,6 +87,24 @@ TEST_F(volume_cut, the_axis_is_the_one_nearest_to_the_view_or_the_one_that_is_as
     EXPECT_NEAR(normal[2], 0.8, 1e-12);
 }
 
+TEST_F(volume_cut, a_wide_still_has_no_slabs_that_it_looks_along) {
+    const auto normal = [](const Vec3d& view, double fov, bool moving = false, bool parallel = false) {
+        render::Camera camera;
+        camera.position = {};
+        camera.target = view;
+        camera.fov_degrees = fov;
+        camera.parallel = parallel;
+        return slab_normal(scene::VolumeLayer::Direction::automatic, camera, moving);
+    };
+    const Vec3d x{1, 0, 0}, corner{1, 1, 1};
+    EXPECT_EQ(normal(corner, 30), x);
+    EXPECT_NEAR(normal(corner, 60)[2], 1 / std::sqrt(3.0), 1e-12);
+    EXPECT_EQ(normal(corner, 60, true), x) << "while the camera moves";
+    EXPECT_EQ(normal(corner, 60, false, true), x) << "parallel";
+    EXPECT_EQ(normal({2, 0.01, 0}, 75), x) << "straight at them";
+    EXPECT_NE(normal({2, 0.01, 0}, 170), x);
+}
+
 TEST_F(volume_cut, all_volumes_have_slabs_across_the_direction_of_the_first_that_is_shown) {
     const auto across = [](const char* direction, double order, bool visible = true) {
         json layer = volume(3);
