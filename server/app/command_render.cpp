@@ -5,6 +5,7 @@
 #include "app/layer_options.hpp"
 #include "app/lighting_options.hpp"
 #include "app/scene_options.hpp"
+#include "scene/read_json.hpp"
 #include "session/default_scene.hpp"
 #include "session/errors.hpp"
 #include "session/picture.hpp"
@@ -58,8 +59,11 @@ session::ViewSize parse_size(const std::string& text) {
 nlohmann::json read_scene_file(const std::string& path) {
     std::ifstream file(path, std::ios::binary);
     if (!file) throw Error(path + " cannot be read");
+    const std::string text{std::istreambuf_iterator<char>(file), {}};
     try {
-        return nlohmann::json::parse(file);
+        return scene::read_json(text);
+    } catch (const scene::TwiceNamed& error) {
+        throw Error(path + ": " + error.what());
     } catch (const nlohmann::json::exception& error) {
         const std::string reason = error.what(); // "[json.exception...] parse error at line 2...": the part for people
         throw Error(path + " is not JSON: " + reason.substr(std::min(reason.size(), reason.find("] ") + 2)));
@@ -166,13 +170,10 @@ int run_command(const RenderCommand& render) {
     render.camera.project(scene);
     const auto geometry = make_geometry(scene, loaded, render.scene.extraction.chosen());
     render.camera.stand_back(scene, *geometry, size);
-    for (const std::string& remark : geometry->remarks) std::cerr << "ciel: " << remark << '\n';
-    for (const session::EmptyLayer& empty : geometry->empty)
-        std::cerr << "ciel: layer " << empty.layer << " shows nothing. " << empty.reason << '\n';
     render::Image image;
     render::Renderer renderer(backend);
     renderer.draw(session::picture_of(*geometry, scene, size), image);
-    for (const std::string& remark : renderer.remarks()) std::cerr << "ciel: " << remark << '\n';
+    for (const std::string& remark : session::remarks_on(*geometry, renderer)) std::cerr << "ciel: " << remark << '\n';
     std::vector<std::uint8_t> png;
     wire::encode_png(image.width, image.height, image.rgb, png);
     store::replace_file(std::filesystem::absolute(render.output), std::as_bytes(std::span(png)));

@@ -38,7 +38,7 @@ void count(protocol::DatasetHistogramResult& result, const std::vector<float>& v
 protocol::DatasetHistogramResult dataset_histogram(Context& context, const protocol::DatasetHistogramParams& params) {
     const std::size_t limit = context.server.limits().histogram_bins;
     if (params.bins > static_cast<std::int64_t>(limit))
-        throw session::LimitReached("a histogram may have " + std::to_string(limit) + " bins");
+        throw session::LimitReached("a histogram may have at most " + std::to_string(limit) + " bins");
     if (params.range && !((*params.range)[0] < (*params.range)[1]))
         throw InvalidParams("/range", "/range must be [minimum, maximum]");
     const auto loaded = context.dataset(params.dataset);

@@ -3,6 +3,7 @@
 #include "methods/context.hpp"
 #include "methods/error_answer.hpp"
 #include "methods/request.hpp"
+#include "scene/read_json.hpp"
 #include "session/metrics.hpp"
 #include "session/slow_calls.hpp"
 
@@ -119,11 +120,13 @@ private:
 // The error of a text that holds no requests, else nothing, and `requests` are set.
 std::optional<json> refusal(const session::Limits& limits, std::string_view text, json& requests) {
     if (text.size() > limits.message_bytes)
-        return limit_error("a message may have " + std::to_string(limits.message_bytes) + " bytes");
+        return limit_error("a message may have at most " + std::to_string(limits.message_bytes) + " bytes");
     if (is_deeper_than(text, limits.json_depth))
-        return limit_error("JSON may be " + std::to_string(limits.json_depth) + " levels deep");
+        return limit_error("JSON may be at most " + std::to_string(limits.json_depth) + " levels deep");
     try {
-        requests = json::parse(text.begin(), text.end());
+        requests = scene::read_json(text);
+    } catch (const scene::TwiceNamed& error) {
+        return invalid_request(error.what());
     } catch (const json::out_of_range&) {
         return parse_error("a number in the message is too large; the largest is about 1.8e308");
     } catch (const json::exception&) {
@@ -132,7 +135,7 @@ std::optional<json> refusal(const session::Limits& limits, std::string_view text
     if (!requests.is_array()) return {};
     if (requests.empty()) return invalid_request("a batch must not be empty");
     if (requests.size() > limits.batch_requests)
-        return limit_error("a batch may have " + std::to_string(limits.batch_requests) + " requests");
+        return limit_error("a batch may have at most " + std::to_string(limits.batch_requests) + " requests");
     return {};
 }
 

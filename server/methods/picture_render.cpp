@@ -10,18 +10,20 @@ protocol::PictureRenderResult picture_render(Context& context, const protocol::P
     const SceneSource source(context, params.session, params.scene);
     const session::ViewSize size{static_cast<std::uint32_t>(params.width), static_cast<std::uint32_t>(params.height)};
     const auto geometry = source.geometry(); // not on the worker, which draws others meanwhile
+    std::vector<std::string> remarks;
     const render::Image image = context.server.picture_workers().run([&](session::Worker& worker) {
         context.check_wanted();
         render::Image drawn;
         worker.renderer().draw(session::picture_of(*geometry, source.version().scene, size), drawn);
+        remarks = session::remarks_on(*geometry, worker.renderer());
         return drawn;
     });
     context.check_wanted();
     std::vector<std::uint8_t> png;
     wire::encode_png(image.width, image.height, image.rgb, png);
     context.server.counters().count_picture(png.size());
-    return {"image/png",    params.width, params.height, static_cast<std::int64_t>(source.version().revision),
-            geometry->time, base64(png)};
+    return {"image/png",    params.width,       params.height, static_cast<std::int64_t>(source.version().revision),
+            geometry->time, std::move(remarks), base64(png)};
 }
 
 } // namespace ciel::methods

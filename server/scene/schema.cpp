@@ -24,19 +24,26 @@ bool is_integer(const json& value) {
     return std::trunc(number) == number && std::abs(number) <= largest_integer;
 }
 
-Result check_type(const json& rule, const json& value, const json&, const std::string& path) {
+// With both its limits where the schema has them: who wrote 0.5 wants to know how far the whole numbers go.
+std::string whole_number(const json& schema) {
+    if (schema.contains("minimum") && schema.contains("maximum"))
+        return "must be a whole number from " + schema["minimum"].dump() + " to " + schema["maximum"].dump();
+    return "must be a whole number of at most 2^53";
+}
+
+Result check_type(const json& rule, const json& value, const json& schema, const std::string& path) {
     static const std::map<std::string, std::pair<bool (*)(const json&), const char*>> types{
         {"object", {[](const json& v) { return v.is_object(); }, "must be an object"}},
         {"array", {[](const json& v) { return v.is_array(); }, "must be an array"}},
         {"string", {[](const json& v) { return v.is_string(); }, "must be a string"}},
         {"number", {[](const json& v) { return v.is_number(); }, "must be a number"}},
-        {"integer", {is_integer, "must be a whole number of at most 2^53"}},
+        {"integer", {is_integer, nullptr}},
         {"boolean", {[](const json& v) { return v.is_boolean(); }, "must be true or false"}},
         {"null", {[](const json& v) { return v.is_null(); }, "must be null"}},
     };
     const auto& [matches, reason] = types.at(rule.get<std::string>());
     if (matches(value)) return {};
-    return Violation{path, reason};
+    return Violation{path, reason ? reason : whole_number(schema)};
 }
 
 Result check_enum(const json& rule, const json& value, const json&, const std::string& path) {
@@ -59,6 +66,15 @@ Result check_limit(const json& rule, const json& value, const std::string& path,
     return Violation{path, reason + rule.dump()};
 }
 
+// Likewise of a size, which is so many of `things`.
+template <class Applies, class Measure, class Compare>
+Result check_size(const json& rule, const json& value, const std::string& path, Applies applies, Measure measure,
+                  Compare compare, const char* reason, const char* things) {
+    auto violation = check_limit(rule, value, path, applies, measure, compare, reason);
+    if (violation) violation->reason += std::string(" ") + things + (rule == 1 ? "" : "s");
+    return violation;
+}
+
 constexpr auto is_number = [](const json& v) { return v.is_number(); };
 constexpr auto is_string = [](const json& v) { return v.is_string(); };
 constexpr auto is_array = [](const json& v) { return v.is_array(); };
@@ -72,6 +88,13 @@ constexpr auto length_of = [](const json& v) {
         std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
 };
 
+// The contract's patterns in words; a regular expression is no sentence.
+std::string form_of(const std::string& pattern) {
+    if (pattern == "^#[0-9a-fA-F]{6}$") return "must be a colour of the form #rrggbb";
+    if (pattern == "^[A-Za-z0-9_-]{1,64}$") return "must be 1 to 64 of the characters A-Z, a-z, 0-9, _ and -";
+    return "must match " + pattern;
+}
+
 Result check_pattern(const json& rule, const json& value, const json&, const std::string& path) {
     if (!value.is_string()) return {};
     static std::mutex mutex;
@@ -81,7 +104,7 @@ Result check_pattern(const json& rule, const json& value, const json&, const std
     auto found = compiled.find(pattern);
     if (found == compiled.end()) found = compiled.emplace(pattern, std::regex(pattern, std::regex::ECMAScript)).first;
     if (std::regex_search(value.get_ref<const std::string&>(), found->second)) return {};
-    return Violation{path, "must match " + pattern};
+    return Violation{path, form_of(pattern)};
 }
 
 Result check_items(const json& rule, const json& value, const json&, const std::string& path) {
@@ -183,23 +206,24 @@ const std::vector<std::pair<std::string, Check>>& checks() {
          }},
         {"minLength",
          [](const json& r, const json& v, const json&, const std::string& p) {
-             return check_limit(r, v, p, is_string, length_of, std::greater_equal<>(), "has fewer characters than ");
+             return check_size(r, v, p, is_string, length_of, std::greater_equal<>(), "must have at least ",
+                               "character");
          }},
         {"maxLength",
          [](const json& r, const json& v, const json&, const std::string& p) {
-             return check_limit(r, v, p, is_string, length_of, std::less_equal<>(), "has more characters than ");
+             return check_size(r, v, p, is_string, length_of, std::less_equal<>(), "must have at most ", "character");
          }},
         {"minItems",
          [](const json& r, const json& v, const json&, const std::string& p) {
-             return check_limit(r, v, p, is_array, size_of, std::greater_equal<>(), "has fewer items than ");
+             return check_size(r, v, p, is_array, size_of, std::greater_equal<>(), "must have at least ", "item");
          }},
         {"maxItems",
          [](const json& r, const json& v, const json&, const std::string& p) {
-             return check_limit(r, v, p, is_array, size_of, std::less_equal<>(), "has more items than ");
+             return check_size(r, v, p, is_array, size_of, std::less_equal<>(), "must have at most ", "item");
          }},
         {"maxProperties",
          [](const json& r, const json& v, const json&, const std::string& p) {
-             return check_limit(r, v, p, is_object, size_of, std::less_equal<>(), "has more members than ");
+             return check_size(r, v, p, is_object, size_of, std::less_equal<>(), "must have at most ", "member");
          }},
         {"pattern", check_pattern},
         {"required", check_required},

@@ -14,9 +14,10 @@ constexpr int still_samples = 4;
 
 void check_picture_size(const Limits& limits, std::int64_t width, std::int64_t height) {
     if (std::max(width, height) > limits.image_side)
-        throw LimitReached("a picture may be " + std::to_string(limits.image_side) + " pixels wide and high");
+        throw LimitReached("a picture may be at most " + std::to_string(limits.image_side) +
+                           " pixels wide and as many high");
     if (static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height) > limits.image_pixels)
-        throw LimitReached("a picture may have " + std::to_string(limits.image_pixels) + " pixels");
+        throw LimitReached("a picture may have at most " + std::to_string(limits.image_pixels) + " pixels");
 }
 
 const render::Image& draw(const Geometry& geometry, const scene::Scene& scene, ViewSize size, bool still,
@@ -38,6 +39,14 @@ render::Frame picture_of(const Geometry& geometry, const scene::Scene& scene, Vi
         frame_of(geometry, scene, static_cast<int>(size.width), static_cast<int>(size.height), still_samples);
     frame.annotations = annotations_of(geometry, scene);
     return frame;
+}
+
+std::vector<std::string> remarks_on(const Geometry& geometry, const render::Renderer& renderer) {
+    std::vector<std::string> remarks = geometry.remarks;
+    for (const EmptyLayer& empty : geometry.empty)
+        remarks.push_back("layer " + empty.layer + " shows nothing. " + empty.reason);
+    remarks.insert(remarks.end(), renderer.remarks().begin(), renderer.remarks().end());
+    return remarks;
 }
 
 std::vector<std::uint8_t> image_message(wire::FrameHeader& header, const render::Image& image,

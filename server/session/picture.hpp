@@ -19,6 +19,8 @@ void check_picture_size(const Limits& limits, std::int64_t width, std::int64_t h
                                         Worker& worker);
 // A picture that stands for itself, as a file does: a still with the scene's annotations.
 [[nodiscard]] render::Frame picture_of(const Geometry& geometry, const scene::Scene& scene, ViewSize size);
+// What a picture that this renderer has just drawn does not show, or not in full, a sentence each.
+[[nodiscard]] std::vector<std::string> remarks_on(const Geometry& geometry, const render::Renderer& renderer);
 // Header and picture, the next of `moving` or a PNG for good; fills in the header's encoding time, sizes and flags.
 [[nodiscard]] std::vector<std::uint8_t> image_message(wire::FrameHeader& header, const render::Image& image,
                                                       wire::PictureStream* moving);

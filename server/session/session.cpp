@@ -14,7 +14,7 @@ namespace {
 
 void check_limits(const scene::Scene& scene, const Limits& limits) {
     if (scene.layers.size() > limits.layers)
-        throw LimitReached("a scene may have " + std::to_string(limits.layers) + " layers; remove some");
+        throw LimitReached("a scene may have at most " + std::to_string(limits.layers) + " layers; remove some");
     for (const scene::Layer& layer : scene.layers)
         if (const auto* iso = std::get_if<scene::IsoLayer>(&layer.kind))
             if (iso->values.size() > limits.values_per_layer)

@@ -265,11 +265,12 @@ REFUSED = [
     ("bad size", ["render", "--size", "12", "-o", "p.png"], "WIDTHxHEIGHT", 2),
     ("no pixels", ["render", "--size", "0x5", "-o", "p.png"], "WIDTHxHEIGHT", 2),
     ("size with words", ["render", "--size", "12x10px", "-o", "p.png"], "WIDTHxHEIGHT", 2),
-    ("too wide", ["render", "--size", "999999x10", "-o", "p.png"], "--size 999999x10 is too large: a picture may be 8192 ", 2),
-    ("too many pixels", ["render", "--size", "8000x8000", "-o", "p.png"], "a picture may have 33554432 pixels", 2),
+    ("too wide", ["render", "--size", "999999x10", "-o", "p.png"], "--size 999999x10 is too large: a picture may be at most 8192 ", 2),
+    ("too many pixels", ["render", "--size", "8000x8000", "-o", "p.png"], "a picture may have at most 33554432 pixels", 2),
     ("not a picture", ["render", "-o", "p.jpg"], ".png", 2),
     ("no scene file", ["render", "--scene", "none.json", "-o", "p.png"], "none.json", 1),
     ("bad scene file", ["render", "--scene", "bad.json", "-o", "p.png"], "bad.json is not JSON: parse error at line 1", 1),
+    ("layer twice", ["render", "--scene", "twice.json", "-o", "p.png"], 'twice.json: "a" stands twice in the same object', 1),
     ("scene of another dataset", ["render", "--scene", "other.json", "-o", "p.png"], 'of the dataset "post", not of "box"', 1),
     ("bad scene", ["render", "--scene", "wrong.json", "-o", "p.png"], "/layers", 1),
     ("scene file and edges", ["render", "--scene", "wrong.json", "--edges", "-o", "p.png"], "leave out", 2),
@@ -319,6 +320,7 @@ REFUSED = [
 @pytest.mark.parametrize("arguments,message,code", [row[1:] for row in REFUSED], ids=[row[0] for row in REFUSED])
 def test_refused_in_one_line_and_nothing_is_written(box, tmp_path, arguments, message, code):
     (tmp_path / "bad.json").write_text("{")
+    (tmp_path / "twice.json").write_text('{"layers": {"a": {"type": "outline"}, "a": {"type": "surface"}}}')
     (tmp_path / "other.json").write_text('{"dataset": "post", "layers": {}}')
     (tmp_path / "wrong.json").write_text('{"dataset": "box", "layers": {"a": {"type": "fog"}}}')
     before = set(os.listdir(tmp_path))

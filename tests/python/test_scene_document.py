@@ -165,6 +165,22 @@ def test_a_session_patched_to_the_scene_gives_the_same_picture(by_command_line, 
     assert (unclipped == by_command_line(without("clip"))).all()
 
 
+def test_a_picture_says_what_it_does_not_show(box, server, tmp_path):
+    """17 shells in each other are 34 layers along a ray through their middle; 99 is outside of r."""
+    shells = {"type": "iso", "array": "r", "values": list(np.linspace(0.1, 0.9, 17)), "opacity": 0.05}
+    outside = {"type": "iso", "array": "r", "values": [99]}
+    scene = {**SCENE, "layers": {"shells": shells, "outside": outside}}
+    remarks = server.call("picture.render", scene=scene, width=SIZE, height=SIZE)["remarks"]
+    assert len(remarks) == 2
+    assert remarks[0].startswith("layer outside shows nothing. ")
+    assert "more than 32 transparent layers" in remarks[1]
+    (tmp_path / "scene.json").write_text(json.dumps(scene))
+    told = ciel("render", box, "--scene", tmp_path / "scene.json", "--size", f"{SIZE}x{SIZE}", "-o", tmp_path / "p.png")
+    assert told.stderr.splitlines() == [f"ciel: {remark}" for remark in remarks]
+    scene["layers"] = {"shells": {**shells, "values": shells["values"][:16]}}
+    assert server.call("picture.render", scene=scene, width=SIZE, height=SIZE)["remarks"] == []
+
+
 def contoured(**contours):
     """The middle plane across y, white, with lines of r; the view is along y."""
     values = {"array": "r", "values": [0.3, 0.8], "width": 5, **contours}

@@ -300,6 +300,7 @@ class Picture(TypedDict):
     height: int
     revision: int
     time: float
+    remarks: list[str]  # what the picture does not show, or not in full, a sentence each: points that are too many, more transparent layers behind each other than can be drawn, layers of which nothing is seen
     data: str  # base64 (RFC 4648)
 
 
@@ -504,7 +505,7 @@ class PictureRenderParams(TypedDict):
 
     session: NotRequired[str]  # without it, `scene` is used and nothing is kept
     scene: NotRequired[Scene]
-    width: NotRequired[int]
+    width: NotRequired[int]  # width times height may be at most 33554432
     height: NotRequired[int]
 
 
