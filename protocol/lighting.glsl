@@ -2,14 +2,20 @@
 
 uniform vec3 lights; // strengths of the ambient light, the headlight and the key light
 
-// Either side of a surface; n and viewer have length 1. The highlight's exponent is 40, by multiplications: in software
-// a power costs as much as all the rest.
+// A normal of the field, of length 1, on the side of its polygon that is seen; polygons are wound about it. At the rim
+// of a shape it may look away from the viewer where the flat polygon does not yet: it is mirrored then. Turned round, it
+// would be that of a surface lit from the other side: dark slivers along a bright rim.
+vec3 seen_normal(vec3 n, vec3 viewer) {
+    if (!gl_FrontFacing) n = -n;
+    return n - 2.0 * min(dot(n, viewer), 0.0) * viewer;
+}
+
+// n, on the viewer's side, and viewer have length 1. The highlight's exponent is 40, by multiplications: in software a
+// power costs as much as all the rest.
 vec3 lit_surface(vec3 base, vec3 n, vec3 viewer) {
     vec3 key = normalize(vec3(-0.45, 0.65, 0.6)); // over the viewer's left shoulder
     float head = dot(n, viewer);
-    float turned = head < 0.0 ? -1.0 : 1.0;
-    float to_key = dot(n, key) * turned;
-    head *= turned;
+    float to_key = dot(n, key);
     float wrapped = 0.5 + 0.5 * to_key;
     float halfway = max((head + to_key) * inversesqrt(2.0 + 2.0 * dot(key, viewer)), 0.0);
     float to_2 = halfway * halfway;

@@ -29,7 +29,7 @@ struct Camera {
 // Triangles, lines or points with per-vertex attributes; borrowed for the duration of a draw.
 struct Mesh {
     std::span<const Vec3f> positions; // offsets from the frame's origin
-    std::span<const Vec3f> normals;   // empty: flat shading from the triangle
+    std::span<const Vec3f> normals;   // triangles are wound about them; empty: flat shading from the triangle
     std::span<const float> scalars;   // empty: solid colour
     std::span<const Index> indices;   // 3 per triangle, 2 per line, 1 per point
     bool lines = false, points = false;

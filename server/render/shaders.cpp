@@ -71,7 +71,7 @@ void main() {
         vec3 viewer = normalize(vec3(-(gl_FragCoord.xy * look.xy + look.zw), 1.0));
         float square = dot(eye_normal, eye_normal);
         vec3 n = square > 1e-12 ? eye_normal * inversesqrt(square) : viewer;
-        picture.rgb = lit_surface(solid.rgb, n, viewer);
+        picture.rgb = lit_surface(solid.rgb, seen_normal(n, viewer), viewer);
     }
 }
 )";
@@ -174,10 +174,9 @@ vec3 facing_normal(vec3 viewer) {
     vec3 plane = cross(dFdx(surface.place), dFdy(surface.place));
     float plane_length = length(plane);
     float normal_length = length(surface.normal);
-    vec3 n = viewer; // a sliver without a plane of its own is lit as if it faced the viewer, never black
-    if (plane_length > 1e-30) n = plane / plane_length;
-    if (normal_length > 1e-6) n = surface.normal / normal_length;
-    return dot(n, viewer) < 0.0 ? -n : n;
+    if (normal_length > 1e-6) return seen_normal(surface.normal / normal_length, viewer);
+    if (plane_length <= 1e-30) return viewer; // a sliver without a plane of its own: never black
+    return plane / (dot(plane, viewer) < 0.0 ? -plane_length : plane_length);
 }
 
 void main() {

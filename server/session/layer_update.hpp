@@ -56,6 +56,9 @@ private:
     // The field is measured from the mesh's origin, whatever the plane's, so that a plane that moves along its normal
     // is only another nu of the same field. Returns nu.
     double use_plane(Cut& cut, const std::array<double, 3>& origin, const std::array<double, 3>& normal);
+    // Whose caps lie where the slice does, or null. It is cut just as they are: between vertices rounded in another
+    // way, or the other way round, the one would show through the other here and there.
+    [[nodiscard]] const scene::ClipLayer* cap_at(const scene::SliceLayer& slice) const;
 
     Boundary& boundary(const scene::Layer& layer, const std::string& key, std::size_t index = 0);
     [[nodiscard]] std::vector<std::uint8_t> cells_of(const scene::Threshold& threshold) const;

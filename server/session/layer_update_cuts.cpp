@@ -1,6 +1,7 @@
 // Layers that cut the mesh: iso-surfaces and slices.
 #include "session/layer_update.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace ciel::session {
@@ -14,6 +15,16 @@ double on_the_side(double nu, std::array<float, 2> range) {
     if (nu <= low && nu >= low - rounding) return std::nextafter(low, high);
     if (nu > high && nu <= high + rounding) return high;
     return nu;
+}
+
+// In one plane, on whichever side what is kept lies.
+bool coincide(const scene::SliceLayer& slice, const scene::ClipLayer& clip, double diagonal) {
+    double cosine = 0, apart = 0;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        cosine += slice.normal[axis] * clip.normal[axis];
+        apart += clip.normal[axis] * (slice.origin[axis] - clip.origin[axis]);
+    }
+    return std::abs(cosine) >= 1 - 1e-13 && std::abs(apart) <= 1e-9 * diagonal;
 }
 
 } // namespace
@@ -46,10 +57,17 @@ double LayerUpdate::use_plane(Cut& cut, const std::array<double, 3>& origin, con
     return nu;
 }
 
+const scene::ClipLayer* LayerUpdate::cap_at(const scene::SliceLayer& slice) const {
+    const auto found =
+        std::ranges::find_if(caps, [&](const scene::ClipLayer* clip) { return coincide(slice, *clip, diagonal()); });
+    return found == caps.end() ? nullptr : *found;
+}
+
 bool LayerUpdate::operator()(const scene::Layer& layer, const scene::SliceLayer& slice) {
     Cut& cut = cuts[{layer.id, 0}];
     const std::size_t before = cut.memory_bytes();
-    const double nu = use_plane(cut, slice.origin, slice.normal);
+    const scene::ClipLayer* cap = cap_at(slice);
+    const double nu = use_plane(cut, cap ? cap->origin : slice.origin, cap ? cap->normal : slice.normal);
     if (!cut.extract(on_the_side(nu, cut.field.field->range()), false, stop)) return false;
     add(cut.painted, cut.shape, slice.color, layer, false);
     add_edges(cut.outlined, cut.shape, slice.edges, layer);

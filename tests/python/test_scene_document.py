@@ -165,6 +165,24 @@ def test_a_session_patched_to_the_scene_gives_the_same_picture(by_command_line, 
     assert (unclipped == by_command_line(without("clip"))).all()
 
 
+@pytest.mark.parametrize("normal", [(0, -1, 0), (0.3, 1, 0.2), (-0.3, -1, -0.2)], ids=str)
+def test_of_a_cap_and_a_slice_in_one_place_the_last_is_seen(by_command_line, normal):
+    """From another point of the plane and, as a slice has no sides, from either: all is cut the same way."""
+    clip = {"type": "clip", "origin": [0, 0.13, 0], "normal": [-component for component in normal]}
+    along = np.cross(normal, (0.2, 0.1, 0.7))
+    of_slice = {"type": "slice", "order": 5, "origin": list(np.array([0, 0.13, 0]) + along),
+                "normal": [3 * component for component in normal], "color": {"solid": "#ff0000"}}
+    solid = {"type": "surface", "color": {"solid": "#0000ff"}}
+    shown = {}
+    for value in (1, -1):
+        slices = {**of_slice, "normal": [value * component for component in of_slice["normal"]]}
+        shown[value] = by_command_line({**SCENE, "camera": {**SCENE["camera"], "position": [0, -8 * normal[1] / abs(normal[1]), 0]},
+                                        "layers": {"solid": solid, "clip": clip, "slice": slices}})
+    assert (shown[1] == shown[-1]).all()
+    inside = (np.abs(rays()[0]) < 0.9) & (np.abs(rays()[1]) < 0.9)
+    assert (shown[1][inside] == (255, 0, 0)).all()
+
+
 def test_a_picture_says_what_it_does_not_show(box, server, tmp_path):
     """17 shells in each other are 34 layers along a ray through their middle; 99 is outside of r."""
     shells = {"type": "iso", "array": "r", "values": list(np.linspace(0.1, 0.9, 17)), "opacity": 0.05}

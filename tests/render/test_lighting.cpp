@@ -3,6 +3,7 @@
 #include "scenes.hpp"
 
 #include <gtest/gtest.h>
+#include <utility>
 
 namespace ciel::render {
 namespace {
@@ -27,6 +28,13 @@ protected:
     Renderer renderer{GetParam()};
     Frame frame = front_view();
     Shape shape = square(0);
+    bool winds_to_viewer = true;
+
+    // Polygons are wound about the normals of their vertices, which here look at the viewer or away.
+    void wind(bool to_viewer) {
+        if (std::exchange(winds_to_viewer, to_viewer) != to_viewer)
+            std::reverse(shape.indices.begin(), shape.indices.end());
+    }
 
     double middle(Mesh mesh, std::size_t right = 0) {
         mesh.scalars = {};
@@ -61,10 +69,30 @@ TEST_P(LightingTest, EachLightAddsWhatTheNormalTakesOfIt) {
                     shape.normals.assign(shape.positions.size(),
                                          {side * static_cast<float>(normal[0]), side * static_cast<float>(-normal[2]),
                                           side * static_cast<float>(normal[1])});
+                    wind(side > 0);
                     EXPECT_NEAR(middle(shape.mesh()), expected(lighting, normal), 0.003)
                         << normal[0] << " " << normal[1] << " " << normal[2] << ", lights " << lighting.ambient << " "
                         << lighting.headlight << " " << lighting.key_light << ", side " << side << ", " << clipped;
                 }
+}
+
+// The rim of a smooth shape: its polygons still face the viewer where the field's normals no longer do.
+TEST_P(LightingTest, NormalsThatLookAwayAreMirrored) {
+    const double across = std::hypot(key[0], key[1]);
+    for (const double away : {0.02, 0.3})
+        for (const float side : {1.0F, -1.0F})
+            for (const bool clipped : {false, true}) {
+                const double along = std::sqrt(1 - away * away) / across;
+                const Vec3d seen{key[0] * along, key[1] * along, away};
+                frame.clip.clear();
+                if (clipped) frame.clip.push_back({0, 0, 0, 1});
+                shape.normals.assign(shape.positions.size(),
+                                     {side * static_cast<float>(seen[0]), side * static_cast<float>(away),
+                                      side * static_cast<float>(seen[1])});
+                wind(side > 0);
+                EXPECT_NEAR(middle(shape.mesh()), expected({}, seen), 0.003)
+                    << away << ", side " << side << ", " << clipped;
+            }
 }
 
 TEST_P(LightingTest, WhatIsUnlitHasItsOwnColour) {

@@ -70,10 +70,10 @@ uniform bool parallel;
 vec3 facing_normal(vec3 viewer) {
   vec3 plane = cross(dFdx(place), dFdy(place));
   float plane_length = length(plane);
-  vec3 n = plane_length > 1e-30 ? plane / plane_length : viewer;
   float normal_length = has_normals ? length(eye_normal) : 0.0;
-  if (normal_length > 1e-6) n = eye_normal / normal_length;
-  return dot(n, viewer) < 0.0 ? -n : n;
+  if (normal_length > 1e-6) return seen_normal(eye_normal / normal_length, viewer);
+  if (plane_length <= 1e-30) return viewer;
+  return plane / (dot(plane, viewer) < 0.0 ? -plane_length : plane_length);
 }
 
 void main() {
