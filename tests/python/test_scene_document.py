@@ -165,6 +165,26 @@ def test_a_session_patched_to_the_scene_gives_the_same_picture(by_command_line, 
     assert (unclipped == by_command_line(without("clip"))).all()
 
 
+@pytest.mark.parametrize("outside", [("below", "above"), ("above",), ("below",), ()], ids=lambda names: "and".join(names) or "none")
+def test_a_volume_has_the_colours_of_values_outside_the_range(by_command_line, outside):
+    """Fog by x, which the rays do not change: as opaque all over, in the colours of a third of the box each."""
+    scene = copy.deepcopy(SCENE)
+    scene["layers"] = {"fog": {**SCENE["layers"]["fog"], "slices": 50, "color": {
+        "points": [{"at": 0, "color": "#00ff00"}, {"at": 1, "color": "#00ffff"}], "steps": 2, "range": [-0.4, 0.4],
+        **{name: "#ff0000" for name in outside}}}}
+    picture = by_command_line(scene)
+    x, z = rays()
+    inside = (np.abs(x) < 0.95) & (np.abs(z) < 0.95)
+    fog = 255 * (1 - LEFT**2)
+    ground = 0x30 * LEFT**2
+    for name, place in (("below", x < -0.45), ("above", x > 0.45)):
+        end = (0, fog + ground, fog if name == "above" else 0)
+        colour = (fog, ground, 0) if name in outside else end
+        assert np.abs(picture[inside & place] - colour).max() <= 2, name
+    assert np.abs(picture[inside & (x > -0.35) & (x < -0.05)] - (0, fog + ground, 0)).max() <= 2
+    assert np.abs(picture[inside & (x > 0.05) & (x < 0.35)] - (0, fog + ground, fog)).max() <= 2
+
+
 @pytest.mark.parametrize("normal", [(0, -1, 0), (0.3, 1, 0.2), (-0.3, -1, -0.2)], ids=str)
 def test_of_a_cap_and_a_slice_in_one_place_the_last_is_seen(by_command_line, normal):
     """From another point of the plane and, as a slice has no sides, from either: all is cut the same way."""

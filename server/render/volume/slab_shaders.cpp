@@ -22,7 +22,7 @@
 namespace ciel::render {
 namespace {
 
-// Values come as shares of the range, gradients along the eye's axes, by the length that `scale` makes 1: squares of
+// Values come as places in the table, gradients along the eye's axes, by the length that `scale` makes 1: squares of
 // lengths in a galaxy's metres are more than a float holds.
 constexpr const char* slab_vertex = R"(
 layout(location = 0) in vec3 position;
@@ -128,7 +128,7 @@ vec4 light(vec3 way, float rise, float first, float last, float length) {
     float steep = dot(property.xyz, property.xyz);
     float facing = min(rise * rise / max(steep * dot(way, way), 1e-30), 1.0);
     // Where it changes by less than a third of its range along the whole mesh there is no surface to light.
-    float part = steep / (steep + 0.1);
+    float part = steep / (steep + 0.1 / (TABLE_WIDTH * TABLE_WIDTH));
     float shine = facing * facing;
     shine *= shine;
     shine *= shine;
@@ -258,7 +258,8 @@ std::string later_parts(int parts, bool edge) {
 std::string defines_of(const SlabProgramKind& kind) {
     return std::string("#version 330 core\n") + (kind.shaded ? "#define SHADED\n" : "") +
            (kind.clipped ? "#define CLIPPED\n" : "") + (kind.opaque ? "#define OPAQUE\n" : "") +
-           (kind.parallel ? "#define PARALLEL\n" : "") + "#define ROWS " + std::to_string(kind.table_rows) + ".0\n";
+           (kind.parallel ? "#define PARALLEL\n" : "") + "#define ROWS " + std::to_string(kind.table_rows) + ".0\n" +
+           "#define TABLE_WIDTH " + std::to_string(kind.table_width) + "\n";
 }
 
 ShaderProgram make_slab_program(const Gl& gl, bool edge, const SlabProgramKind& kind) {

@@ -19,6 +19,7 @@ struct SlabProgramKind {
     int parts = 1; // of a ray
     bool shaded = false, clipped = false, opaque = false, parallel = false;
     int table_rows = 1;
+    double table_width = 1;                                   // in ranges
     auto operator<=>(const SlabProgramKind&) const = default; // NOLINT(modernize-use-nullptr): takes <=> for a 0
 };
 [[nodiscard]] ShaderProgram make_slice_program(const Gl& gl, const SlabProgramKind& kind);

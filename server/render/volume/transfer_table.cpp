@@ -23,15 +23,24 @@ std::vector<Rgb8> colors_of(const ColorScale& scale) {
     return colors;
 }
 
-Color at(const Volume& volume, double share, const std::vector<Rgb8>& map, double place) {
-    const double tau = extinction_of(share * opacity_at(volume.opacity_points, place));
+std::array<double, 3> color_at(const ColorScale& scale, const std::vector<Rgb8>& map, double place) {
     const double entry = std::clamp(place, 0.0, 1.0) * (color_entries - 1);
     const auto low = static_cast<std::size_t>(entry);
     const std::size_t high = std::min<std::size_t>(low + 1, color_entries - 1);
-    Color color{0, 0, 0, tau};
+    const Rgb8& outside = place < 0 ? scale.below.value_or(map[low]) : scale.above.value_or(map[high]);
+    const bool is_outside = place < 0 || place > 1;
+    std::array<double, 3> color{};
     for (std::size_t c = 0; c < 3; ++c)
-        color[c] = std::lerp(map[low][c] / 255.0, map[high][c] / 255.0, entry - static_cast<double>(low)) * tau;
+        color[c] =
+            (is_outside ? outside[c] : std::lerp(map[low][c], map[high][c], entry - static_cast<double>(low))) / 255.0;
     return color;
+}
+
+Color at(const Volume& volume, double share, const std::vector<Rgb8>& map, double place) {
+    const double in_range = table_extent(volume.scale).share_at(place);
+    const double tau = extinction_of(share * opacity_at(volume.opacity_points, in_range));
+    const auto [r, g, b] = color_at(volume.scale, map, in_range);
+    return {r * tau, g * tau, b * tau, tau};
 }
 
 // Integrals from the low end, at the ends of the samples.
@@ -67,6 +76,13 @@ double opacity_at(std::span<const std::array<double, 2>> points, double place) {
     const auto& [to, high] = *after;
     return std::lerp(low, high, (place - from) / (to - from));
 }
+
+std::array<double, 2> TableExtent::values(const std::array<float, 2>& range) const {
+    return {std::lerp(double{range[0]}, double{range[1]}, share_at(0)),
+            std::lerp(double{range[0]}, double{range[1]}, share_at(1))};
+}
+
+TableExtent table_extent(const ColorScale& scale) { return {scale.below ? 1 : 0, scale.above ? 1 : 0}; }
 
 TransferTable make_transfer_table(const Volume& volume, double share) {
     const std::vector<Color> sum = integrals(volume, share);

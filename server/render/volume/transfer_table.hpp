@@ -5,14 +5,25 @@
 
 namespace ciel::render {
 
-// Mean colour and extinction over a span of values, by the span's middle and width, both as shares of the range. The
-// middle of a column is a value, the middle of row r the width r / (rows - 1). The colour is weighted by the
+// Mean colour and extinction over a span of values, by the span's middle and width, both as shares of what the table is
+// of. The middle of a column is a value, the middle of row r the width r / (rows - 1). The colour is weighted by the
 // extinction; within one slab light is not weakened on its way out of it, which is right to the first order of the
 // slab's opacity.
 struct TransferTable {
     static constexpr int columns = 1024, rows = 64;
     std::vector<float> texels; // RGB 0..1, then extinction per unit length; row by row
 };
+
+// The values that a table is of: those of the scale's range, and half as many more on a side beyond which values have a
+// colour of their own. Where they have not, what lies outside is all as at that end.
+struct TableExtent {
+    int halves_below = 0, halves_above = 0;
+    [[nodiscard]] double width() const { return 1 + 0.5 * (halves_below + halves_above); }             // in ranges
+    [[nodiscard]] double share_at(double place) const { return place * width() - 0.5 * halves_below; } // of the range
+    [[nodiscard]] std::array<double, 2> values(const std::array<float, 2>& range) const;               // at its ends
+    bool operator==(const TableExtent&) const = default;
+};
+[[nodiscard]] TableExtent table_extent(const ColorScale& scale);
 
 // With so much of the opacity of its points.
 [[nodiscard]] TransferTable make_transfer_table(const Volume& volume, double share = 1);

@@ -20,11 +20,12 @@ enum Unit : int { picture_unit = 0, opaque_unit = 1, covered_unit = 2, limits_un
 
 glm::dvec3 vector_of(const Vec3d& v) { return {v[0], v[1], v[2]}; }
 
-// Value * a + b runs from 0 to 1 over the range; a range of no width sends everything to the middle.
-glm::vec2 normalisation(const std::array<float, 2>& range) {
-    const double width = static_cast<double>(range[1]) - static_cast<double>(range[0]);
-    if (!(width > 0)) return {0, 0.5F};
-    return {static_cast<float>(1 / width), static_cast<float>(-static_cast<double>(range[0]) / width)};
+// Value * a + b runs from 0 to 1 over what the table is of; a range of no width sends everything to its middle.
+glm::vec2 normalisation(const ColorScale& scale) {
+    const TableExtent extent = table_extent(scale);
+    const auto [low, high] = extent.values(scale.range);
+    if (!(high > low)) return {0, static_cast<float>((0.5 + 0.5 * extent.halves_below) / extent.width())};
+    return {static_cast<float>(1 / (high - low)), static_cast<float>(-low / (high - low))};
 }
 
 double thickness_of(const Volume& volume) { return volume.thickness * static_cast<double>(volume.stride); }
@@ -143,15 +144,16 @@ void VolumePainter::load_table(const Volume& volume, Table& kept, double share) 
 }
 
 void VolumePainter::use_programs(const Volume& volume, Slot& slot) {
+    const double table_width = table_extent(volume.scale).width();
     const SlabProgramKind kind{
-        slot.rays->count,   volume.shaded, view_.is_clipped(), view_.opaque != 0, view_.frame->camera.parallel,
-        TransferTable::rows};
+        slot.rays->count,    volume.shaded, view_.is_clipped(), view_.opaque != 0, view_.frame->camera.parallel,
+        TransferTable::rows, table_width};
     const auto made = [&](auto& programs, auto make, const SlabProgramKind& wanted) {
         const auto found = programs.find(wanted);
         return &(found != programs.end() ? found : programs.emplace(wanted, make(gl_, wanted)).first)->second;
     };
-    slot.inner =
-        made(slot.inner_programs, make_inner_program, {1, volume.shaded, false, false, false, TransferTable::rows});
+    slot.inner = made(slot.inner_programs, make_inner_program,
+                      {1, volume.shaded, false, false, false, TransferTable::rows, table_width});
     slot.inner->use();
     set_light(*slot.inner, volume);
     slot.slice = made(slot.slice_programs, make_slice_program, kind);
@@ -187,7 +189,7 @@ VolumePainter::RaysAcross VolumePainter::rays_across(const Volume& volume) const
 void VolumePainter::set_light(const ShaderProgram& program, const Volume& volume) const {
     program.set("transform", glm::mat4(view_.transform->projection * view_.transform->view));
     program.set("view", glm::mat4(view_.transform->view));
-    program.set("to_share", normalisation(volume.scale.range));
+    program.set("to_share", normalisation(volume.scale));
     program.set("density", static_cast<float>(1 / volume.unit_length));
     program.set("scale", static_cast<float>(view_.transform->scale));
     program.set("table", int{table_unit});
