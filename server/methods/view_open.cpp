@@ -9,7 +9,8 @@ protocol::ViewOpenResult view_open(Context& context, const protocol::ViewOpenPar
     const auto connection = context.streaming_connection();
     if (!connection) throw NeedsWebSocket("frames travel over a WebSocket; over HTTP use picture.render");
     const auto view = context.server.sessions().open_view(
-        *session, connection, {static_cast<std::uint32_t>(params.width), static_cast<std::uint32_t>(params.height)},
+        *session, connection,
+        {static_cast<std::uint32_t>(params.width), static_cast<std::uint32_t>(params.height), params.pixel_ratio},
         params.stream == "geometry" ? session::Stream::geometry : session::Stream::image,
         params.moving == "jpeg" ? session::MovingCodec::jpeg : session::MovingCodec::png);
     return {view->id()};

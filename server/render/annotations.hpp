@@ -30,4 +30,7 @@ struct Annotations {
     [[nodiscard]] bool empty() const { return title.empty() && captions.empty() && legends.empty() && !triad && !axes; }
 };
 
+// Where one of 1280 x 720 pixels has 1; text is so much larger. Of a narrow picture the width decides.
+[[nodiscard]] double size_of_picture(int width, int height);
+
 } // namespace ciel::render

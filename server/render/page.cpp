@@ -21,10 +21,7 @@ TextSize size_of(double pixels, Font& font) {
     return {rounded, font.metrics(rounded)};
 }
 
-// Of a narrow picture the width decides, else a legend would fill it.
-double unit_of(const Frame& frame) {
-    return std::min<double>(frame.height, 0.75 * frame.width) / usual_height * frame.annotations.scale;
-}
+double unit_of(const Frame& frame) { return size_of_picture(frame.width, frame.height) * frame.annotations.scale; }
 
 bool is_bright(const Frame& frame) { // by the luma of the background's middle
     constexpr std::array<float, 3> weights{0.2126F, 0.7152F, 0.0722F};
@@ -36,6 +33,9 @@ bool is_bright(const Frame& frame) { // by the luma of the background's middle
 Ink translucent(const std::array<float, 3>& color) { return {color[0], color[1], color[2], plate_opacity}; }
 
 } // namespace
+
+// A legend would fill a narrow picture.
+double size_of_picture(int width, int height) { return std::min<double>(height, 0.75 * width) / usual_height; }
 
 Page::Page(const Frame& frame, Font& font)
     : font_(font), width_(frame.width), height_(frame.height), text_(size_of(usual_text * unit_of(frame), font)),

@@ -9,7 +9,8 @@
 
 namespace ciel::session {
 
-std::vector<std::vector<std::uint8_t>> geometry_messages(wire::FrameHeader& header, const Geometry& geometry) {
+std::vector<std::vector<std::uint8_t>> geometry_messages(wire::FrameHeader& header, const Geometry& geometry,
+                                                         double pixel_ratio) {
     const auto started = Clock::now();
     const auto planes = shader_planes(geometry);
     std::vector<wire::GeometryMesh> meshes;
@@ -23,7 +24,7 @@ std::vector<std::vector<std::uint8_t>> geometry_messages(wire::FrameHeader& head
         mesh.indices = drawable.indices();
         mesh.lines = drawable.lines();
         mesh.points = drawable.points();
-        mesh.line_width = drawable.line_width;
+        mesh.line_width = drawable.line_width * static_cast<float>(pixel_ratio);
         mesh.map = drawable.scale.map;
         mesh.range = drawable.scale.range;
         mesh.color = drawable.color;

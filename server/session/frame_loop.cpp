@@ -56,7 +56,7 @@ void show_frame(View& view, Worker& worker, bool still) {
             if (request->still && request->stop.stop_requested()) return view.give_up();
             messages.push_back(image_message(header, image, request->moving));
         } else if (view.is_new_content(content_of(*geometry))) {
-            messages = geometry_messages(header, *geometry);
+            messages = geometry_messages(header, *geometry, request->size.pixel_ratio);
         }
         view.tell_lacking(*request, lacking_in(*geometry, request->version->scene.lighting, request->stream), *geometry,
                           drawn);

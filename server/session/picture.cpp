@@ -10,6 +10,11 @@ namespace ciel::session {
 namespace {
 constexpr double interactive_pixels = 1280.0 * 720.0;
 constexpr int still_samples = 4;
+
+void widen_lines(render::Frame& frame, double times) {
+    for (render::Mesh& mesh : frame.meshes)
+        mesh.line_width = mesh.point_size = mesh.line_width * static_cast<float>(times);
+}
 } // namespace
 
 void check_picture_size(const Limits& limits, std::int64_t width, std::int64_t height) {
@@ -31,12 +36,14 @@ const render::Image& draw(const Geometry& geometry, const scene::Scene& scene, V
     // From where the still will look, whose size decides what is written on it.
     if (!scene.camera && scale < 1)
         frame.camera = default_view(geometry, scene, static_cast<int>(size.width), static_cast<int>(size.height));
+    widen_lines(frame, size.pixel_ratio * scale);
     return worker.renderer().draw(frame);
 }
 
 render::Frame picture_of(const Geometry& geometry, const scene::Scene& scene, ViewSize size) {
     render::Frame frame =
         frame_of(geometry, scene, static_cast<int>(size.width), static_cast<int>(size.height), still_samples);
+    widen_lines(frame, std::max(1.0, render::size_of_picture(frame.width, frame.height)));
     frame.annotations = annotations_of(geometry, scene);
     return frame;
 }

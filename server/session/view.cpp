@@ -40,9 +40,9 @@ void View::again() {
     schedule();
 }
 
-void View::resize(ViewSize size) {
+void View::resize(std::uint32_t width, std::uint32_t height, std::optional<double> pixel_ratio) {
     const std::scoped_lock lock(mutex_);
-    size_ = size;
+    size_ = {width, height, pixel_ratio.value_or(size_.pixel_ratio)};
     again();
 }
 

@@ -16,6 +16,7 @@ using wire::MovingCodec; // of interactive pictures; a still is a PNG
 
 struct ViewSize {
     std::uint32_t width = 0, height = 0;
+    double pixel_ratio = 1; // so many pixels are one of the widths of lines and points
 };
 
 // What a worker is asked to show.
@@ -44,9 +45,9 @@ public:
     [[nodiscard]] Session& session() const { return *session_; }
 
     void offer(std::shared_ptr<const SceneVersion> version);
-    void resize(ViewSize size);
-    void set_stream(Stream stream, std::optional<MovingCodec> moving); // none: as it was
-    void acknowledge(std::uint32_t frame);                             // and all before it
+    void resize(std::uint32_t width, std::uint32_t height, std::optional<double> pixel_ratio); // none: as it was
+    void set_stream(Stream stream, std::optional<MovingCodec> moving);                         // none: as it was
+    void acknowledge(std::uint32_t frame);                                                     // and all before it
     void close();
 
     // For the frame loop, which follows a take() that returned something by exactly one of deliver, give_up and fail.

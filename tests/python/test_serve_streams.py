@@ -1,6 +1,7 @@
 """Frames: newest wins, and slow, dead or rude clients cost the others nothing."""
 
 import asyncio
+import base64
 import contextlib
 import io
 import json
@@ -84,6 +85,47 @@ def test_moving_pictures_are_jpeg_where_the_view_asks_for_it_and_stills_never(se
             number = await caller.send("view.open", session=session, width=320, height=240, moving="webp")
             error = (await caller.answer(number))["error"]
             assert "moving" in json.dumps(error)
+
+    run(attempt)
+
+
+def width_of_lines(picture: numpy.ndarray) -> float:
+    """Of two upright ones, each before another whose soft edges add to its own, from a row through the middle."""
+    return picture[picture.shape[0] // 2, :, 0].sum() / 255 / 2
+
+
+def test_lines_are_as_wide_in_moving_and_still_pictures_and_on_any_screen(server):
+    async def attempt():
+        async with client(server) as caller:
+            scene = {"dataset": "box", "background": "#000000", "annotations": {"legend": False, "triad": False}, "camera": {
+                "position": [0, -8, 0], "target": [0, 0, 0], "up": [0, 0, 1], "parallel": True, "parallel_height": 1.5},
+                "lighting": {"on": False},
+                "layers": {"lines": {"type": "edges", "angle": 80, "color": {"solid": "#ff0000"}, "width": 3}}}
+            session = (await caller.call("session.open", scene=scene))["session"]
+            view = (await caller.call("view.open", session=session, width=640, height=360))["view"]
+            asked = ((640, 360, {}, 1), (1280, 720, {"pixel_ratio": 2}, 2), (2560, 1440, {}, 2), (1600, 900, {"pixel_ratio": 1}, 1))
+            for width, height, ratio, times in asked:
+                await caller.call("view.resize", view=view, width=width, height=height, **ratio)
+                frame = moving = None
+                while frame is None or not (frame.still and frame.width == width):
+                    moving = frame  # of no more than 1280 x 720 pixels
+                    frame = await caller.next_frame()
+                    await caller.acknowledge(frame)
+                for frame in (moving, frame):
+                    picture = pixels(vtkPNGReader(), frame.payload)
+                    shown = width_of_lines(picture) * width / picture.shape[1]
+                    assert shown == pytest.approx(3 * times, rel=0.2), (width, height, ratio, frame.still)
+            for height, times in ((180, 1), (720, 1), (1440, 2)):
+                answer = await caller.call("picture.render", session=session, width=height * 16 // 9, height=height)
+                picture = pixels(vtkPNGReader(), base64.b64decode(answer["data"]))
+                assert width_of_lines(picture) == pytest.approx(3 * times, rel=0.2), height
+            await caller.call("view.resize", view=view, width=640, height=360, pixel_ratio=1.5)
+            await caller.call("view.stream", view=view, stream="geometry")
+            frame = await caller.next_frame()
+            while frame.kind != 2:
+                await caller.acknowledge(frame)
+                frame = await caller.next_frame()
+            assert b'"width": 4.5' in frame.payload
 
     run(attempt)
 

@@ -13,7 +13,7 @@ let frames: (() => void)[] = [];
 let views: number[] = [];
 let failures: string[] = [];
 let refusals: string[] = [];
-let size = { width: 800, height: 600 };
+let size = { width: 800, height: 600, pixel_ratio: 1 };
 let clock = new FakeClock();
 let editor: SceneEditor;
 let session: Session;
@@ -35,7 +35,7 @@ const reconnect = async (): Promise<void> => {
 };
 
 beforeEach(() => {
-  [network, clock, size] = [new FakeNetwork(), new FakeClock(), { width: 800, height: 600 }];
+  [network, clock, size] = [new FakeNetwork(), new FakeClock(), { width: 800, height: 600, pixel_ratio: 1 }];
   [frames, views, failures, refusals] = [[], [], [], []];
   editor = new SceneEditor(
     {
@@ -80,10 +80,12 @@ describe("session", () => {
     network.newest.onopen?.();
     await settled();
     await network.newest.answer(state(scene), "session.open");
-    size = { width: 640, height: 480 };
+    size = { width: 640, height: 480, pixel_ratio: 2 };
     session.resize(); // there is no view yet
     await network.newest.answer({ view: 4 }, "view.open");
-    expect(network.newest.calls("view.resize")).toMatchObject([{ params: { view: 4, width: 640, height: 480 } }]);
+    expect(network.newest.calls("view.resize")).toMatchObject([
+      { params: { view: 4, width: 640, height: 480, pixel_ratio: 2 } },
+    ]);
     session.resize();
     expect(network.newest.calls("view.resize").length).toBe(1); // nothing new to tell
   });

@@ -42,7 +42,7 @@ class Edges(TypedDict):
 
     visible: NotRequired[bool]
     color: NotRequired[str]
-    width: NotRequired[float]  # pixels
+    width: NotRequired[float]  # pixels, of which larger pictures have more: pixel_ratio of a view; of a still so many as its text is larger than at 720 rows
 
 
 class Contours(TypedDict):
@@ -55,7 +55,7 @@ class Contours(TypedDict):
     range: NotRequired[Range | None]  # of count; absent: the array's range at the shown time
     color: NotRequired[str]
     coloring: NotRequired[Coloring]  # each line in the colour of its value on this scale, instead of color; its array is that of the lines
-    width: NotRequired[float]  # pixels
+    width: NotRequired[float]  # pixels, as of edges
 
 
 class Threshold(TypedDict):
@@ -124,7 +124,7 @@ class EdgesLayer(TypedDict):
     groups: NotRequired[list[str]]  # patch names; absent or empty: the whole boundary
     threshold: NotRequired[Threshold]
     angle: NotRequired[float]  # degrees: only where the boundary bends by more, ends or branches; absent: all edges
-    width: NotRequired[float]  # pixels
+    width: NotRequired[float]  # pixels, as of edges
     color: NotRequired[Coloring]
 
 
@@ -138,7 +138,7 @@ class PointsLayer(TypedDict):
     of: NotRequired[Literal["boundary", "all"]]  # vertices of boundary faces, or of all cells
     groups: NotRequired[list[str]]  # patch names; absent or empty: the whole boundary; with of: boundary
     threshold: NotRequired[Threshold]
-    size: NotRequired[float]  # pixels across
+    size: NotRequired[float]  # pixels across, likewise
     most: NotRequired[int]  # where there are more, every second, third ... is shown, and view.lacking says so
     color: NotRequired[Coloring]
 
@@ -451,6 +451,7 @@ class ViewOpenParams(TypedDict):
     session: str
     width: int
     height: int
+    pixel_ratio: NotRequired[float]  # pixels of the pictures for one of lines and points: what the page is shown with (devicePixelRatio)
     stream: NotRequired[Literal["image", "geometry"]]
     moving: NotRequired[Literal["png", "jpeg"]]  # How interactive pictures are coded; a still is a PNG.
 
@@ -465,6 +466,7 @@ class ViewResizeParams(TypedDict):
     view: int
     width: int
     height: int
+    pixel_ratio: NotRequired[float]  # as in view.open; without it this stays as it is
 
 
 ViewResizeResult = None

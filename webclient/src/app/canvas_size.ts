@@ -36,6 +36,11 @@ export class CanvasSize {
     return clearOf(camera, bounds, this.css, ...this.corner);
   }
 
+  /** Pixels of pictures for one of the page's, as the contract bounds it. */
+  get pixelRatio(): number {
+    return Math.min(16, Math.max(0.25, this.pixels().width / this.css.width));
+  }
+
   /** `times` as large, or as large as there may be. */
   pixels(times = 1): Size {
     const ratio = Math.min(times * this.ratio, LARGEST / Math.max(this.css.width, this.css.height));

@@ -25,7 +25,7 @@ export function sessionHost(app: App): SessionHost {
       app.store.set({ fatal: scene === null ? NOTHING : null });
       return scene;
     },
-    viewSize: () => app.size.pixels(),
+    viewSize: () => ({ ...app.size.pixels(), pixel_ratio: app.size.pixelRatio }),
     stream: () => app.streams.current(),
     viewOpening: () => app.presenter?.expect(),
     viewOpened: (view) => app.presenter?.show(view),

@@ -7,6 +7,7 @@ import type { SceneEditor } from "../scene/editor";
 export interface ViewSize {
   width: number;
   height: number;
+  pixel_ratio: number;
 }
 
 /** What a view is asked to send; a still is a PNG whatever the moving pictures are. */
@@ -43,7 +44,7 @@ export class Session {
   /** What is to be shown in place of the editor's scene, which the server has refused or never had. */
   private chosen: Scene | null = null;
   private view = 0;
-  private sentSize: ViewSize = { width: 0, height: 0 };
+  private sentSize: ViewSize = { width: 0, height: 0, pixel_ratio: 1 };
 
   constructor(
     readonly id: string,
@@ -88,7 +89,9 @@ export class Session {
 
   resize(): void {
     const size = this.host.viewSize();
-    if (this.view === 0 || (size.width === this.sentSize.width && size.height === this.sentSize.height)) return;
+    const sent = this.sentSize;
+    const isSame = size.width === sent.width && size.height === sent.height && size.pixel_ratio === sent.pixel_ratio;
+    if (this.view === 0 || isSame) return;
     this.sentSize = size;
     this.call("view.resize", { view: this.view, ...size }).catch((error: unknown) => this.report(error));
   }
