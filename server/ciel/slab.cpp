@@ -19,7 +19,7 @@ public:
     }
 
     void add(std::span<const Index> loop, const std::array<float, 2>& limits) {
-        if (loop.size() < 3 || !has_values(loop)) return;
+        if (loop.size() < 3) return;
         const std::size_t corner = best_corner(loop), n = loop.size();
         const Index apex = own(loop[corner]);
         out_.vertices[apex].limits = limits;
@@ -28,10 +28,6 @@ public:
     }
 
 private:
-    [[nodiscard]] bool has_values(std::span<const Index> loop) const {
-        return std::ranges::all_of(loop, [&](Index p) { return std::isfinite(out_.vertices[p].value); });
-    }
-
     // A vertex is the first of one polygon's triangles only, for it has the limits of one cell.
     [[nodiscard]] Index own(Index point) {
         if (taken_[point] == 0) {
@@ -98,6 +94,8 @@ private:
     std::vector<std::uint8_t>& taken_; // by point: the first vertex of a polygon
 };
 
+bool is_filled(const std::array<float, 2>& limits) { return limits[0] <= limits[1]; }
+
 Vec3f lerp(const Vec3f& a, const Vec3f& b, float t) {
     return {ciel::lerp(a[0], b[0], t), ciel::lerp(a[1], b[1], t), ciel::lerp(a[2], b[2], t)};
 }
@@ -110,16 +108,22 @@ std::vector<std::array<float, 2>> cell_limits(const FaceMeshView& mesh, std::spa
     const auto widen = [&](Index cell, float low, float high) {
         limits[cell] = {std::min(limits[cell][0], low), std::max(limits[cell][1], high)};
     };
+    std::vector<Index> empty;
     for (Index face = 0; face < mesh.face_count(); ++face) {
         float low = infinity, high = -infinity;
+        bool has_values = true;
         for (const Index vertex : mesh.loop(face)) {
-            if (!std::isfinite(values[vertex])) continue;
+            has_values = has_values && std::isfinite(values[vertex]);
             low = std::min(low, values[vertex]);
             high = std::max(high, values[vertex]);
         }
-        widen(mesh.owner[face], low, high);
-        if (mesh.neighbour[face] != none) widen(mesh.neighbour[face], low, high);
+        for (const Index cell : {mesh.owner[face], mesh.neighbour[face]}) {
+            if (cell == none) continue;
+            widen(cell, low, high);
+            if (!has_values) empty.push_back(cell);
+        }
     }
+    for (const Index cell : empty) limits[cell] = {infinity, -infinity};
     return limits;
 }
 
@@ -137,7 +141,8 @@ void SlabSink::write(const BlockPolygons& cut, Part& part) const {
     part.triangles.reserve(3 * (cut.polygon_point.size() - 2 * cut.polygon_count()));
     FanWriter fans(part);
     for (std::size_t i = 0; i < cut.polygon_count(); ++i)
-        fans.add(cut.polygon(i), property.limits[cut.cell_begin + cut.polygon_cell[i]]);
+        if (const auto& limits = property.limits[cut.cell_begin + cut.polygon_cell[i]]; is_filled(limits))
+            fans.add(cut.polygon(i), limits);
 }
 
 void SlabSink::join(std::span<const Part* const> parts, Out& out) const {
@@ -146,10 +151,11 @@ void SlabSink::join(std::span<const Part* const> parts, Out& out) const {
 }
 
 SlabMesh slab_boundary(const FaceMeshView& mesh, const SlabProperty& property) {
+    const auto filled = [&](Index cell) { return cell != none && is_filled(property.limits[cell]); };
     SlabMesh out;
     std::vector<Index> local(mesh.vertex_count(), none), loop, faces;
     for (Index face = 0; face < mesh.face_count(); ++face) {
-        if (mesh.neighbour[face] != none) continue;
+        if (filled(mesh.owner[face]) == filled(mesh.neighbour[face])) continue;
         faces.push_back(face);
         for (const Index vertex : mesh.loop(face)) {
             if (local[vertex] == none) {
@@ -163,7 +169,9 @@ SlabMesh slab_boundary(const FaceMeshView& mesh, const SlabProperty& property) {
     for (const Index face : faces) {
         loop.clear();
         for (const Index vertex : mesh.loop(face)) loop.push_back(local[vertex]);
-        fans.add(loop, property.limits[mesh.owner[face]]);
+        const bool is_owners = filled(mesh.owner[face]); // out of whom the loop is wound
+        if (!is_owners) std::ranges::reverse(loop);
+        fans.add(loop, property.limits[is_owners ? mesh.owner[face] : mesh.neighbour[face]]);
     }
     return out;
 }

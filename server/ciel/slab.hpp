@@ -25,8 +25,8 @@ struct SlabMesh {
     }
 };
 
-// [min, max] of the values at each cell's vertices: NaN and infinities count for nothing, low > high where there are no
-// others.
+// [min, max] of the values at each cell's vertices; low > high where one of them is NaN or infinite: a cell that is not
+// filled.
 [[nodiscard]] std::vector<std::array<float, 2>> cell_limits(const FaceMeshView& mesh, std::span<const float> values);
 
 // The property at the mesh's V vertices and C cells. Borrowed, and must have these sizes.
@@ -36,7 +36,7 @@ struct SlabProperty {
     std::span<const std::array<float, 2>> limits; // C
 };
 
-// For sweep. Polygons with a point that has no value are left out.
+// For sweep. Of filled cells.
 struct SlabSink {
     SlabProperty property;
 
@@ -46,7 +46,7 @@ struct SlabSink {
     void join(std::span<const Part* const> parts, Out& out) const;
 };
 
-// The mesh's boundary in the same form, wound outwards.
+// The boundary of all filled cells in the same form, wound outwards.
 [[nodiscard]] SlabMesh slab_boundary(const FaceMeshView& mesh, const SlabProperty& property);
 
 } // namespace ciel

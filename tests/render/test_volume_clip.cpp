@@ -76,6 +76,30 @@ TEST(ClippedVolume, IsCutInEveryPartOfARay) {
     }
 }
 
+// A cell with a vertex without a value is empty, and what is left has a boundary there: of x below one half.
+TEST(ClippedVolume, HasABoundaryWhereValuesAreMissing) {
+    constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+    VolumeScene scene(test::hexahedra(Box{{4, 4, 4}, 0, 1, 0.25}),
+                      [](const Vec3d& p) { return p[0] > 0.6 ? double{nan} : 1.0; });
+    for (const auto& planes : {std::vector<std::array<float, 4>>{},
+                               {plane_through({0.5, 0.37, 0.5}, {0.2, 1, 0.1})},
+                               {plane_through({0.2, 0.5, 0.5}, {1, 0, 0})}})
+        for (const View& view : views) {
+            if (view.name == std::string("eye_inside")) continue; // of the cube, and in its empty part
+            const Cut cut{"", planes};
+            Frame frame = frame_of(view);
+            frame.clip = planes;
+            frame.volumes.push_back(scene.volume(nearest_axis(view.from), 100));
+            frame.volumes[0].scale.range = {0, 1};
+            frame.volumes[0].opacity_points = {{0, opacity}};
+            const auto expected = [&](const Ray& ray) {
+                const auto [from, to] = cut.kept(ray, inside_box(ray, {0, 0, 0}, {0.5, 1, 1}));
+                return 1 - std::pow(1 - opacity, std::max(0.0, to - from));
+            };
+            expect_close(compare(frame, expected, 0.01), view.name);
+        }
+}
+
 // A volume that is all but opaque within a slab: the property that is seen is that of the plane, and does not jump from
 // slab to slab along it.
 TEST(ClippedVolume, HasNoStripesWhereItIsDense) {
