@@ -2,12 +2,14 @@
 
 uniform vec3 lights; // strengths of the ambient light, the headlight and the key light
 
-// A normal of the field, of length 1, on the side of its polygon that is seen; polygons are wound about it. At the rim
-// of a shape it may look away from the viewer where the flat polygon does not yet: it is mirrored then. Turned round, it
-// would be that of a surface lit from the other side: dark slivers along a bright rim.
+// A normal of the field, of length 1, on the side that is seen. Polygons are wound about it: at the rim of a shape, where
+// it looks away and the flat polygon does not yet, it is mirrored. Turned round, it would be that of a surface lit from
+// the other side: dark slivers along a bright rim. Farther away it is the winding that is wrong.
 vec3 seen_normal(vec3 n, vec3 viewer) {
     if (!gl_FrontFacing) n = -n;
-    return n - 2.0 * min(dot(n, viewer), 0.0) * viewer;
+    float head = dot(n, viewer);
+    if (head < -0.35) return -n;
+    return n - 2.0 * min(head, 0.0) * viewer;
 }
 
 // n, on the viewer's side, and viewer have length 1. The highlight's exponent is 40, by multiplications: in software a

@@ -140,7 +140,9 @@ void DepthPeeling::draw(const Scene& scene, Target& target) {
     gl_.Clear(recorded_ ? GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT : GL_DEPTH_BUFFER_BIT);
     gl_.ClearDepth(1);
 
-    const auto volumes = [&](GLuint depth) { return scene.volumes ? scene.volumes(depth) : nothing_; };
+    const auto volumes = [&](GLuint depth, GLuint color) {
+        return scene.volumes ? scene.volumes(depth, color) : nothing_;
+    };
     GLuint in_front = nothing_;
     was_cut_ = false;
     for (int i = 0; i <= scene.most_layers; ++i) {
@@ -148,10 +150,10 @@ void DepthPeeling::draw(const Scene& scene, Target& target) {
         if (!draw_layer(scene, opaque, layer, layers_[(i + 1) % 2])) break;
         was_cut_ = i == scene.most_layers; // drawn to know it, and no more
         if (was_cut_) break;
-        if (has_volumes_of_its_own(i)) in_front = volumes(layer.depth);
+        if (has_volumes_of_its_own(i)) in_front = volumes(layer.depth, color_);
         add_to_sum(layer, in_front);
     }
-    put_on(scene, target, volumes(0));
+    put_on(scene, target, volumes(0, 0));
 }
 
 // At the layers' resolution, of which a copy has one pixel in four. Samples that are put on one by one want each pixel

@@ -33,9 +33,9 @@ public:
         // is taken.
         std::function<void()> draw_opaque;
         std::function<void()> draw_surfaces; // with the peeling programs in use, lines as well
-        // The picture of the volumes (premultiplied, RGBA) in front of a depth texture, or of all
-        // opaque surfaces for 0; empty where there are none.
-        std::function<GLuint(GLuint depth)> volumes;
+        // The picture of the volumes (premultiplied, RGBA) in front of a layer, where it has colours, or of all opaque
+        // surfaces for (0, 0); empty where there are none.
+        std::function<GLuint(GLuint depth, GLuint color)> volumes;
     };
     // The programs that draw surfaces and lines: the caller sets their uniforms.
     [[nodiscard]] const Program& surfaces() const { return programs().surfaces; }

@@ -361,7 +361,9 @@ void Painter::peel_transparent(const Frame& frame) {
         enable_clip_planes(false);
     };
     if (!frame.volumes.empty())
-        layers.volumes = [&](GLuint depth) { return volumes_.picture_until(frame, transform_, depth); };
+        layers.volumes = [&](GLuint depth, GLuint color) {
+            return volumes_.picture_until(frame, transform_, {depth, color});
+        };
     if (!frame.volumes.empty() && std::ranges::any_of(frame.meshes, is_opaque))
         layers.outlines = opaque_depth_.texture();
     enable_clip_planes(false);

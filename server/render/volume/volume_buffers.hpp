@@ -1,18 +1,11 @@
 // A volume's slices and boundary on the GL's side, kept from frame to frame.
 #pragma once
 
-#include "render/gl.hpp"
+#include "render/volume/index_parts.hpp"
 #include "render/volume/inner_polygons.hpp"
 #include "render/volume/volume.hpp"
 
 namespace ciel::render {
-
-// Consecutive entries of the index buffer, and what is added to them.
-struct IndexRange {
-    std::size_t first = 0;
-    GLsizei count = 0;
-    GLint base = 0;
-};
 
 class VolumeBuffers {
 public:
@@ -34,6 +27,11 @@ public:
     // Slab by slab, each `stride` of the volume's: its slice, and the boundary triangles that it has a part of.
     [[nodiscard]] const std::vector<Slice>& slices() const { return slice_of_slab_; }
     [[nodiscard]] const std::vector<IndexRange>& boundary_of_slabs() const { return boundary_of_slab_; }
+    // The same in parts, in their order.
+    [[nodiscard]] const std::vector<IndexPart>& parts_of_slice(std::size_t slab) const { return slice_parts_[slab]; }
+    [[nodiscard]] const std::vector<IndexPart>& parts_of_boundary(std::size_t slab) const {
+        return boundary_parts_[slab];
+    }
     [[nodiscard]] const IndexRange& whole_boundary() const { return whole_boundary_; }
     [[nodiscard]] const Bounds& bounds() const { return bounds_; } // of the boundary
     // The same number for boundaries of the same triangles, whatever the property.
@@ -51,6 +49,7 @@ private:
     Arrays slices_, boundary_;
     std::vector<Slice> slice_of_slab_;
     std::vector<IndexRange> boundary_of_slab_;
+    std::vector<std::vector<IndexPart>> slice_parts_, boundary_parts_;
     IndexRange whole_boundary_;
     Bounds bounds_{};
     std::uint64_t identity_ = 0, revision_ = 0;

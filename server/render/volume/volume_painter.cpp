@@ -56,31 +56,33 @@ void check_directions(const Frame& frame) {
 
 VolumePainter::VolumePainter(const Gl& gl)
     : gl_(gl), picture_program_(make_volume_picture_program(gl, false)),
-      sample_program_(make_volume_picture_program(gl, true)), rays_(gl), coverage_(gl), picture_(gl), together_(gl) {
+      sample_program_(make_volume_picture_program(gl, true)), rays_(gl), reach_(gl), coverage_(gl), picture_(gl),
+      together_(gl) {
     gl_.GenVertexArrays(1, &no_array_);
 }
 
 void VolumePainter::draw(const Frame& frame, const ViewTransform& transform, Target& target) {
     draw_each(
-        frame, transform, surfaces_, [&target] { target.bind_again(); }, frame.samples > 1 && surfaces_ != 0);
+        frame, transform, {}, [&target] { target.bind_again(); }, frame.samples > 1 && surfaces_ != 0);
 }
 
-GLuint VolumePainter::picture_until(const Frame& frame, const ViewTransform& transform, GLuint depth) {
+GLuint VolumePainter::picture_until(const Frame& frame, const ViewTransform& transform, const LayerInVolumes& layer) {
     together_.size(GL_RGBA32F, frame.width, frame.height);
     together_.begin();
     gl_.ClearColor(0, 0, 0, 0);
     gl_.Clear(GL_COLOR_BUFFER_BIT);
     draw_each(
-        frame, transform, depth == 0 ? surfaces_ : depth, [this] { together_.begin(); }, false);
+        frame, transform, layer, [this] { together_.begin(); }, false);
     return together_.texture();
 }
 
-void VolumePainter::draw_each(const Frame& frame, const ViewTransform& transform, GLuint depth,
+void VolumePainter::draw_each(const Frame& frame, const ViewTransform& transform, const LayerInVolumes& layer,
                               const std::function<void()>& bind_picture, bool per_sample) {
     check_directions(frame);
     const int coarseness = coarseness_of(frame);
     const float opacity = largest_opacity(frame);
-    view_ = {&frame, &transform, depth, std::max(1, frame.width / coarseness), std::max(1, frame.height / coarseness)};
+    view_ = {&frame, &transform, layer.depth == 0 ? surfaces_ : layer.depth, std::max(1, frame.width / coarseness),
+             std::max(1, frame.height / coarseness)};
     load_buffers(frame);
     slab_angle_ = frame.volumes.empty() ? 0 : slab_angle(view_, frame.volumes[0].normal);
     gl_.Disable(GL_DEPTH_TEST);
@@ -91,7 +93,8 @@ void VolumePainter::draw_each(const Frame& frame, const ViewTransform& transform
         prepare(volume, slot_of(i), opacity > 0 ? static_cast<double>(volume.opacity) / opacity : 0);
     }
     rays_.finish();
-    draw_slabs(frame);
+    draw_slabs(frame, layer);
+    gl_.Disable(GL_DEPTH_TEST);
     if (has_coverage()) find_coverage(frame);
     bind_picture();
     put_on_picture(opacity, coarseness > 1, per_sample);
@@ -199,21 +202,40 @@ void VolumePainter::set_light(const ShaderProgram& program, const Volume& volume
 bool VolumePainter::has_coverage() const { return view_.frame->samples > 1 && view_.width == view_.frame->width; }
 
 void VolumePainter::find_coverage(const Frame& frame) {
+    Covered wanted{view_.places(), frame.samples, frame.clip, {}};
+    std::vector<const VolumeBuffers*> buffers; // volumes of one boundary share it
+    for (std::size_t i = 0; i < frame.volumes.size(); ++i) {
+        const VolumeBuffers* own = slot_of(i).buffers;
+        if (!wanted.boundaries.empty() && wanted.boundaries.back() == own->boundary_places()) continue;
+        wanted.boundaries.push_back(own->boundary_places());
+        buffers.push_back(own);
+    }
+    if (wanted == covered_) return;
+    covered_ = {}; // until all has gone well
     coverage_.begin(view_);
-    const RaySheets* last = nullptr; // volumes of one boundary share it
-    for (std::size_t i = 0; i < frame.volumes.size(); ++i)
-        if (const Slot& slot = slot_of(i); std::exchange(last, slot.rays) != slot.rays) coverage_.add(*slot.buffers);
+    for (const VolumeBuffers* own : buffers) coverage_.add(*own);
     coverage_.finish();
     gl_.Enable(GL_BLEND);
+    covered_ = std::move(wanted);
 }
 
-void VolumePainter::draw_slabs(const Frame& frame) {
+void VolumePainter::begin_picture(const Frame& frame, const LayerInVolumes& layer) {
     picture_.size(GL_RGBA32F, view_.width, view_.height);
-    picture_.begin();
+    if (layer.depth != 0) {
+        double thickest = 0;
+        for (const Volume& volume : frame.volumes) thickest = std::max(thickest, thickness_of(volume));
+        reach_.begin(view_, layer, picture_, rays_across(frame.volumes[0]).per_depth / thickest);
+    } else {
+        picture_.begin();
+    }
     gl_.ClearColor(0, 0, 0, 0);
     gl_.Clear(GL_COLOR_BUFFER_BIT);
     gl_.Enable(GL_BLEND);
     gl_.BlendFuncSeparate(GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+}
+
+void VolumePainter::draw_slabs(const Frame& frame, const LayerInVolumes& layer) {
+    begin_picture(frame, layer);
     std::vector<const Slot*> slots;
     std::vector<SlabRow> rows;
     for (const Volume& volume : frame.volumes) {
@@ -227,8 +249,18 @@ void VolumePainter::draw_slabs(const Frame& frame) {
         if (bound == nullptr || slot->rays != bound->rays) rays_.bind(*slot->rays);
         bound = slot;
         if (rows.size() > 1) thin_out(frame.volumes[volume], *slot, share);
-        draw_slab(frame.volumes[volume], *slot, slab);
+        if (layer.depth != 0)
+            draw_slab_until(frame.volumes[volume], *slot, slab);
+        else
+            draw_slab(frame.volumes[volume], *slot, slab);
     }
+}
+
+void VolumePainter::use_edge(const Volume& volume, const Slot& slot, std::size_t slab, double place) {
+    slot.edge->use();
+    slot.edge->set("slab", static_cast<float>(slab));
+    slot.edge->set("slice_place", static_cast<float>(place - volume.first));
+    slot.buffers->bind_boundary();
 }
 
 // So that the order of what is mixed in one place does not show. It does by the product of what two pieces lose.
@@ -254,13 +286,35 @@ void VolumePainter::thin_out(const Volume& volume, const Slot& slot, double shar
     }
 }
 
+void VolumePainter::draw_parts(const VolumeBuffers& buffers, const std::vector<IndexPart>& parts) const {
+    IndexRange together;
+    for (const IndexPart& part : parts) {
+        if (!reach_.meets(part.low, part.high)) continue;
+        if (together.first + static_cast<std::size_t>(together.count) != part.range.first || together.count == 0) {
+            buffers.draw(together);
+            together = part.range;
+        } else {
+            together.count += part.range.count;
+        }
+    }
+    buffers.draw(together);
+}
+
+// Of a layer, only what may be in front of it.
+void VolumePainter::draw_slab_until(const Volume& volume, const Slot& slot, std::size_t slab) const {
+    const double place = volume.first + (static_cast<double>(slab) + 0.5) * thickness_of(volume);
+    use_edge(volume, slot, slab, place);
+    draw_parts(*slot.buffers, slot.buffers->parts_of_boundary(slab));
+    slot.slice->use();
+    set_slice(*slot.slice, volume, place);
+    slot.buffers->bind_slices();
+    draw_parts(*slot.buffers, slot.buffers->parts_of_slice(slab));
+}
+
 void VolumePainter::draw_slab(const Volume& volume, const Slot& slot, std::size_t slab) const {
     const double place = volume.first + (static_cast<double>(slab) + 0.5) * thickness_of(volume);
     if (slot.buffers->boundary_of_slabs()[slab].count > 0) {
-        slot.edge->use();
-        slot.edge->set("slab", static_cast<float>(slab));
-        slot.edge->set("slice_place", static_cast<float>(place - volume.first));
-        slot.buffers->bind_boundary();
+        use_edge(volume, slot, slab, place);
         slot.buffers->draw(slot.buffers->boundary_of_slabs()[slab]);
     }
     slot.slice->use();

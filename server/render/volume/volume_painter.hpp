@@ -9,6 +9,7 @@
 #include "render/volume/volume_coverage.hpp"
 #include "render/volume/volume_order.hpp"
 #include "render/volume/volume_rays.hpp"
+#include "render/volume/volume_reach.hpp"
 
 #include <functional>
 #include <list>
@@ -27,9 +28,10 @@ public:
     void end_on(GLuint depth) { surfaces_ = depth; }
     // Leaves the target bound, depth test and blending as they were: on.
     void draw(const Frame& frame, const ViewTransform& transform, Target& target);
-    // All volumes in front of a depth texture, or for 0 as far as draw() shows them, premultiplied, on nothing; good
-    // until the next call. Leaves another framebuffer and viewport bound, depth test and blending on.
-    [[nodiscard]] GLuint picture_until(const Frame& frame, const ViewTransform& transform, GLuint depth);
+    // All volumes in front of a layer, good where it is; or without one as far as draw() shows them, everywhere.
+    // Premultiplied, on nothing; until the next call. Leaves another framebuffer and viewport bound, depth test and
+    // blending on.
+    [[nodiscard]] GLuint picture_until(const Frame& frame, const ViewTransform& transform, const LayerInVolumes& layer);
     // RGBA32F; A: the window's depth where the volumes begin. 0 before there was any.
     [[nodiscard]] GLuint limits() const { return rays_.begin_of_all(); }
 
@@ -59,8 +61,9 @@ private:
         glm::dvec3 per_depth, start;
     };
 
-    void draw_each(const Frame& frame, const ViewTransform& transform, GLuint depth,
+    void draw_each(const Frame& frame, const ViewTransform& transform, const LayerInVolumes& layer,
                    const std::function<void()>& bind_picture, bool per_sample);
+    void begin_picture(const Frame& frame, const LayerInVolumes& layer);
     [[nodiscard]] Slot& slot_of(std::size_t volume);
     void load_buffers(const Frame& frame);
     void prepare(const Volume& volume, Slot& slot, double share);
@@ -70,10 +73,13 @@ private:
     [[nodiscard]] RaysAcross rays_across(const Volume& volume) const;
     void find_coverage(const Frame& frame);
     void set_light(const ShaderProgram& program, const Volume& volume) const;
-    void draw_slabs(const Frame& frame);
+    void draw_slabs(const Frame& frame, const LayerInVolumes& layer);
     [[nodiscard]] SlabPieces pieces_of_slabs(const Frame& frame) const;
     static void thin_out(const Volume& volume, const Slot& slot, double share);
     void set_slice(const ShaderProgram& program, const Volume& volume, double place) const;
+    static void use_edge(const Volume& volume, const Slot& slot, std::size_t slab, double place);
+    void draw_parts(const VolumeBuffers& buffers, const std::vector<IndexPart>& parts) const;
+    void draw_slab_until(const Volume& volume, const Slot& slot, std::size_t slab) const;
     void draw_slab(const Volume& volume, const Slot& slot, std::size_t slab) const;
     [[nodiscard]] bool has_coverage() const;
     [[nodiscard]] bool is_full(const Volume& volume, double from_eye) const;
@@ -84,7 +90,15 @@ private:
     const Gl& gl_;
     ShaderProgram picture_program_, sample_program_;
     VolumeRays rays_;
+    VolumeReach reach_;
     VolumeCoverage coverage_;
+    struct Covered { // what the coverage is of
+        RayPlaces places;
+        int samples = 0;
+        std::vector<std::array<float, 4>> clip;
+        std::vector<std::uint64_t> boundaries;
+        bool operator==(const Covered&) const = default;
+    } covered_;
     Sheet picture_, together_;
     GLuint no_array_ = 0;
     GLuint surfaces_ = 0;   // depth of what is opaque, or 0

@@ -58,6 +58,10 @@ bool VolumeView::eye_is_in_bounds() const {
     return !frame->camera.parallel;
 }
 
+RayPlaces VolumeView::places() const {
+    return {transform->view, transform->projection, width, height, frame->camera.parallel, eye_is_in_bounds()};
+}
+
 PixelBox VolumeView::seen_box(int pixels_across, int pixels_up) const {
     const glm::dmat4 to_clip = transform->projection * transform->view;
     const glm::dvec2 size(pixels_across, pixels_up);
@@ -100,8 +104,13 @@ const RaySheets& VolumeRays::find(const VolumeBuffers& buffers) {
                                     [&](const RaySheets& rays) { return rays.boundary == buffers.boundary_places(); });
     if (found != end) return *found;
     RaySheets& rays = end != sheets_.end() ? *end : sheets_.emplace_back(gl_);
-    rays.boundary = buffers.boundary_places();
-    find_parts(buffers, rays);
+    // Layer after layer of one frame asks for the same.
+    if (const RayPlaces places = view_.places(); rays.boundary != buffers.boundary_places() || rays.places != places) {
+        rays.boundary = 0; // until all has gone well
+        find_parts(buffers, rays);
+        rays.boundary = buffers.boundary_places();
+        rays.places = places;
+    }
     find_limits(rays);
     ++in_use_;
     return rays;

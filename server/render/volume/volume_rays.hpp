@@ -12,6 +12,14 @@
 
 namespace ciel::render {
 
+// What decides where rays run: what was found for some is good for the same again.
+struct RayPlaces {
+    glm::dmat4 view{1}, projection{1};
+    int width = 0, height = 0;
+    bool parallel = false, eye_is_in_bounds = false;
+    bool operator==(const RayPlaces&) const = default;
+};
+
 // Of the picture being drawn.
 struct VolumeView {
     const Frame* frame = nullptr;
@@ -31,6 +39,7 @@ struct VolumeView {
     [[nodiscard]] double eye_along(const Vec3d& normal) const;
     [[nodiscard]] bool is_clipped() const { return !frame->clip.empty(); }
     [[nodiscard]] bool eye_is_in_bounds() const;
+    [[nodiscard]] RayPlaces places() const;
     // The box as it is seen, in a picture of width x height: no ray elsewhere meets a volume.
     [[nodiscard]] PixelBox seen_box(int width, int height) const;
 };
@@ -44,6 +53,7 @@ struct RaySheets {
     Sheet limits;             // as make_limits_program() says
     int count = 0;
     std::uint64_t boundary = 0;
+    RayPlaces places; // that the parts are of
 };
 
 // Its GL objects live as long as their context.
