@@ -4,11 +4,8 @@
 #include "session/errors.hpp"
 #include "wire/png.hpp"
 
-#include <cmath>
-
 namespace ciel::session {
 namespace {
-constexpr double interactive_pixels = 1280.0 * 720.0;
 constexpr int still_samples = 4;
 
 void widen_lines(render::Frame& frame, double times) {
@@ -25,14 +22,12 @@ void check_picture_size(const Limits& limits, std::int64_t width, std::int64_t h
         throw LimitReached("a picture may have at most " + std::to_string(limits.image_pixels) + " pixels");
 }
 
-const render::Image& draw(const Geometry& geometry, const scene::Scene& scene, ViewSize size, bool still,
-                          Worker& worker) {
-    double scale = 1;
-    const double pixels = static_cast<double>(size.width) * size.height;
-    if (!still && pixels > interactive_pixels) scale = std::sqrt(interactive_pixels / pixels);
+const render::Image& draw(const Geometry& geometry, const scene::Scene& scene, ViewSize size,
+                          std::optional<double> moving_scale, Worker& worker) {
+    const double scale = moving_scale.value_or(1);
     const int width = std::max(1, static_cast<int>(size.width * scale));
     const int height = std::max(1, static_cast<int>(size.height * scale));
-    render::Frame frame = frame_of(geometry, scene, width, height, still ? still_samples : 1);
+    render::Frame frame = frame_of(geometry, scene, width, height, moving_scale ? 1 : still_samples);
     // From where the still will look, whose size decides what is written on it.
     if (!scene.camera && scale < 1)
         frame.camera = default_view(geometry, scene, static_cast<int>(size.width), static_cast<int>(size.height));

@@ -11,12 +11,12 @@ namespace ciel::session {
 
 // Throws LimitReached.
 void check_picture_size(const Limits& limits, std::int64_t width, std::int64_t height);
-// A still has the asked size and four samples a pixel; an interactive picture has at most 1280 x 720 pixels of the same
-// shape and one sample, and its lines are as much thinner. Neither is written on: who shows a view's frames draws the
+// A still has the asked size and four samples a pixel; an interactive picture is so many times as large and has one
+// sample, and its lines are as much thinner. Neither is written on: who shows a view's frames draws the
 // scene's annotations over them, at the screen's resolution and without waiting for a frame. The picture is the
 // worker's, until its next.
-[[nodiscard]] const render::Image& draw(const Geometry& geometry, const scene::Scene& scene, ViewSize size, bool still,
-                                        Worker& worker);
+[[nodiscard]] const render::Image& draw(const Geometry& geometry, const scene::Scene& scene, ViewSize size,
+                                        std::optional<double> moving_scale, Worker& worker);
 // A picture that stands for itself, as a file does: a still with the scene's annotations. Lines and points
 // grow as text does.
 [[nodiscard]] render::Frame picture_of(const Geometry& geometry, const scene::Scene& scene, ViewSize size);

@@ -90,8 +90,11 @@ std::optional<FrameRequest> View::take(bool still) {
         schedule();
         return {};
     }
-    FrameRequest request{still ? still_wanted_ : *mailbox_.take(), size_, stream_, still, nullptr, {}, Clock::now()};
-    if (!still && stream_ == Stream::image) request.moving = &pictures_now();
+    FrameRequest request{still ? still_wanted_ : *mailbox_.take(), size_, stream_, still, 1, nullptr, {}, Clock::now()};
+    if (!still && stream_ == Stream::image) {
+        request.moving = &pictures_now();
+        request.scale = preview_.scale(size_);
+    }
     stop_ = std::stop_source();
     request.stop = stop_.get_token();
     started_ = request.started;
@@ -118,7 +121,10 @@ void View::deliver(const FrameRequest& request, std::vector<std::vector<std::uin
         }
     }
     still_wanted_ = nullptr;
-    if (!request.still && request.stream == Stream::image && mailbox_.empty()) still_wanted_ = request.version;
+    if (!request.still && request.stream == Stream::image) {
+        preview_.took(request.size, times.draw);
+        if (mailbox_.empty()) still_wanted_ = request.version;
+    }
     gave_up_ = false;
     quiet_until_ = Clock::now() + quiet; // else a slow frame would be followed by its still at once, in the hand's way
     finish();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "session/mailbox.hpp"
+#include "session/preview_size.hpp"
 #include "session/services.hpp"
 #include "session/session.hpp"
 #include "wire/picture_stream.hpp"
@@ -14,17 +15,13 @@ namespace ciel::session {
 enum class Stream { image, geometry };
 using wire::MovingCodec; // of interactive pictures; a still is a PNG
 
-struct ViewSize {
-    std::uint32_t width = 0, height = 0;
-    double pixel_ratio = 1; // so many pixels are one of the widths of lines and points
-};
-
 // What a worker is asked to show.
 struct FrameRequest {
     std::shared_ptr<const SceneVersion> version;
     ViewSize size;
     Stream stream = Stream::image;
     bool still = false;
+    double scale = 1;                      // of an interactive picture, which is so much smaller than the view
     wire::PictureStream* moving = nullptr; // the view's, that an interactive picture is one of
     std::stop_token stop;
     Clock::time_point started;
@@ -78,6 +75,7 @@ private:
 
     std::mutex mutex_;
     ViewSize size_;
+    PreviewSize preview_;
     Stream stream_;
     MovingCodec moving_;
     struct {
