@@ -7,7 +7,7 @@ namespace ciel::session {
 namespace {
 
 constexpr double most_pixels = 1280.0 * 720.0, fewest_pixels = 320.0 * 180.0;
-constexpr double too_slow = 200; // milliseconds
+constexpr double too_slow = 300; // milliseconds
 constexpr int slow_enough = 2, most_halvings = 2;
 
 double pixels(ViewSize view) { return static_cast<double>(view.width) * view.height; }

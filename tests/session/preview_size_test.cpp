@@ -28,9 +28,9 @@ TEST(PreviewSize, GrowsAgainWhenTheLargerWouldBeFastEnough) {
     PreviewSize preview;
     for (int i = 0; i < 4; ++i) preview.took(usual, 900);
     EXPECT_DOUBLE_EQ(preview.scale(usual), 0.25);
-    preview.took(usual, 60);
-    EXPECT_DOUBLE_EQ(preview.scale(usual), 0.25) << "four times 60 is too slow";
-    preview.took(usual, 40);
+    preview.took(usual, 80);
+    EXPECT_DOUBLE_EQ(preview.scale(usual), 0.25) << "four times 80 is too slow";
+    preview.took(usual, 70);
     EXPECT_DOUBLE_EQ(preview.scale(usual), 0.5);
     preview.took(usual, 10);
     EXPECT_DOUBLE_EQ(preview.scale(usual), 1);
