@@ -85,9 +85,9 @@ class Stream:
     async def __aenter__(self) -> Stream:
         import websockets
 
-        self._socket = await websockets.connect(
-            self._url, subprotocols=["ciel.v1"], extra_headers=self._headers, max_size=None
-        )
+        has_new_names = int(websockets.__version__.split(".")[0]) >= 14
+        headers = {"additional_headers" if has_new_names else "extra_headers": self._headers}
+        self._socket = await websockets.connect(self._url, subprotocols=["ciel.v1"], max_size=None, **headers)
         self._reader = asyncio.create_task(self._read())
         return self
 
