@@ -132,12 +132,19 @@ Result check_properties(const json& rule, const json& value, const json&, const 
     return {};
 }
 
+std::string known_members(const json& schema) {
+    std::string names;
+    if (const auto known = schema.find("properties"); known != schema.end())
+        for (const auto& [name, member] : known->items()) names += (names.empty() ? "; there are " : ", ") + name;
+    return names;
+}
+
 Result check_additional(const json& rule, const json& value, const json& schema, const std::string& path) {
     if (!value.is_object()) return {};
     for (const auto& [name, member] : value.items()) {
         if (const auto known = schema.find("properties"); known != schema.end() && known->contains(name)) continue;
         const std::string place = pointer_step(path, name);
-        if (rule == false) return Violation{place, "is not known here"};
+        if (rule == false) return Violation{place, "is not known here" + known_members(schema)};
         if (!rule.is_object()) continue;
         if (auto violation = check_schema(rule, member, place)) return violation;
     }
