@@ -4,6 +4,8 @@
 #include "render/per_sample.hpp"
 #include "render/sheet.hpp"
 
+#include <bit>
+
 namespace ciel::render {
 namespace {
 
@@ -12,7 +14,10 @@ constexpr int most_pixels_at_twice_the_resolution = 4 << 20;
 
 // Whether the volumes are drawn for a layer, up to it. Later ones, to which little light comes through, are seen
 // through as much of the volumes as the one before.
-bool has_volumes_of_its_own(int layer) { return layer < 8 || layer % 4 == 0; }
+bool has_volumes_of_its_own(int layer, bool dense) {
+    if (dense) return std::has_single_bit(static_cast<unsigned>(layer)) || layer == 0;
+    return layer < 8 || layer % 4 == 0;
+}
 
 // Behind those of the colour scales, but for what is added up; surface_slopes.cpp has 4 and 5.
 enum Unit : int {
@@ -20,6 +25,7 @@ enum Unit : int {
     opaque_unit = 1,
     nearer_unit = 2,
     volumes_unit = 3,
+    farther_unit = 3,
     lines_unit = 6,
     own_lines_unit = 7,
     behind_unit = 8
@@ -28,15 +34,18 @@ enum Unit : int {
 } // namespace
 
 DepthPeeling::DepthPeeling(const Gl& gl)
-    : gl_(gl), programs_{make_peeling_program(gl, false), make_peeling_line_program(gl, false)},
-      recorded_programs_{make_peeling_program(gl, true), make_peeling_line_program(gl, true)},
-      behind_samples_(make_depth_behind_samples_program(gl)), copy_depth_(make_depth_copy_program(gl)),
+    : gl_(gl), programs_{make_peeling_program(gl, false), make_peeling_line_program(gl, false),
+                         make_peeling_point_program(gl, false)},
+      recorded_programs_{make_peeling_program(gl, true), make_peeling_line_program(gl, true),
+                         make_peeling_point_program(gl, true)},
+      between_(make_point_between_program(gl, true)), free_between_(make_point_between_program(gl, false)),
+      keep_to_outlines_(make_kept_to_outlines_program(gl)), copy_depth_(make_depth_copy_program(gl)),
       add_(make_layer_sum_program(gl)), picture_(make_layers_picture_program(gl, false)),
-      sample_picture_(make_layers_picture_program(gl, true)), fine_opaque_(gl) {
+      sample_picture_(make_layers_picture_program(gl, true)), fine_opaque_(gl), kept_opaque_(gl) {
     for (Layer& layer : layers_) {
         gl_.GenFramebuffers(1, &layer.framebuffer);
         gl_.GenTextures(1, &layer.depth);
-        gl_.GenTextures(1, &layer.lines);
+        gl_.GenTextures(1, &layer.record);
     }
     for (GLuint* texture : {&color_, &opaque_, &sum_, &nothing_}) gl_.GenTextures(1, texture);
     gl_.GenFramebuffers(1, &opaque_framebuffer_);
@@ -51,7 +60,7 @@ DepthPeeling::DepthPeeling(const Gl& gl)
 }
 
 void DepthPeeling::allocate(GLuint texture, GLint format, int width, int height) const {
-    const bool is_depth = format != GL_RGBA16F;
+    const bool is_depth = format != GL_RGBA16F && format != GL_RGBA16;
     gl_.BindTexture(GL_TEXTURE_2D, texture);
     gl_.TexImage2D(GL_TEXTURE_2D, 0, format, width, height, 0, is_depth ? GL_DEPTH_COMPONENT : GL_RGBA, GL_FLOAT,
                    nullptr);
@@ -83,12 +92,13 @@ void DepthPeeling::resize(const Scene& scene) {
         allocate(layer.depth, GL_DEPTH_COMPONENT32F, factor * width_, factor * height_);
         attach(layer.framebuffer, color_, layer.depth);
     }
-    allocate(sum_, GL_RGBA16F, factor * width_, factor * height_);
+    // Of a float of 16 bits each of many layers would lose up to a bit.
+    allocate(sum_, GL_RGBA16, factor * width_, factor * height_);
     attach(sum_framebuffer_, sum_, 0);
     factor_ = factor;
 }
 
-void DepthPeeling::record_lines(bool on) {
+void DepthPeeling::record(bool on) {
     recorded_ = on;
     const int width = factor_ * width_, height = factor_ * height_;
     const bool has_size = recorded_width_ == width && recorded_height_ == height;
@@ -96,10 +106,10 @@ void DepthPeeling::record_lines(bool on) {
     for (const Layer& layer : layers_) {
         gl_.BindFramebuffer(GL_FRAMEBUFFER, layer.framebuffer);
         if (on && !has_size) {
-            gl_.BindTexture(GL_TEXTURE_2D, layer.lines);
+            gl_.BindTexture(GL_TEXTURE_2D, layer.record);
             gl_.TexImage2D(GL_TEXTURE_2D, 0, GL_RG32F, width, height, 0, GL_RG, GL_FLOAT, nullptr);
             filter(gl_, GL_NEAREST);
-            gl_.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT1, GL_TEXTURE_2D, layer.lines, 0);
+            gl_.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT1, GL_TEXTURE_2D, layer.record, 0);
         }
         if (!on && recorded_width_ != 0 && !has_size) // of another size it would make the framebuffer as small
             gl_.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT1, GL_TEXTURE_2D, 0, 0);
@@ -115,6 +125,7 @@ void DepthPeeling::record_lines(bool on) {
 
 void DepthPeeling::set_nearer(const Program& program, bool joining) const {
     gl_.Uniform1i(program.nearer, nearer_unit);
+    gl_.Uniform1i(program.farther, farther_unit);
     gl_.Uniform1i(program.nearer_lines, lines_unit);
     gl_.Uniform1i(program.own_lines, own_lines_unit);
     gl_.Uniform1i(program.behind, behind_unit);
@@ -128,7 +139,7 @@ void DepthPeeling::cover() const {
 
 void DepthPeeling::draw(const Scene& scene, Target& target) {
     resize(scene);
-    record_lines(static_cast<bool>(scene.join_lines));
+    record(static_cast<bool>(scene.join_lines));
     const GLuint opaque = find_opaque(scene, target);
     gl_.Viewport(0, 0, factor_ * width_, factor_ * height_);
     gl_.BindFramebuffer(GL_FRAMEBUFFER, sum_framebuffer_);
@@ -147,37 +158,43 @@ void DepthPeeling::draw(const Scene& scene, Target& target) {
     was_cut_ = false;
     for (int i = 0; i <= scene.most_layers; ++i) {
         const Layer& layer = layers_[i % 2];
-        if (!draw_layer(scene, opaque, layer, layers_[(i + 1) % 2])) break;
+        const bool any = draw_layer(scene, opaque, layer, layers_[(i + 1) % 2]);
+        if (scene.draw_between) add_between(scene, layer);
+        if (!any) break;
         was_cut_ = i == scene.most_layers; // drawn to know it, and no more
         if (was_cut_) break;
-        if (has_volumes_of_its_own(i)) in_front = volumes(layer.depth, color_);
+        if (has_volumes_of_its_own(i, scene.dense)) in_front = volumes(layer.depth, color_);
         add_to_sum(layer, in_front);
     }
     put_on(scene, target, volumes(0, 0));
 }
 
-// At the layers' resolution, of which a copy has one pixel in four. Samples that are put on one by one want each pixel
-// of the layers to be all before or all behind an outline: as a copy is.
+// In the middle of the layers' pixels: of a picture with several samples that is not where its own depth is.
 GLuint DepthPeeling::find_opaque(const Scene& scene, Target& target) {
-    if (factor_ == 1 || scene.outlines != 0 || !scene.draw_opaque) {
+    if (scene.samples == 1) {
         target.copy_depth(opaque_framebuffer_);
-        if (scene.samples == 1) return opaque_;
-        fine_opaque_.begin(width_, height_, false);
-        gl_.Enable(GL_DEPTH_TEST);
-        gl_.DepthMask(GL_TRUE);
-        gl_.DepthFunc(GL_ALWAYS);
-        bind(gl_, opaque_unit, opaque_);
-        behind_samples_.use();
-        behind_samples_.set("opaque", int{opaque_unit});
-        cover();
-        gl_.DepthFunc(GL_LEQUAL);
-        return fine_opaque_.texture();
+        return opaque_;
     }
+    if (factor_ == 1 && scene.outlines != 0) return scene.outlines;
     fine_opaque_.begin(factor_ * width_, factor_ * height_, false);
     gl_.Enable(GL_DEPTH_TEST);
     gl_.DepthMask(GL_TRUE);
     scene.draw_opaque();
-    return fine_opaque_.texture();
+    return scene.outlines == 0 ? fine_opaque_.texture() : keep_to_outlines(scene);
+}
+
+// Samples that are put on one by one want each pixel of the picture to be all before or all behind an outline.
+GLuint DepthPeeling::keep_to_outlines(const Scene& scene) {
+    kept_opaque_.begin(factor_ * width_, factor_ * height_, false);
+    gl_.DepthFunc(GL_ALWAYS);
+    bind(gl_, opaque_unit, fine_opaque_.texture());
+    bind(gl_, nearer_unit, scene.outlines);
+    keep_to_outlines_.use();
+    keep_to_outlines_.set("opaque", int{opaque_unit});
+    keep_to_outlines_.set("middles", int{nearer_unit});
+    cover();
+    gl_.DepthFunc(GL_LEQUAL);
+    return kept_opaque_.texture();
 }
 
 // False where nothing is behind the nearer layer any more.
@@ -201,7 +218,7 @@ bool DepthPeeling::draw_layer(const Scene& scene, GLuint opaque, const Layer& la
     gl_.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     gl_.DepthFunc(GL_LESS);
     bind(gl_, nearer_unit, nearer.depth);
-    if (recorded_) bind(gl_, lines_unit, nearer.lines);
+    if (recorded_) bind(gl_, lines_unit, nearer.record);
     bind(gl_, own_lines_unit, 0); // is drawn to
     gl_.BeginQuery(GL_ANY_SAMPLES_PASSED, query_);
     scene.draw_surfaces();
@@ -221,16 +238,28 @@ void DepthPeeling::join_lines(const Scene& scene, const Layer& layer) const {
     gl_.BindFramebuffer(GL_FRAMEBUFFER, color_framebuffer_);
     gl_.BlendEquationSeparate(GL_FUNC_ADD, GL_MAX);
     gl_.BlendFuncSeparate(GL_ZERO, GL_ONE, GL_ONE, GL_ONE);
-    bind(gl_, own_lines_unit, layer.lines);
+    bind(gl_, own_lines_unit, layer.record);
     scene.join_lines();
     gl_.BlendEquation(GL_FUNC_ADD);
 }
 
-void DepthPeeling::add_to_sum(const Layer& layer, GLuint volumes) const {
+// What is drawn is behind what is there: premultiplied colours.
+void DepthPeeling::begin_sum() const {
     gl_.BindFramebuffer(GL_FRAMEBUFFER, sum_framebuffer_);
     gl_.Viewport(0, 0, factor_ * width_, factor_ * height_);
     gl_.Disable(GL_DEPTH_TEST);
     gl_.BlendFuncSeparate(GL_DST_ALPHA, GL_ONE, GL_ZERO, GL_ONE_MINUS_SRC_ALPHA);
+}
+
+// In front of the layer and behind the nearer one, which is bound still.
+void DepthPeeling::add_between(const Scene& scene, const Layer& layer) const {
+    begin_sum();
+    bind(gl_, farther_unit, layer.depth);
+    scene.draw_between();
+}
+
+void DepthPeeling::add_to_sum(const Layer& layer, GLuint volumes) const {
+    begin_sum();
     bind(gl_, layer_unit, color_);
     bind(gl_, volumes_unit, volumes);
     bind(gl_, opaque_unit, layer.depth);

@@ -55,6 +55,7 @@ namespace ciel::render {
     X(GenVertexArrays, PFNGLGENVERTEXARRAYSPROC)                                                                       \
     X(GetError, PFNGLGETERRORPROC)                                                                                     \
     X(GetIntegerv, PFNGLGETINTEGERVPROC)                                                                               \
+    X(GetMultisamplefv, PFNGLGETMULTISAMPLEFVPROC)                                                                     \
     X(GetProgramInfoLog, PFNGLGETPROGRAMINFOLOGPROC)                                                                   \
     X(GetProgramiv, PFNGLGETPROGRAMIVPROC)                                                                             \
     X(GetQueryObjectuiv, PFNGLGETQUERYOBJECTUIVPROC)                                                                   \
@@ -77,6 +78,7 @@ namespace ciel::render {
     X(Uniform1f, PFNGLUNIFORM1FPROC)                                                                                   \
     X(Uniform1i, PFNGLUNIFORM1IPROC)                                                                                   \
     X(Uniform2f, PFNGLUNIFORM2FPROC)                                                                                   \
+    X(Uniform2fv, PFNGLUNIFORM2FVPROC)                                                                                 \
     X(Uniform3f, PFNGLUNIFORM3FPROC)                                                                                   \
     X(Uniform4f, PFNGLUNIFORM4FPROC)                                                                                   \
     X(Uniform4fv, PFNGLUNIFORM4FVPROC)                                                                                 \

@@ -45,4 +45,9 @@ void OpaqueDepth::begin(int width, int height, bool with_normals) {
     gl_.Clear(GL_DEPTH_BUFFER_BIT);
 }
 
+void OpaqueDepth::go_on() const {
+    gl_.BindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
+    gl_.Viewport(0, 0, width_, height_);
+}
+
 } // namespace ciel::render

@@ -15,6 +15,7 @@ public:
 
     // What is drawn until another framebuffer is bound is in it. Throws Error when the size is more than the GL can do.
     void begin(int width, int height, bool with_normals);
+    void go_on() const;                                       // the same, to what begin() has bound already
     [[nodiscard]] GLuint texture() const { return texture_; } // GL_DEPTH_COMPONENT24, of the window
     [[nodiscard]] GLuint normals() const { return normals_; } // RGBA16F, where they were asked for
 

@@ -1,5 +1,7 @@
 #include "render/painter.hpp"
 
+#include "render/frame_parts.hpp"
+
 #include <algorithm>
 #include <glm/gtc/type_ptr.hpp>
 #include <glm/matrix.hpp>
@@ -15,39 +17,6 @@ std::string text_of(const Gl& gl, GLenum name) {
 
 constexpr int limits_unit = 2, occlusion_unit = 2; // behind those of the colour scales
 
-bool is_transparent(const Mesh& mesh) { return !mesh.lines && !mesh.points && mesh.color[3] < 1; }
-
-bool is_opaque(const Mesh& mesh) {
-    return !mesh.lines && !mesh.points && !is_transparent(mesh) && !mesh.indices.empty();
-}
-
-template <typename Is>
-bool has(const Frame& frame, Is is) {
-    return std::ranges::any_of(frame.meshes, [&](const Mesh& mesh) { return !mesh.indices.empty() && is(mesh); });
-}
-
-bool has_transparent_lines(const Frame& frame) {
-    return has(frame, [](const Mesh& mesh) { return mesh.lines && mesh.color[3] > 0 && mesh.color[3] < 1; });
-}
-
-// Stills, because triangles that are sorted by their centres show where they cross or enclose each other; where
-// surfaces are inside volumes; and lines that one can see through, whose joints are seen twice else.
-bool is_peeled(const Frame& frame) {
-    return frame.samples > 1 || !frame.volumes.empty() || has_transparent_lines(frame);
-}
-
-// Where something is peeled, lines are among it.
-bool has_lines_in_layers(const Frame& frame) {
-    return has_transparent_lines(frame) ||
-           (is_peeled(frame) && has(frame, [](const Mesh& mesh) { return mesh.lines; }) &&
-            has(frame, [](const Mesh& mesh) { return is_transparent(mesh) && mesh.color[3] > 0; }));
-}
-
-// While something moves, what is behind so many layers is not waited for.
-constexpr int most_layers = 32, most_moving_layers = 8;
-
-bool lies_on_surfaces(const Mesh& mesh) { return (mesh.lines || mesh.points) && !mesh.indices.empty(); }
-
 // A software rasteriser pays for what its programs could do, not for what they do.
 bool is_plain(const Mesh& mesh, const Frame& frame) {
     return !mesh.lines && !mesh.points && mesh.scalars.empty() && !mesh.normals.empty() && frame.clip.empty();
@@ -60,7 +29,7 @@ Painter::Painter(const Gl& gl)
       triangles_(make_triangle_program(gl_)), plain_(make_plain_program(gl_)), normals_(make_normals_program(gl_)),
       occluded_(make_occluded_program(gl_)), lines_(make_line_program(gl_)), points_(make_point_program(gl_)),
       scales_(gl_), target_(gl_), picture_(gl_, target_), opaque_depth_(gl_), occlusion_(gl_), slopes_(gl_),
-      transparent_(gl_), peeling_(gl_), volumes_(gl_), overlay_(gl_) {
+      transparent_(gl_), transparent_points_(gl_), peeling_(gl_), volumes_(gl_), overlay_(gl_) {
     gl_.DepthFunc(GL_LEQUAL);
     gl_.Enable(GL_PROGRAM_POINT_SIZE);
     gl_.BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
@@ -88,9 +57,9 @@ const Image& Painter::draw(const Frame& frame, const AfterStage& after) {
     enable_clip_planes(true);
     draw_opaque(frame);
     find_slopes(frame);
+    draw_opaque_points(frame);
     gl_.Enable(GL_BLEND);
-    if (!has_lines_in_layers(frame)) draw_overlays(frame, lines_);
-    draw_overlays(frame, points_);
+    if (!has_overlays_in_layers(frame)) draw_lines(frame);
     draw_transparent(frame);
     gl_.Disable(GL_BLEND);
     enable_clip_planes(false);
@@ -124,18 +93,23 @@ void Painter::load_scales(const Frame& frame) {
 void Painter::upload(const Frame& frame) {
     assign_buffers(frame);
     std::vector<TransparentTriangles::Part> transparent;
+    std::vector<TransparentPoints::Part> points;
     for (std::size_t i = 0; i < frame.meshes.size(); ++i) {
         const Mesh& mesh = frame.meshes[i];
         if (mesh.indices.empty()) continue;
         if (!is_transparent(mesh)) {
             buffers(i).load(mesh);
+        } else if (mesh.color[3] > 0 && mesh.points) {
+            points.push_back({&mesh, scale_rows_[i]});
         } else if (mesh.color[3] > 0) {
             check_mesh(mesh);
             transparent.push_back({&mesh, scale_rows_[i]});
         }
     }
     const glm::mat4 view(transform_.view);
-    transparent_.load(transparent, glm::vec4(view[0].z, view[1].z, view[2].z, view[3].z), !is_peeled(frame));
+    const glm::vec4 depth_row(view[0].z, view[1].z, view[2].z, view[3].z);
+    transparent_.load(transparent, depth_row, !is_peeled(frame));
+    transparent_points_.load(points, depth_row);
 }
 
 // Those that hold a mesh have it again, wherever it stands in this frame.
@@ -209,7 +183,7 @@ void Painter::draw_meshes(const Frame& frame, const Program& program, bool befor
     const bool surfaces = &program == &triangles_ || &program == &occluded_;
     const Program* in_use = &program;
     if (&program == &occluded_) use_occlusion(frame);
-    if (!surfaces) {
+    if (&program == &lines_) {
         slopes_.use(program);
         gl_.ActiveTexture(GL_TEXTURE0 + limits_unit);
         gl_.BindTexture(GL_TEXTURE_2D, volumes_.limits());
@@ -219,10 +193,9 @@ void Painter::draw_meshes(const Frame& frame, const Program& program, bool befor
     }
     for (std::size_t i = 0; i < frame.meshes.size(); ++i) {
         const Mesh& mesh = frame.meshes[i];
-        const Program& own = mesh.points ? points_ : mesh.lines ? lines_ : surfaces ? program : triangles_;
-        if (&own != &program || is_transparent(mesh) || mesh.indices.empty()) continue;
+        const Program& own = mesh.lines ? lines_ : surfaces ? program : triangles_;
+        if (&own != &program || mesh.points || is_transparent(mesh) || mesh.indices.empty()) continue;
         if (mesh.lines) gl_.Uniform1f(program.half_width, mesh.line_width / 2);
-        if (mesh.points) gl_.Uniform1f(program.point_size, mesh.point_size);
         if (const Program& fitting = &own == &triangles_ && is_plain(mesh, frame) ? plain_ : own; &fitting != in_use) {
             use(fitting, frame);
             in_use = &fitting;
@@ -232,20 +205,20 @@ void Painter::draw_meshes(const Frame& frame, const Program& program, bool befor
     }
 }
 
-// Lines or points. Under sorted transparent triangles, which are drawn later and only where no line is before them,
-// soft edges would be holes to what is behind all of them: so edges leave no depth, and the rest is whole.
-void Painter::draw_overlays(const Frame& frame, const Program& program) {
-    if (is_peeled(frame) || transparent_.is_empty()) return draw_meshes(frame, program);
+// Under sorted transparent triangles, which are drawn later and only where no line is before them, soft edges would be
+// holes to what is behind all of them: so edges leave no depth, and the rest is whole.
+void Painter::draw_lines(const Frame& frame) {
+    if (is_peeled(frame) || transparent_.is_empty()) return draw_meshes(frame, lines_);
     const auto draw_part = [&](float part) {
-        gl_.UseProgram(program.id);
-        gl_.Uniform1f(program.cover_part, part);
-        draw_meshes(frame, program);
+        gl_.UseProgram(lines_.id);
+        gl_.Uniform1f(lines_.cover_part, part);
+        draw_meshes(frame, lines_);
     };
     gl_.DepthMask(GL_FALSE);
     draw_part(1);
     gl_.DepthMask(GL_TRUE);
     draw_part(2);
-    gl_.Uniform1f(program.cover_part, 0);
+    gl_.Uniform1f(lines_.cover_part, 0);
 }
 
 void Painter::draw_opaque(const Frame& frame) {
@@ -261,7 +234,7 @@ void Painter::draw_opaque(const Frame& frame) {
 // For the lines and points on surfaces.
 void Painter::find_slopes(const Frame& frame) {
     slopes_.begin();
-    if (std::ranges::none_of(frame.meshes, lies_on_surfaces)) return;
+    if (std::ranges::none_of(frame.meshes, is_overlay)) return;
     if (std::ranges::any_of(frame.meshes, is_opaque)) slopes_.copy_opaque(target_, frame.width, frame.height);
     if (transparent_.is_empty()) return;
     slopes_.find_sheets(frame.width, frame.height, [&] {
@@ -292,106 +265,6 @@ void Painter::use_occlusion(const Frame& frame) {
     gl_.Uniform1f(occluded_.occlusion_stride, static_cast<float>(occlusion_.stride()));
     gl_.Uniform1f(occluded_.occlusion_strength, frame.occlusion.strength);
     gl_.Uniform1f(occluded_.occlusion_scale, static_cast<float>(1 / (transform_.scale * frame.occlusion.radius)));
-}
-
-void Painter::draw_volumes(const Frame& frame) {
-    enable_clip_planes(false); // the volumes' programs cut rays, not triangles
-    volumes_.draw(frame, transform_, target_);
-    enable_clip_planes(true);
-    draw_before_volumes(frame);
-}
-
-// Lines and points leave no depth that a volume ends on: their soft edges would cut it off. So they are seen through
-// it, and those in front of it are drawn again.
-void Painter::draw_before_volumes(const Frame& frame) {
-    draw_meshes(frame, lines_, true);
-    draw_meshes(frame, points_, true);
-}
-
-void Painter::draw_transparent(const Frame& frame) {
-    transparent_depth_drawn_ = transparent_.is_empty();
-    const bool has_lines = has_lines_in_layers(frame);
-    if (transparent_.is_empty() && !has_lines) {
-        if (!frame.volumes.empty()) draw_volumes(frame);
-        return;
-    }
-    if (is_peeled(frame)) {
-        peel_transparent(frame);
-        if (has_lines) draw_depth_of_lines(frame);
-        return;
-    }
-    use(triangles_, frame);
-    gl_.DepthMask(GL_FALSE);
-    transparent_.draw();
-    gl_.DepthMask(GL_TRUE);
-}
-
-// For pick: layers leave none.
-void Painter::draw_depth_of_lines(const Frame& frame) {
-    gl_.ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
-    draw_meshes(frame, lines_);
-    gl_.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-}
-
-void Painter::peel_transparent(const Frame& frame) {
-    DepthPeeling::Scene layers;
-    layers.width = frame.width;
-    layers.height = frame.height;
-    layers.samples = frame.samples;
-    if (has_transparent_lines(frame))
-        layers.join_lines = [&] {
-            enable_clip_planes(true);
-            draw_lines_of_layer(frame, true);
-            enable_clip_planes(false);
-        };
-    layers.most_layers = frame.samples > 1 || !frame.volumes.empty() ? most_layers : most_moving_layers;
-    const bool has_points = std::ranges::any_of(frame.meshes, [](const Mesh& mesh) { return mesh.points; });
-    if (!has_points)
-        layers.draw_opaque = [&] {
-            enable_clip_planes(true);
-            draw_depths(frame, triangles_);
-            enable_clip_planes(false);
-        };
-    layers.draw_surfaces = [&] {
-        use(peeling_.surfaces(), frame);
-        peeling_.set_nearer(peeling_.surfaces(), false);
-        enable_clip_planes(true);
-        transparent_.draw();
-        if (has_lines_in_layers(frame)) draw_lines_of_layer(frame, false);
-        enable_clip_planes(false);
-    };
-    if (!frame.volumes.empty())
-        layers.volumes = [&](GLuint depth, GLuint color) {
-            return volumes_.picture_until(frame, transform_, {depth, color});
-        };
-    if (!frame.volumes.empty() && std::ranges::any_of(frame.meshes, is_opaque))
-        layers.outlines = opaque_depth_.texture();
-    enable_clip_planes(false);
-    peeling_.draw(layers, target_);
-    if (peeling_.was_cut())
-        remarks_.push_back("somewhere more than " + std::to_string(layers.most_layers) +
-                           " transparent layers lie behind each other, and those behind are not seen; show fewer, or "
-                           "make them less transparent");
-    enable_clip_planes(true);
-    if (!frame.volumes.empty()) draw_meshes(frame, points_, true);
-}
-
-// In their order too: drawn before the surfaces, their soft edges would keep what is transparent from being seen.
-void Painter::draw_lines_of_layer(const Frame& frame, bool joining) {
-    const Program& program = peeling_.lines();
-    const auto factor = static_cast<float>(peeling_.layer_pixels());
-    use(program, frame);
-    peeling_.set_nearer(program, joining);
-    slopes_.use(program);
-    gl_.Uniform2f(program.viewport, factor * static_cast<float>(frame.width),
-                  factor * static_cast<float>(frame.height));
-    for (std::size_t i = 0; i < frame.meshes.size(); ++i) {
-        const Mesh& mesh = frame.meshes[i];
-        if (!mesh.lines || mesh.indices.empty() || mesh.color[3] <= 0 || (joining && mesh.color[3] >= 1)) continue;
-        gl_.Uniform1f(program.half_width, factor * mesh.line_width / 2);
-        gl_.Uniform1f(program.number, mesh.color[3] < 1 ? static_cast<float>(i + 1) : 0.0F);
-        buffers(i).draw(mesh, scale_rows_[i]);
-    }
 }
 
 bool Painter::pick(int x, int y, Vec3d& position) {

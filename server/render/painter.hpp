@@ -13,6 +13,7 @@
 #include "render/surface_slopes.hpp"
 #include "render/target.hpp"
 #include "render/transparency.hpp"
+#include "render/transparent_points.hpp"
 #include "render/volume/volume_painter.hpp"
 
 #include <list>
@@ -38,17 +39,23 @@ private:
     void upload(const Frame& frame);
     [[nodiscard]] TouchedTiles touched_by(const Frame& frame) const;
     void draw_meshes(const Frame& frame, const Program& program, bool before_volume = false);
-    void draw_overlays(const Frame& frame, const Program& program);
+    void draw_lines(const Frame& frame);
+    void draw_opaque_points(const Frame& frame);
+    void draw_points(const Frame& frame, const std::vector<std::array<float, 2>>& sample_places);
+    void draw_opaque_points_with(const Frame& frame);
     void draw_opaque(const Frame& frame);
     void find_slopes(const Frame& frame);
     void draw_opaque_depth(const Frame& frame, bool with_normals);
     void draw_depths(const Frame& frame, const Program& program);
     void use_occlusion(const Frame& frame);
     void draw_volumes(const Frame& frame);
-    void draw_before_volumes(const Frame& frame);
     void draw_transparent(const Frame& frame);
+    [[nodiscard]] float use_in_layers(const Frame& frame, const Program& program, bool joining);
     void draw_lines_of_layer(const Frame& frame, bool joining);
-    void draw_depth_of_lines(const Frame& frame);
+    void draw_points_of_layer(const Frame& frame);
+    void draw_points_between_layers(const Frame& frame);
+    void use_for_points(const Frame& frame, const Program& program);
+    void draw_depth_of_overlays(const Frame& frame);
     void peel_transparent(const Frame& frame);
     void use(const Program& program, const Frame& frame);
     void use_look(const Frame& frame, const Mesh& mesh);
@@ -67,8 +74,9 @@ private:
     AmbientOcclusion occlusion_;
     SurfaceSlopes slopes_;
     std::list<MeshBuffers> buffers_;  // one per mesh of the largest frame so far
-    std::vector<MeshBuffers*> slots_; // of the frame's meshes; null where they are transparent
+    std::vector<MeshBuffers*> slots_; // of the frame's meshes; null where they are in one of the next two
     TransparentTriangles transparent_;
+    TransparentPoints transparent_points_;
     DepthPeeling peeling_;
     VolumePainter volumes_;
     OverlayPainter overlay_;

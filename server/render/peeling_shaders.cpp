@@ -5,20 +5,21 @@
 namespace ciel::render {
 namespace {
 
-// A sample lies up to half a pixel away from where a layer meets the same face: so much farther, by the lesser slope to
-// either side, which at an outline is the face's own.
-constexpr const char* depth_behind_samples_fragment = R"(#version 330 core
+// How steep a surface is itself, at its outline too, is the lesser slope to either side.
+constexpr const char* kept_to_outlines_fragment = R"(#version 330 core
 uniform sampler2D opaque;
-float depth_at(ivec2 pixel) { return texelFetch(opaque, clamp(pixel, ivec2(0), textureSize(opaque, 0) - 1), 0).r; }
+uniform sampler2D middles; // of the picture's pixels
+const float least_step = 1e-2; // what per_sample.cpp takes for an outline
+float middle_at(ivec2 pixel) { return texelFetch(middles, clamp(pixel, ivec2(0), textureSize(middles, 0) - 1), 0).r; }
 void main() {
-    ivec2 pixel = ivec2(gl_FragCoord.xy);
-    float own = depth_at(pixel);
+    ivec2 pixel = ivec2(gl_FragCoord.xy) / 2;
+    float own = texelFetch(opaque, ivec2(gl_FragCoord.xy), 0).r, middle = middle_at(pixel);
     float rise = 0.0;
     for (int axis = 0; axis < 2; ++axis) {
         ivec2 beside = ivec2(1 - axis, axis);
-        rise += min(abs(depth_at(pixel - beside) - own), abs(depth_at(pixel + beside) - own));
+        rise += min(abs(middle_at(pixel - beside) - middle), abs(middle_at(pixel + beside) - middle));
     }
-    gl_FragDepth = min(own + rise, 1.0);
+    gl_FragDepth = abs(own - middle) > least_step + rise ? min(middle + rise, 1.0) : own;
 }
 )";
 
@@ -82,9 +83,7 @@ void main() {
 
 } // namespace
 
-ShaderProgram make_depth_behind_samples_program(const Gl& gl) {
-    return make_cover_program(gl, depth_behind_samples_fragment);
-}
+ShaderProgram make_kept_to_outlines_program(const Gl& gl) { return make_cover_program(gl, kept_to_outlines_fragment); }
 ShaderProgram make_depth_copy_program(const Gl& gl) { return make_cover_program(gl, depth_copy_fragment); }
 ShaderProgram make_layer_sum_program(const Gl& gl) { return make_cover_program(gl, layer_sum_fragment); }
 ShaderProgram make_layers_picture_program(const Gl& gl, bool per_sample) {

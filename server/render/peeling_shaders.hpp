@@ -5,8 +5,8 @@
 
 namespace ciel::render {
 
-// The depth of what is opaque, by samples, behind which a layer on it is hidden.
-[[nodiscard]] ShaderProgram make_depth_behind_samples_program(const Gl& gl);
+// The depth of what is opaque, at twice the picture's resolution; beyond an outline that of the pixel's middle.
+[[nodiscard]] ShaderProgram make_kept_to_outlines_program(const Gl& gl);
 // The depth of what is opaque, at the layers' resolution; the nearest where nearer layers let nothing through.
 [[nodiscard]] ShaderProgram make_depth_copy_program(const Gl& gl);
 // One layer seen through the volumes in front of it; blended with what the nearer ones let through.

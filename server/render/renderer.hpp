@@ -47,8 +47,9 @@ struct Frame {
     Camera camera;
     Vec3d bounds_min{}, bounds_max{}; // for the depth range, in world coordinates
     std::array<float, 3> background_top{}, background_bottom{};
-    // Opaque triangles, then lines, then points, then transparent triangles of all meshes: sorted from the back to the
-    // front, or peeled where there are several samples or volumes.
+    // Opaque triangles, then points, then lines, then transparent triangles of all meshes, sorted from the back to the
+    // front; or peeled with lines and points among them, where there are several samples or volumes or one can see
+    // through those.
     std::vector<Mesh> meshes;
     // In front of what is behind them and behind what is in front, mixed where they are in the same place. All have
     // slabs across one direction.

@@ -1,49 +1,10 @@
-#include "render/shaders.hpp"
+#include "render/shader_parts.hpp"
 
-#include "ciel/types.hpp"
 #include "render/ambient_occlusion_shaders.hpp"
-#include "render/color_glsl.hpp"
 #include "render/lighting.hpp"
 
 namespace ciel::render {
 namespace {
-
-// What the vertices tell lines, triangles and points.
-const std::string surface_block = R"( Surface {
-    vec3 place; // in the eye's axes, in units of the bounds' diagonal: derivatives of small scenes must not underflow
-    vec3 normal;
-    float value;
-    flat vec4 color;
-    flat vec2 style;
-    vec3 position; // for the lines' clip distances
-} surface)";
-
-const std::string surface_vertex = R"(#version 330 core
-layout(location = 0) in vec3 position;
-layout(location = 1) in vec3 normal;
-layout(location = 2) in float scalar;
-layout(location = 4) in vec4 color;
-layout(location = 5) in vec2 style;
-uniform mat4 view;
-uniform mat4 projection;
-uniform float scale;
-uniform float point_size;
-uniform vec4 clip[6]; // counts only where the painter has enabled it
-out float gl_ClipDistance[6];
-out)" + surface_block + R"(;
-void main() {
-    vec4 place = view * vec4(position, 1.0);
-    gl_Position = projection * place;
-    for (int i = 0; i < 6; ++i) gl_ClipDistance[i] = dot(clip[i].xyz, position) + clip[i].w;
-    gl_PointSize = point_size + 1.0; // room for a soft edge; counts for points only
-    surface.place = place.xyz * scale;
-    surface.normal = mat3(view) * normal;
-    surface.value = scalar;
-    surface.color = color;
-    surface.style = style;
-    surface.position = position;
-}
-)";
 
 // The most common mesh: one colour, normals of its own, no clip plane. A software rasteriser pays for each number that
 // is carried from the vertices to the pixels, so only the normal is; where a pixel looks, it knows itself.
@@ -76,72 +37,7 @@ void main() {
 }
 )";
 
-constexpr const char* peeled_glsl = R"(
-#define PEELED
-uniform sampler2D nearer;
-bool is_seen(float depth) { return depth > texelFetch(nearer, ivec2(gl_FragCoord.xy), 0).r; }
-)";
-
-// A pixel of a line or point is beside the place where that is: as deep as there, it would be buried where the surface
-// under it rises. So it comes as much nearer. Surfaces that went back instead would go behind what is behind them, most
-// of all at their outlines. How a surface rises is what two steps to one side agree on, for one may be over an outline.
-constexpr const char* on_surface_glsl = R"(
-uniform vec2 viewport;
-uniform sampler2D opaque_depth; // of the window, of what is opaque, in the picture's pixels
-uniform sampler2D sheet_slopes; // depth a pixel of the steepest transparent surface
-const float least = 5e-7;       // of 24 bits the last few, and what rounding takes
-const float most_beside = 6.0;  // pixels: farther off it would come before what is well before it
-float opaque_at(ivec2 pixel) {
-    return texelFetch(opaque_depth, clamp(pixel, ivec2(0), textureSize(opaque_depth, 0) - 1), 0).r;
-}
-float smaller(float a, float b) { return abs(a) < abs(b) ? a : b; }
-float rise_along(ivec2 pixel, ivec2 axis) {
-    float own = opaque_at(pixel), next = opaque_at(pixel + axis), last = opaque_at(pixel - axis);
-    float ahead = smaller(next - own, opaque_at(pixel + 2 * axis) - next);
-    float behind = smaller(own - last, last - opaque_at(pixel - 2 * axis));
-    return abs(ahead) > abs(behind) ? ahead : behind;
-}
-// `beside`: the place, from that of the line or point, at most `reach` away; `slack`: by how much that is unsure. Pixels.
-// `back`: whether it may go back, so that all lines on one surface are as deep. `give`: by how much they may yet differ.
-float depth_on_surface(vec2 beside, float reach, float slack, bool back, out float give) {
-    vec2 size = vec2(textureSize(opaque_depth, 0));
-    beside *= min(1.0, most_beside / (reach + slack));
-    ivec2 pixel = ivec2(gl_FragCoord.xy / viewport * size);
-    vec2 rise = vec2(rise_along(pixel, ivec2(1, 0)), rise_along(pixel, ivec2(0, 1))) * size / viewport;
-    float shift = dot(rise, beside);
-    float depth = gl_FragCoord.z + (back ? shift : min(shift, 0.0)) - slack * length(rise) - least;
-    give = 0.0;
-    if (depth > opaque_at(pixel)) return depth; // hidden, whatever sheets are there
-    vec2 sheets = vec2(textureSize(sheet_slopes, 0)) / viewport;
-    pixel = ivec2(gl_FragCoord.xy * sheets);
-    float slope = 0.0; // of those beside as well: one that ends within the pixel may have missed its middle
-    for (int i = 0; i < 9; ++i)
-        slope = max(slope, texelFetch(sheet_slopes, clamp(pixel + ivec2(i % 3, i / 3) - 1, ivec2(0),
-                                                          textureSize(sheet_slopes, 0) - 1), 0).r);
-    give = min(reach, most_beside) * slope * sheets.x;
-    return min(depth, gl_FragCoord.z - min(reach + slack, most_beside) * slope * sheets.x - least);
-}
-)";
-
-// The same where lines of less than full opacity are among the layers. Segments that meet in a joint lie over each
-// other there, and each would take its share of the light: so the last line at a pixel is passed on from layer to
-// layer, and what is of the same mesh and as deep, within what either may rise in a joint, is the same line. Of its
-// segments the nearest is the layer's; drawn a second time, they leave what they cover most of the pixel with.
-constexpr const char* recorded_glsl = R"(
-#define PEELED
-#define RECORDED
-uniform sampler2D nearer;
-uniform sampler2D nearer_lines;
-uniform sampler2D own_lines; // of the layer itself, the second time
-uniform sampler2D behind;    // window depths of what is opaque, as the layers end on it
-layout(location = 1) out vec2 record; // number of the last line, and how far back it is that; -1: nothing is seen behind
-bool is_seen(float depth) {
-    record = texelFetch(nearer_lines, ivec2(gl_FragCoord.xy), 0).rg;
-    return record.x >= 0.0 && depth > texelFetch(nearer, ivec2(gl_FragCoord.xy), 0).r;
-}
-)";
-
-// Of lines and points, which are drawn after the volumes too, then only what is in front of them. A line on the
+// Of lines, which are drawn after the volumes too, then only what is in front of them. A line on the
 // boundary is, though in the middle of a pixel a steep face may come before it: so a pixel's slope behind counts.
 constexpr const char* before_volume_glsl = R"(
 uniform float before_volume; // 1: only what is in front of the volume
@@ -164,7 +60,7 @@ bool is_seen(float depth) {
 
 const std::string triangle_fragment = R"(
 uniform float parallel;
-in)" + surface_block + R"(;
+in)" + std::string(surface_block) + R"(;
 layout(location = 0) out vec4 picture;
 #ifdef OCCLUDED
 uniform float occlusion_scale; // bounds' diagonal in units of the radius
@@ -211,7 +107,8 @@ uniform vec4 clip[6];
 out float gl_ClipDistance[6];
 uniform vec2 viewport;
 uniform float half_width;
-in)" + surface_block + R"([];
+in)" + std::string(surface_block) +
+                                  R"([];
 out Line {
     float value;
     noperspective float across;
@@ -269,7 +166,7 @@ void main() {
 }
 )";
 
-// Of lines and points: how much of a pixel is theirs, of the part that is being drawn.
+// How much of a pixel is a line's, of the part that is being drawn.
 constexpr const char* cover_glsl = R"(
 uniform float cover_part; // 0: all; 1: only where it is less than half; 2: only where it is more, and that is then whole
 float cover_drawn(float cover) {
@@ -298,7 +195,7 @@ void main() {
     if (cover < 0.02) discard; // else an unseen edge would still hide what is behind it
     float give;
     float slack = 0.5 + 0.5 * half_width; // a pixel's half, and the caps
-    float depth = depth_on_surface(line.side * line.across, half_width + 0.5, slack, true, give);
+    float depth = depth_on_surface(line.side * line.across, half_width + 0.5, slack, 6.0, true, give);
     if (!is_seen(depth)) discard;
 #ifdef RECORDED
     float joint = 3.0 * (line.joint + give + least);
@@ -316,109 +213,14 @@ void main() {
 }
 )";
 
-// A point is a disc with soft edges, shaded as the ball that it stands for.
-const std::string point_fragment = R"(
-uniform float point_size;
-in)" + surface_block + R"(;
-out vec4 picture;
-void main() {
-    vec2 from_center = (gl_PointCoord - 0.5) * (point_size + 1.0);
-    float give;
-    gl_FragDepth = depth_on_surface(vec2(from_center.x, -from_center.y), point_size * 0.5 + 0.5, 0.75, false, give);
-    if (!is_seen(gl_FragDepth)) discard;
-    float radius = length(from_center);
-    float cover = cover_drawn(clamp(point_size * 0.5 + 0.5 - radius, 0.0, 1.0));
-    if (cover < 0.02) discard;
-    vec3 base = base_color(surface.value, surface.color.rgb, surface.style.x);
-    if (surface.style.y > 0.5) base = lit_ball(base, from_center / (point_size * 0.5 + 0.5));
-    picture = vec4(base, surface.color.a * cover);
-}
-)";
-
-void add_shader(const Gl& gl, GLuint program, GLenum kind, const std::string& source) {
-    const GLuint shader = gl.CreateShader(kind);
-    const char* text = source.c_str();
-    gl.ShaderSource(shader, 1, &text, nullptr);
-    gl.CompileShader(shader);
-    GLint is_compiled = 0;
-    gl.GetShaderiv(shader, GL_COMPILE_STATUS, &is_compiled);
-    if (is_compiled == 0) {
-        std::vector<char> log(4096);
-        gl.GetShaderInfoLog(shader, static_cast<GLsizei>(log.size()), nullptr, log.data());
-        throw Error("the GL driver refuses a shader: " + std::string(log.data()));
-    }
-    gl.AttachShader(program, shader);
-}
-
-Program link(const Gl& gl, const std::vector<Stage>& stages) {
-    Program program;
-    program.id = link_stages(gl, stages);
-    const auto uniform = [&](const char* name) { return gl.GetUniformLocation(program.id, name); };
-    program.view = uniform("view");
-    program.projection = uniform("projection");
-    program.scale = uniform("scale");
-    program.parallel = uniform("parallel");
-    program.scale_colors = uniform("scale_colors");
-    program.scale_rules = uniform("scale_rules");
-    program.lights = uniform("lights");
-    program.look = uniform("look");
-    program.solid = uniform("solid");
-    program.lit = uniform("lit");
-    program.clip = uniform("clip");
-    program.point_size = uniform("point_size");
-    program.viewport = uniform("viewport");
-    program.half_width = uniform("half_width");
-    program.opaque_depth = uniform("opaque_depth");
-    program.sheet_slopes = uniform("sheet_slopes");
-    program.before_volume = uniform("before_volume");
-    program.volume_limits = uniform("volume_limits");
-    program.cover_part = uniform("cover_part");
-    program.nearer = uniform("nearer");
-    program.nearer_lines = uniform("nearer_lines");
-    program.own_lines = uniform("own_lines");
-    program.behind = uniform("behind");
-    program.number = uniform("number");
-    program.joining = uniform("joining");
-    program.occlusion = uniform("occlusion");
-    program.occlusion_stride = uniform("occlusion_stride");
-    program.occlusion_strength = uniform("occlusion_strength");
-    program.occlusion_scale = uniform("occlusion_scale");
-    return program;
-}
-
-std::string with_color_scale(const std::string& body, const char* defines = "") {
-    return std::string("#version 330 core\n") + defines + color_scale_glsl + lighting_glsl + body;
-}
-
 Program make_line_program(const Gl& gl, const char* visibility) {
     return link(gl, {{GL_VERTEX_SHADER, surface_vertex},
                      {GL_GEOMETRY_SHADER, line_geometry},
                      {GL_FRAGMENT_SHADER, with_color_scale(std::string(cover_glsl) + line_fragment,
-                                                           (std::string(on_surface_glsl) + visibility).c_str())}});
+                                                           std::string(on_surface_glsl) + visibility)}});
 }
 
 } // namespace
-
-const char* const cover_vertex = R"(#version 330 core
-void main() {
-    vec2 corner = vec2((gl_VertexID << 1) & 2, gl_VertexID & 2);
-    gl_Position = vec4(corner * 2.0 - 1.0, 0.0, 1.0);
-}
-)";
-
-GLuint link_stages(const Gl& gl, const std::vector<Stage>& stages) {
-    const GLuint program = gl.CreateProgram();
-    for (const auto& [kind, source] : stages) add_shader(gl, program, kind, source);
-    gl.LinkProgram(program);
-    GLint is_linked = 0;
-    gl.GetProgramiv(program, GL_LINK_STATUS, &is_linked);
-    if (is_linked == 0) {
-        std::vector<char> log(4096);
-        gl.GetProgramInfoLog(program, static_cast<GLsizei>(log.size()), nullptr, log.data());
-        throw Error("the GL driver refuses a program: " + std::string(log.data()));
-    }
-    return program;
-}
 
 Program make_triangle_program(const Gl& gl) {
     return link(gl, {{GL_VERTEX_SHADER, surface_vertex}, {GL_FRAGMENT_SHADER, with_color_scale(triangle_fragment)}});
@@ -427,13 +229,6 @@ Program make_triangle_program(const Gl& gl) {
 Program make_plain_program(const Gl& gl) {
     return link(gl, {{GL_VERTEX_SHADER, plain_vertex},
                      {GL_FRAGMENT_SHADER, std::string("#version 330 core\n") + lighting_glsl + plain_fragment}});
-}
-
-Program make_point_program(const Gl& gl) {
-    return link(gl,
-                {{GL_VERTEX_SHADER, surface_vertex},
-                 {GL_FRAGMENT_SHADER, with_color_scale(cover_glsl + point_fragment,
-                                                       (std::string(on_surface_glsl) + before_volume_glsl).c_str())}});
 }
 
 Program make_peeling_program(const Gl& gl, bool recorded) {
@@ -458,8 +253,8 @@ Program make_slopes_program(const Gl& gl) {
 
 Program make_occluded_program(const Gl& gl) {
     const std::string defines = std::string("#define OCCLUDED\n") + occluded_glsl;
-    return link(gl, {{GL_VERTEX_SHADER, surface_vertex},
-                     {GL_FRAGMENT_SHADER, with_color_scale(triangle_fragment, defines.c_str())}});
+    return link(
+        gl, {{GL_VERTEX_SHADER, surface_vertex}, {GL_FRAGMENT_SHADER, with_color_scale(triangle_fragment, defines)}});
 }
 
 Program make_line_program(const Gl& gl) { return make_line_program(gl, before_volume_glsl); }

@@ -83,6 +83,16 @@ void Target::bind_again() {
     gl_.Viewport(0, 0, drawn_->width, drawn_->height);
 }
 
+std::vector<std::array<float, 2>> Target::sample_places() const {
+    if (drawn_ == &single_) return {{0, 0}};
+    std::vector<std::array<float, 2>> places(static_cast<std::size_t>(drawn_->samples));
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        gl_.GetMultisamplefv(GL_SAMPLE_POSITION, static_cast<GLuint>(i), places[i].data());
+        for (float& place : places[i]) place -= 0.5F;
+    }
+    return places;
+}
+
 void Target::copy_depth(GLuint framebuffer) {
     const int width = drawn_->width;
     const int height = drawn_->height;

@@ -5,6 +5,9 @@
 #include "render/renderer.hpp"
 #include "render/touched_tiles.hpp"
 
+#include <array>
+#include <vector>
+
 namespace ciel::render {
 
 // Its GL objects live as long as their context; a change of size allocates anew behind the same names.
@@ -19,6 +22,8 @@ public:
     // Depth at a pixel counted from the top left, 1 where nothing was drawn.
     [[nodiscard]] float read_depth(int x, int y);
     void bind_again();
+    // Of one pixel of what is bound for drawing: from its middle, to the right and up; (0, 0) where it has but one.
+    [[nodiscard]] std::vector<std::array<float, 2>> sample_places() const;
     // Copies the depth of one sample a pixel to another framebuffer of this size, GL_DEPTH_COMPONENT24 as well.
     void copy_depth(GLuint framebuffer);
 

@@ -2,20 +2,11 @@
 
 #include "render/mesh_buffers.hpp"
 #include "render/shaders.hpp"
+#include "render/sort_by_key.hpp"
 
-#include <bit>
 #include <cstddef>
 
 namespace ciel::render {
-namespace {
-
-// Order of the floats as order of unsigned integers.
-std::uint32_t sortable(float value) {
-    const auto bits = std::bit_cast<std::uint32_t>(value);
-    return (bits & 0x80000000U) != 0 ? ~bits : bits | 0x80000000U;
-}
-
-} // namespace
 
 TransparentTriangles::TransparentTriangles(const Gl& gl) : gl_(gl) {
     gl_.GenVertexArrays(1, &array_);
@@ -93,20 +84,7 @@ void TransparentTriangles::sort() {
         triangle.key = sortable(nearness(a) + nearness(b) + nearness(c));
     }
     sorted_ = triangles_;
-    radix_sort();
-}
-
-void TransparentTriangles::radix_sort() {
-    constexpr unsigned bits = 11;
-    constexpr std::uint32_t mask = (1U << bits) - 1;
-    other_.resize(sorted_.size());
-    for (unsigned shift = 0; shift < 32; shift += bits) {
-        std::array<std::size_t, mask + 2> begin{};
-        for (const Triangle& triangle : sorted_) ++begin[((triangle.key >> shift) & mask) + 1];
-        for (std::size_t i = 1; i < begin.size(); ++i) begin[i] += begin[i - 1];
-        for (const Triangle& triangle : sorted_) other_[begin[(triangle.key >> shift) & mask]++] = triangle;
-        sorted_.swap(other_);
-    }
+    sort_by_key(sorted_, other_);
 }
 
 void TransparentTriangles::upload_order(const std::vector<Triangle>& order) {

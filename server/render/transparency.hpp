@@ -47,7 +47,6 @@ private:
     void upload_vertices();
     void sort();
     void upload_order(const std::vector<Triangle>& order);
-    void radix_sort();
 
     const Gl& gl_;
     GLuint array_ = 0, vertex_buffer_ = 0, index_buffer_ = 0;

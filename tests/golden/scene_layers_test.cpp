@@ -84,6 +84,18 @@ json lines_to_see_through() {
             {"box", {{"type", "outline"}, {"opacity", 0.5}}}};
 }
 
+json points_to_see_through() {
+    return {{"skin", {{"type", "surface"}, {"opacity", 0.4}, {"color", {{"solid", "#a0b0c0"}}}}},
+            {"in_it", {{"type", "iso"}, {"array", "p"}, {"values", {12}}, {"color", {{"solid", "#c0c0c0"}}}}},
+            {"all", {{"type", "points"}, {"of", "all"}, {"size", 12}, {"opacity", 0.5}, {"color", {{"array", "p"}}}}},
+            {"some",
+             {{"type", "points"},
+              {"size", 7},
+              {"threshold", {{"array", "p"}, {"range", {20, 40}}}},
+              {"color", {{"solid", "#f04020"}}}}},
+            {"bends", {{"type", "edges"}, {"angle", 30}, {"width", 3}}}};
+}
+
 TEST(GoldenScenes, LayersOfADocumentLookAsTheyDid) {
     const test::Folder folder;
     test::write_small_dataset(folder.path() / "box.ciel");
@@ -93,7 +105,8 @@ TEST(GoldenScenes, LayersOfADocumentLookAsTheyDid) {
                                        {"scene_slices", slices()},
                                        {"scene_cut_open", cut_open()},
                                        {"scene_parts", parts()},
-                                       {"scene_lines_to_see_through", lines_to_see_through()}}) {
+                                       {"scene_lines_to_see_through", lines_to_see_through()},
+                                       {"scene_points_to_see_through", points_to_see_through()}}) {
         const scene::Scene scene = scene::parse(
             {{"dataset", "box"},
              {"layers", layers},

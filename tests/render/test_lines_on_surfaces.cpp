@@ -180,7 +180,7 @@ TEST_P(LinesOnSurfaces, ATransparentSurfaceOnAnOpaqueOneIsSeenAllOver) {
     const Shape ball = sphere(0.9, {0.1, 0, 0.05}, 64);
     const std::vector<Vec3f> center{{-1.5F, 0, -1.2F}};
     const std::vector<Index> one{0};
-    Mesh point; // elsewhere, with which opaque depths are copied, not drawn again
+    Mesh point; // elsewhere, among the layers
     point.positions = center;
     point.indices = one;
     point.points = true;

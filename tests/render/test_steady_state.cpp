@@ -242,6 +242,33 @@ TEST_P(SteadyScenes, LinesToSeeThrough) {
     }
 }
 
+TEST_P(SteadyStateTest, TransparentPointsAreSentOnceAndSortedForEachView) {
+    Shape places = sphere(0.6);
+    places.indices.clear();
+    for (Index i = 0; i < places.positions.size(); ++i) places.indices.push_back(i);
+    Mesh& dots = add(places);
+    dots.normals = {};
+    dots.points = true;
+    dots.color[3] = 0.5F;
+    const Shape ball = sphere(0.5), plane = square(0);
+    add(ball);
+    add(plane).color[3] = 0.5F;
+    for (const int samples : {4, 1}) {
+        frame.samples = samples;
+        (void)draw();
+        (void)draw();
+        expect_nothing_sent(draw());
+        for (int i = 0; i < 3; ++i) {
+            turn();
+            const GlCounts turned = draw();
+            expect_nothing_made(turned);
+            EXPECT_EQ(turned.bytes, places.indices.size() * sizeof(Index)) << "their order";
+        }
+    }
+    frame.meshes[0].point_size = 9;
+    EXPECT_GT(draw().bytes, places.indices.size() * sizeof(Index)) << "the size is a vertex's";
+}
+
 TEST_P(SteadyScenes, SeveralVolumesAmongAllOfIt) {
     add_all(1);
     frame.meshes.back().color[3] = 0.5F;

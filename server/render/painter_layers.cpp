@@ -1,0 +1,181 @@
+// Of the painter: points, volumes, and what one can see through, in their order.
+#include "render/frame_parts.hpp"
+#include "render/painter.hpp"
+
+namespace ciel::render {
+namespace {
+
+// As point_shaders.cpp says, in layers' pixels, so many to one of the picture.
+float line_reach(const Frame& frame, float factor) {
+    const float width = widest_line(frame);
+    return width > 0 ? (factor * width + 1) / 2 : 0;
+}
+
+} // namespace
+
+// Opaque points are surfaces: they come before the lines, whose soft edges are mixed with them, and volumes end on
+// them.
+void Painter::draw_opaque_points(const Frame& frame) {
+    if (!has(frame, is_opaque_points) || has_overlays_in_layers(frame)) return;
+    draw_points(frame, target_.sample_places());
+    if (frame.volumes.empty()) return;
+    if (std::ranges::any_of(frame.meshes, is_opaque))
+        opaque_depth_.go_on();
+    else
+        opaque_depth_.begin(frame.width, frame.height, false);
+    volumes_.end_on(opaque_depth_.texture());
+    gl_.ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+    draw_points(frame, {{0, 0}});
+    gl_.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    target_.bind_again();
+}
+
+void Painter::draw_points(const Frame& frame, const std::vector<std::array<float, 2>>& sample_places) {
+    const auto count = static_cast<GLsizei>(std::min<std::size_t>(sample_places.size(), most_point_samples));
+    use(points_, frame);
+    slopes_.use(points_);
+    gl_.Uniform1f(points_.line_reach, line_reach(frame, 1));
+    gl_.Uniform1f(points_.point_pixels, 1);
+    gl_.Uniform1i(points_.sample_count, count);
+    gl_.Uniform2fv(points_.sample_places, count, sample_places[0].data());
+    draw_opaque_points_with(frame);
+}
+
+// With the program that is in use.
+void Painter::draw_opaque_points_with(const Frame& frame) {
+    for (std::size_t i = 0; i < frame.meshes.size(); ++i)
+        if (const Mesh& mesh = frame.meshes[i]; is_opaque_points(mesh)) buffers(i).draw(mesh, scale_rows_[i]);
+}
+
+// Lines leave no depth that a volume ends on: their soft edges would cut it off. So they are seen through it, and those
+// in front of it are drawn again.
+void Painter::draw_volumes(const Frame& frame) {
+    enable_clip_planes(false); // the volumes' programs cut rays, not triangles
+    volumes_.draw(frame, transform_, target_);
+    enable_clip_planes(true);
+    draw_meshes(frame, lines_, true);
+}
+
+void Painter::draw_transparent(const Frame& frame) {
+    transparent_depth_drawn_ = transparent_.is_empty();
+    const bool has_overlays = has_overlays_in_layers(frame);
+    if (transparent_.is_empty() && !has_overlays) {
+        if (!frame.volumes.empty()) draw_volumes(frame);
+        return;
+    }
+    if (is_peeled(frame)) {
+        peel_transparent(frame);
+        if (has_overlays) draw_depth_of_overlays(frame);
+        return;
+    }
+    use(triangles_, frame);
+    gl_.DepthMask(GL_FALSE);
+    transparent_.draw();
+    gl_.DepthMask(GL_TRUE);
+}
+
+// For pick: layers leave none.
+void Painter::draw_depth_of_overlays(const Frame& frame) {
+    gl_.ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+    draw_meshes(frame, lines_);
+    draw_points(frame, target_.sample_places());
+    transparent_points_.draw();
+    gl_.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+}
+
+void Painter::peel_transparent(const Frame& frame) {
+    DepthPeeling::Scene layers;
+    layers.width = frame.width;
+    layers.height = frame.height;
+    layers.samples = frame.samples;
+    if (has_transparent_lines(frame))
+        layers.join_lines = [&] {
+            enable_clip_planes(true);
+            draw_lines_of_layer(frame, true);
+            enable_clip_planes(false);
+        };
+    layers.dense = !transparent_points_.is_empty();
+    const bool few = frame.samples == 1 && (frame.volumes.empty() || layers.dense);
+    layers.most_layers = few ? most_moving_layers : most_layers;
+    layers.draw_opaque = [&] {
+        enable_clip_planes(true);
+        draw_depths(frame, triangles_);
+        enable_clip_planes(false);
+    };
+    layers.draw_surfaces = [&] {
+        use(peeling_.surfaces(), frame);
+        peeling_.set_nearer(peeling_.surfaces(), false);
+        enable_clip_planes(true);
+        transparent_.draw();
+        if (has_overlays_in_layers(frame)) {
+            draw_lines_of_layer(frame, false);
+            draw_points_of_layer(frame);
+        }
+        enable_clip_planes(false);
+    };
+    if (!transparent_points_.is_empty() && frame.volumes.empty())
+        layers.draw_between = [&] {
+            enable_clip_planes(true);
+            draw_points_between_layers(frame);
+            enable_clip_planes(false);
+        };
+    if (!frame.volumes.empty())
+        layers.volumes = [&](GLuint depth, GLuint color) {
+            return volumes_.picture_until(frame, transform_, {depth, color});
+        };
+    if (!frame.volumes.empty() && std::ranges::any_of(frame.meshes, is_opaque))
+        layers.outlines = opaque_depth_.texture();
+    enable_clip_planes(false);
+    peeling_.draw(layers, target_);
+    if (peeling_.was_cut())
+        remarks_.push_back("somewhere more than " + std::to_string(layers.most_layers) +
+                           " transparent layers lie behind each other, and those behind are not seen; show fewer, or "
+                           "make them less transparent");
+    enable_clip_planes(true);
+}
+
+// Of lines or points, which are as large in the picture whatever the layers' resolution; returns that.
+float Painter::use_in_layers(const Frame& frame, const Program& program, bool joining) {
+    const auto factor = static_cast<float>(peeling_.layer_pixels());
+    use(program, frame);
+    peeling_.set_nearer(program, joining);
+    slopes_.use(program);
+    gl_.Uniform2f(program.viewport, factor * static_cast<float>(frame.width),
+                  factor * static_cast<float>(frame.height));
+    return factor;
+}
+
+// In their order too: drawn before the surfaces, their soft edges would keep what is transparent from being seen.
+void Painter::draw_lines_of_layer(const Frame& frame, bool joining) {
+    const Program& program = peeling_.lines();
+    const float factor = use_in_layers(frame, program, joining);
+    for (std::size_t i = 0; i < frame.meshes.size(); ++i) {
+        const Mesh& mesh = frame.meshes[i];
+        if (!mesh.lines || mesh.indices.empty() || mesh.color[3] <= 0 || (joining && mesh.color[3] >= 1)) continue;
+        gl_.Uniform1f(program.half_width, factor * mesh.line_width / 2);
+        gl_.Uniform1f(program.number, mesh.color[3] < 1 ? static_cast<float>(i + 1) : 0.0F);
+        buffers(i).draw(mesh, scale_rows_[i]);
+    }
+}
+
+// All that there are in fog, through which each is seen by itself; without, those that are not blended between layers.
+void Painter::draw_points_of_layer(const Frame& frame) {
+    const Program& program = peeling_.points();
+    use_for_points(frame, program);
+    draw_opaque_points_with(frame);
+    if (!frame.volumes.empty()) transparent_points_.draw();
+}
+
+void Painter::draw_points_between_layers(const Frame& frame) {
+    const bool on_surfaces = has(frame, [](const Mesh& mesh) { return !is_overlay(mesh) && mesh.color[3] > 0; });
+    use_for_points(frame, peeling_.between(on_surfaces));
+    transparent_points_.draw();
+}
+
+void Painter::use_for_points(const Frame& frame, const Program& program) {
+    const float factor = use_in_layers(frame, program, false);
+    gl_.Uniform1f(program.point_pixels, factor);
+    gl_.Uniform1f(program.line_reach, line_reach(frame, factor));
+}
+
+} // namespace ciel::render

@@ -1,0 +1,59 @@
+// Transparent points of all layers in one buffer, from the nearest to the farthest: a disc that faces the viewer is as
+// deep as its centre all over, so this order is right at every pixel.
+#pragma once
+
+#include "render/gl.hpp"
+#include "render/renderer.hpp"
+
+#include <glm/vec4.hpp>
+#include <vector>
+
+namespace ciel::render {
+
+// Its GL objects live as long as their context.
+class TransparentPoints {
+public:
+    explicit TransparentPoints(const Gl& gl);
+
+    struct Part {
+        const Mesh* mesh;
+        float scale_row; // of its colours in the frame's ColorScales, -1 for a solid mesh
+    };
+    // depth_row: the row of the view matrix that gives -depth. Vertices are uploaded where a part has changed, and
+    // their order where that or what it follows has. Throws Error when arrays of a mesh do not fit together.
+    void load(const std::vector<Part>& parts, const glm::vec4& depth_row);
+    [[nodiscard]] bool is_empty() const { return order_.empty(); }
+    void draw() const;
+
+private:
+    struct Vertex {
+        Vec3f position;
+        float scalar, size;
+        std::array<float, 4> color;
+        std::array<float, 2> style;
+    };
+    struct Point {
+        std::uint32_t key; // grows with the distance
+        Index vertex;
+    };
+    struct Held { // of a part: what its vertices depend on
+        std::uint64_t identity, revision;
+        std::array<float, 4> color;
+        float scale_row, size;
+        bool lit;
+        bool operator==(const Held&) const = default;
+    };
+    void add(const Part& part);
+    void upload_vertices();
+    void upload_order();
+
+    const Gl& gl_;
+    GLuint array_ = 0, vertex_buffer_ = 0, index_buffer_ = 0;
+    glm::vec4 depth_row_{};
+    std::vector<Held> held_;
+    std::vector<Vertex> vertices_; // one a point, in the order of the parts: ties are drawn in it
+    std::vector<Point> sorted_, other_;
+    std::vector<Index> order_;
+};
+
+} // namespace ciel::render
