@@ -14,8 +14,24 @@ constexpr double smallest_span = 1e-300; // below it steps lose their digits
 // Numbers from 0.001 to 9,999,999 are written out: coordinates of a map grid have seven digits before the point.
 constexpr int smallest_plain = -3;
 constexpr int largest_plain = 6;
+constexpr int digits_of_ends = 6; // those of a scale are floats: a ten-thousandth is a little less than 1e-4
 
 int magnitude(double value) { return static_cast<int>(std::floor(std::log10(value))); }
+
+// With so many digits: 9.9996 is 10 with three of them.
+int rounded_magnitude(double value, int digits) {
+    std::array<char, 32> text{};
+    std::snprintf(text.data(), text.size(), "%.*e", std::clamp(digits - 1, 0, most_decimals), value);
+    return std::stoi(std::string(text.data()).substr(std::string(text.data()).find('e') + 1));
+}
+
+bool is_plain(int exponent) { return exponent >= smallest_plain && exponent <= largest_plain; }
+
+// Of a number of that size, above 0, that is written with so many digits.
+int taken_out(double size, int digits) {
+    const int exponent = is_plain(magnitude(size)) ? 0 : rounded_magnitude(size, digits);
+    return is_plain(exponent) ? 0 : exponent;
+}
 
 std::string superscript(const std::string& digits) {
     std::string out;
@@ -68,9 +84,7 @@ Step nice_step(double low, double high, int most) {
 
 int common_exponent(double low, double high) {
     const double largest = std::max(std::abs(low), std::abs(high));
-    if (!(largest > 0) || !std::isfinite(largest)) return 0;
-    const int exponent = magnitude(largest);
-    return exponent < smallest_plain || exponent > largest_plain ? exponent : 0;
+    return largest > 0 && std::isfinite(largest) ? taken_out(largest, digits_of_ends) : 0;
 }
 
 std::string number_label(double value, double span, int exponent) {
@@ -81,7 +95,8 @@ std::string number_label(double value, double span, int exponent) {
 }
 
 std::string number_label(double value, int digits) {
-    const int exponent = common_exponent(value, value);
+    if (!std::isfinite(value)) return "n/a";
+    const int exponent = value == 0 ? 0 : taken_out(std::abs(value), digits);
     const double mantissa = value * std::pow(10.0, -exponent);
     if (!std::isfinite(mantissa)) return "n/a";
     const int places = mantissa == 0 ? 0 : magnitude(std::abs(mantissa));

@@ -72,6 +72,8 @@ TEST(ColorScale, NumbersFollowTheCases) {
     for (const json& row : tick_cases()["numbers"])
         EXPECT_EQ(render::number_label(number_of(row[0]), row[1], row[2]), row[3]) << row;
     for (const json& row : tick_cases()["alone"]) EXPECT_EQ(render::number_label(number_of(row[0])), row[1]) << row;
+    for (const json& row : tick_cases()["rounded"])
+        EXPECT_EQ(render::number_label(row[0].get<double>(), row[1].get<int>()), row[2]) << row;
 }
 
 TEST(ColorScale, TakesACommonPowerOfTenOutOfItsNumbersUnlessItIsLogarithmic) {
@@ -83,6 +85,22 @@ TEST(ColorScale, TakesACommonPowerOfTenOutOfItsNumbersUnlessItIsLogarithmic) {
     EXPECT_EQ(render::exponent_of(scale), 0);
     EXPECT_EQ(render::label_on(scale, 2.5e-5), "2.5 ×10⁻⁵");
     EXPECT_EQ(render::label_on(scale, 1e-5), "10⁻⁵");
+}
+
+// A tick at a step's end is a power of ten but for its rounding: the mantissa must not come out as 10.
+TEST(ColorScale, NoLabelOfALogarithmicScaleHasTenBeforeItsPower) {
+    for (const int decades : {1, 6, 12})
+        for (int low = -30; low <= 20; ++low)
+            for (const int steps : {0, 5, 6, 10, 12}) {
+                render::ColorScale scale;
+                scale.log = true;
+                scale.steps = steps;
+                scale.range = {static_cast<float>(std::pow(10.0, low)),
+                               static_cast<float>(std::pow(10.0, low + decades))};
+                for (const render::ColorTick& tick : render::color_ticks(scale))
+                    EXPECT_FALSE(tick.label.starts_with("10 ×")) << tick.label << " from " << low;
+                EXPECT_FALSE(render::label_on(scale, scale.range[1]).starts_with("10 ×")) << low;
+            }
 }
 
 TEST(ColorScale, TicksStayInsideAndInOrderWhateverTheRange) {

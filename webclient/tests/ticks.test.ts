@@ -1,6 +1,6 @@
 import { describe, expect, test } from "vitest";
 import cases from "../../tests/support/tick_cases.json";
-import { exponentOf, labelOn } from "../src/scene/color_ticks";
+import { colorTicks, exponentOf, labelOn } from "../src/scene/color_ticks";
 import { scaleOf } from "../src/scene/color_range";
 import { niceScale, numberAlone, numberLabel, timesPowerOfTen } from "../src/scene/ticks";
 
@@ -39,6 +39,19 @@ describe("numbers, as the server writes them", () => {
   test.each(cases.alone as [number | null, string][])("%d alone: %s", (value, label) =>
     expect(numberAlone(value ?? NaN)).toBe(label),
   );
+  test.each(cases.rounded as [number, number, string][])("%d with %d digits: %s", (value, digits, label) =>
+    expect(numberAlone(value, digits)).toBe(label),
+  );
+  test("no label of a logarithmic scale has ten before its power", () => {
+    for (const decades of [1, 6, 12])
+      for (let low = -30; low <= 20; low += 1)
+        for (const steps of [0, 5, 6, 10, 12]) {
+          const range: [number, number] = [Number(`1e${low}`), Number(`1e${low + decades}`)];
+          const scale = scaleOf({ range, log: true, steps }, [0, 1]);
+          const labels = [...colorTicks(scale).map(({ label }) => label), labelOn(scale, scale.range[1])];
+          expect(labels.filter((label) => label.startsWith("10 \u00d7"))).toEqual([]);
+        }
+  });
   test("a scale takes a common power of ten out of them unless it is logarithmic", () => {
     const scale = scaleOf({ range: [1.2e-5, 3.4e-5] }, [0, 1]);
     expect([exponentOf(scale), labelOn(scale, 2.5e-5)]).toEqual([-5, "2.5"]);

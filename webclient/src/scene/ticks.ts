@@ -20,8 +20,20 @@ const SMALLEST_SPAN = 1e-300; // below it steps lose their digits
 // Numbers from 0.001 to 9,999,999 are written out: coordinates of a map grid have seven digits before the point.
 const SMALLEST_PLAIN = -3;
 const LARGEST_PLAIN = 6;
+const DIGITS_OF_ENDS = 6; // those of a scale are floats: a ten-thousandth is a little less than 1e-4
 
 const magnitude = (value: number): number => Math.floor(Math.log10(value));
+/** With so many digits: 9.9996 is 10 with three of them. */
+const roundedMagnitude = (value: number, digits: number): number =>
+  Number(value.toExponential(clamp(digits - 1, 0, MOST_DECIMALS)).split("e")[1]);
+const isPlain = (exponent: number): boolean => exponent >= SMALLEST_PLAIN && exponent <= LARGEST_PLAIN;
+
+/** Of a number of that size, above 0, that is written with so many digits. */
+function takenOut(size: number, digits: number): number {
+  const exponent = isPlain(magnitude(size)) ? 0 : roundedMagnitude(size, digits);
+  return isPlain(exponent) ? 0 : exponent;
+}
+
 const powerOfTen = (exponent: number): string => `10${superscript(String(exponent))}`;
 
 /** " ×10⁵", or nothing for 0. */
@@ -38,9 +50,7 @@ const withoutTrailingZeros = (text: string): string => (text.includes(".") ? tex
 /** The power of ten that is taken out of the numbers of a scale: 0 where they can be read as they are. */
 export function commonExponent(low: number, high: number): number {
   const largest = Math.max(Math.abs(low), Math.abs(high));
-  if (!(largest > 0) || !Number.isFinite(largest)) return 0;
-  const exponent = magnitude(largest);
-  return exponent < SMALLEST_PLAIN || exponent > LARGEST_PLAIN ? exponent : 0;
+  return largest > 0 && Number.isFinite(largest) ? takenOut(largest, DIGITS_OF_ENDS) : 0;
 }
 
 /** With the digits that tell apart thousandths of `span`; no trailing zeros. */
@@ -53,7 +63,8 @@ export function numberLabel(value: number, span: number, exponent: number): stri
 
 /** As it stands, with so many digits at most and its own power of ten: a time, or a number on a logarithmic scale. */
 export function numberAlone(value: number, digits = 6): string {
-  const exponent = commonExponent(value, value);
+  if (!Number.isFinite(value)) return "n/a";
+  const exponent = value === 0 ? 0 : takenOut(Math.abs(value), digits);
   const mantissa = value * 10 ** -exponent;
   if (!Number.isFinite(mantissa)) return "n/a";
   const places = mantissa === 0 ? 0 : magnitude(Math.abs(mantissa));
