@@ -8,6 +8,7 @@ import {
   withLog,
   withMap,
   withRange,
+  withRangeEnd,
   withSymmetric,
   type ColoringChange,
 } from "../src/scene/color_edit";
@@ -31,6 +32,16 @@ describe("a hand on the colouring", () => {
     ["symmetric takes log away", withSymmetric(true), { symmetric: true, log: undefined }],
     ["a range in any order", withRange({}, 3, -1), { range: [-1, 3] }],
     ["a symmetric range", withRange({ symmetric: true }, -1, 3), { range: [-3, 3] }],
+    ["an end typed", withRangeEnd({}, [0, 4], 0, 1), { range: [1, 4] }],
+    ["a lower end that pushes the upper", withRangeEnd({}, [0.19, 4.98], 0, 5), { range: [5, 5] }],
+    ["then the upper", withRangeEnd({}, [5, 5], 1, 10), { range: [5, 10] }],
+    ["an upper end that pushes the lower", withRangeEnd({}, [0, 4], 1, -2), { range: [-2, -2] }],
+    ["an end of a symmetric range", withRangeEnd({ symmetric: true }, [-4, 4], 0, -2), { range: [-2, 2] }],
+    [
+      "no logarithmic end at zero",
+      withRangeEnd({ log: true }, [1, 4], 1, 0),
+      "A logarithmic scale begins above zero; type a value above zero",
+    ],
     [
       "no logarithmic range from zero",
       withRange({ log: true }, 0, 3),

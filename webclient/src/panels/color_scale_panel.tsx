@@ -9,6 +9,7 @@ import {
   withLog,
   withMap,
   withRange,
+  withRangeEnd,
   withSymmetric,
   type ColoringChange,
 } from "../scene/color_edit";
@@ -43,16 +44,14 @@ function RangeFields({ of, coloring, data, change }: Props & { change: Change })
   const description = useAppState((state) => state.description);
   const range = rangeOf(coloring, data);
   const span = coloring.log === true ? undefined : range[1] - range[0];
-  const set = (low: number, high: number): void => {
-    const changed = withRange(coloring, low, high);
+  const set = (changed: ColoringChange | string): void => {
     if (typeof changed === "string") toasts.show(changed, "error");
     else change(changed);
   };
   const setData = (to: Range | null): void => {
-    if (to !== null) set(...(coloring.log === true ? rangeOf({ log: true }, to) : to));
+    if (to !== null) set(withRange(coloring, ...(coloring.log === true ? rangeOf({ log: true }, to) : to)));
   };
   const everywhere = rangeOfAllSteps(description, coloring.array);
-  const mirrored = coloring.symmetric === true;
   return (
     <RangeRow
       label="Range of the colours"
@@ -61,8 +60,7 @@ function RangeFields({ of, coloring, data, change }: Props & { change: Change })
       to="Range to"
       range={range}
       span={span}
-      setLow={(low) => (mirrored ? set(-Math.abs(low), Math.abs(low)) : set(low, range[1]))}
-      setHigh={(high) => (mirrored ? set(-Math.abs(high), Math.abs(high)) : set(range[0], high))}
+      setEnd={(end, to) => set(withRangeEnd(coloring, range, end, to))}
       ofData={!coloring.range}
       dataTitle="The range of the data at each time"
       setData={() => change({ range: undefined })}

@@ -10,7 +10,7 @@ import {
   ofArray,
   type ContoursChange,
 } from "../scene/contours";
-import { clamp } from "../scene/numbers";
+import { clamp, withEnd } from "../scene/numbers";
 import { firstScalar, scalarsOf } from "../scene/scalars";
 import { ColoringFields } from "./coloring";
 import { Check, NumberField, SelectField } from "./controls";
@@ -27,7 +27,6 @@ interface FieldsProps {
 
 function RangeField({ contours, data, set }: FieldsProps & { data: Range }): JSX.Element {
   const range = contours.range ?? data;
-  const setRange = (a: number, b: number): void => set({ range: a <= b ? [a, b] : [b, a] });
   return (
     <RangeRow
       label="Range of the contour lines"
@@ -36,8 +35,7 @@ function RangeField({ contours, data, set }: FieldsProps & { data: Range }): JSX
       to="Contour lines to"
       range={range}
       span={range[1] - range[0]}
-      setLow={(low) => setRange(low, range[1])}
-      setHigh={(high) => setRange(range[0], high)}
+      setEnd={(end, to) => set({ range: withEnd(range, end, to) })}
       ofData={!contours.range}
       dataTitle="Between the lowest and the highest value of the data at each time"
       setData={() => set({ range: null })}

@@ -4,7 +4,7 @@ import { useEffect, useRef, useState } from "preact/hooks";
 import { colorsAlong, hasWidth, type ColorScale } from "../display/color_scale";
 import type { Range } from "../generated/protocol";
 import type { Size } from "../camera/camera";
-import { withRange } from "../scene/color_edit";
+import { withRangeEnd } from "../scene/color_edit";
 import { rangeOf, scaleOf } from "../scene/color_range";
 import { colorTicks, exponentOf, labelOn, type ColorTick } from "../scene/color_ticks";
 import { clamp, formatNumber } from "../scene/numbers";
@@ -82,12 +82,11 @@ function LegendScale({ coloring, of, scale, range }: Entry & { scale: ColorScale
   }, []);
   const span = scale.log ? undefined : range[1] - range[0];
   const shown = (value: number): string => labelOn(scale, value);
-  const setRange = (low: number, high: number): void => {
-    const change = withRange(coloring, low, high);
+  const setEnd = (end: 0 | 1, to: number): void => {
+    const change = withRangeEnd(coloring, range, end, to);
     if (typeof change === "string") toasts.show(change, "error");
     else actions.setColoring(of, change);
   };
-  const mirrored = coloring.symmetric === true;
   return (
     <div class="color-scale">
       <NumberField
@@ -95,7 +94,7 @@ function LegendScale({ coloring, of, scale, range }: Entry & { scale: ColorScale
         value={range[1]}
         span={span}
         shown={shown}
-        onChange={(high) => setRange(mirrored ? -high : range[0], high)}
+        onChange={(high) => setEnd(1, high)}
       />
       <div class="ticks" ref={along} aria-hidden="true">
         {spacedTicks(scale, height).map(({ value, at, label }) => (
@@ -109,7 +108,7 @@ function LegendScale({ coloring, of, scale, range }: Entry & { scale: ColorScale
         value={range[0]}
         span={span}
         shown={shown}
-        onChange={(low) => setRange(low, mirrored ? -low : range[1])}
+        onChange={(low) => setEnd(0, low)}
       />
     </div>
   );

@@ -12,8 +12,8 @@ interface RangeRowProps {
   range: Range;
   /** How many digits are worth showing; none for a logarithmic scale, whose numbers have their own. */
   span: number | undefined;
-  setLow: (low: number) => void;
-  setHigh: (high: number) => void;
+  /** 0: the lower end. */
+  setEnd: (end: 0 | 1, to: number) => void;
   /** Whether the range is the data's, and what makes it so. */
   ofData: boolean;
   dataTitle: string;
@@ -23,13 +23,13 @@ interface RangeRowProps {
 }
 
 export function RangeRow(props: RangeRowProps): JSX.Element {
-  const { label, text, from, to, range, span, setLow, setHigh, ofData, dataTitle, setData, children } = props;
+  const { label, text, from, to, range, span, setEnd, ofData, dataTitle, setData, children } = props;
   return (
     <div class="field" role="group" aria-label={label}>
       <span>{text}</span>
       <div class="range-row">
-        <NumberField label={from} value={range[0]} span={span} onChange={setLow} />
-        <NumberField label={to} value={range[1]} span={span} onChange={setHigh} />
+        <NumberField label={from} value={range[0]} span={span} onChange={(low) => setEnd(0, low)} />
+        <NumberField label={to} value={range[1]} span={span} onChange={(high) => setEnd(1, high)} />
       </div>
       <div class="range-choices">
         <button type="button" class="button small" aria-pressed={ofData} title={dataTitle} onClick={setData}>

@@ -1,7 +1,7 @@
 // Which cells of the mesh a layer shows: those whose values lie in a range.
 import type { JSX } from "preact";
 import type { Range, Threshold } from "../generated/protocol";
-import { formatNumber, fractionOf, valueAt } from "../scene/numbers";
+import { formatNumber, fractionOf, valueAt, withEnd } from "../scene/numbers";
 import { arrayOf, firstScalar, shownTime, thresholdScalarsOf } from "../scene/scalars";
 import { Check, NumberField, SelectField, Slider } from "./controls";
 import { useApp, useAppState } from "./context";
@@ -21,13 +21,11 @@ interface EndProps {
   set: (change: Partial<Threshold>, gesture?: string) => void;
 }
 
-/** One end pushes the other before it. */
 function ThresholdEnd({ end, range, whole, set }: EndProps): JSX.Element {
   const { editor } = useApp();
   const value = range[end];
   const span = whole[1] - whole[0];
-  const move = (to: number, gesture?: string): void =>
-    set({ range: end === 0 ? [to, Math.max(to, range[1])] : [Math.min(to, range[0]), to] }, gesture);
+  const move = (to: number, gesture?: string): void => set({ range: withEnd(range, end, to) }, gesture);
   return (
     <div class="clip-row">
       <Slider

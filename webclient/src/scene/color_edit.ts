@@ -2,6 +2,7 @@
 import { colorRow, hexOf, type ColorScale } from "../display/color_scale";
 import type { Coloring, ColorPoint, Range } from "../generated/protocol";
 import { rangeAboveZero } from "./color_range";
+import { withEnd } from "./numbers";
 
 /** undefined takes a member away. */
 export type ColoringChange = { [K in keyof Coloring]?: Coloring[K] | undefined };
@@ -27,6 +28,12 @@ export function withRange({ log, symmetric }: Coloring, a: number, b: number): C
   if (symmetric !== true) return { range };
   const reach = Math.max(Math.abs(range[0]), Math.abs(range[1]));
   return { range: [-reach, reach] };
+}
+
+/** One end of the range that is seen, typed: it pushes the other, and both where the scale is symmetric. */
+export function withRangeEnd(coloring: Coloring, shown: Range, end: 0 | 1, to: number): ColoringChange | string {
+  const range = coloring.symmetric === true ? ([to, to] as const) : withEnd(shown, end, to);
+  return withRange(coloring, ...range);
 }
 
 /** A map by name is shown as it is: points of one's own give way to it. */

@@ -40,6 +40,10 @@ export const formatCount = (count: number): string => count.toLocaleString("en-U
 
 export const clamp = (value: number, low: number, high: number): number => Math.min(high, Math.max(low, value));
 
+/** The range with one end put there, which pushes the other before it. */
+export const withEnd = ([low, high]: Range, end: 0 | 1, to: number): Range =>
+  end === 0 ? [to, Math.max(to, high)] : [Math.min(to, low), to];
+
 /** Decimal steps of about a thousandth of the range, so that a drag gives values one can say. */
 export function niceStep([low, high]: Range): number {
   const span = high - low;
