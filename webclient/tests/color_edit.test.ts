@@ -29,6 +29,26 @@ describe("a hand on the colouring", () => {
       { log: true, symmetric: undefined, range: undefined },
     ],
     ["log ends", withLog({ log: true }, false), { log: undefined }],
+    [
+      "log that ends gives back what it took",
+      withLog({ array: "p", log: true, range: [1e-6, 1] }, false, { array: "p", symmetric: true, range: [-1, 1] }),
+      { log: undefined, symmetric: true, range: [-1, 1] },
+    ],
+    [
+      "log that ends gives back the range that it let go",
+      withLog({ array: "p", log: true }, false, { array: "p", range: [-3, 0] }),
+      { log: undefined, symmetric: undefined, range: [-3, 0] },
+    ],
+    [
+      "log that ends keeps a range that was typed meanwhile",
+      withLog({ array: "p", log: true, range: [2, 3] }, false, { array: "p", range: [-1, 1] }),
+      { log: undefined, symmetric: undefined },
+    ],
+    [
+      "log that ends gives an array nothing of another",
+      withLog({ array: "q", log: true }, false, { array: "p", symmetric: true }),
+      { log: undefined },
+    ],
     ["symmetric takes log away", withSymmetric(true), { symmetric: true, log: undefined }],
     ["a range in any order", withRange({}, 3, -1), { range: [-1, 3] }],
     ["a symmetric range", withRange({ symmetric: true }, -1, 3), { range: [-3, 3] }],

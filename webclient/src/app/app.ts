@@ -7,6 +7,7 @@ import { backgroundColors } from "../display/background";
 import type { Look } from "../display/geometry_canvas";
 import { Presenter } from "../display/presenter";
 import { Viewport } from "../display/viewport";
+import type { Coloring } from "../generated/protocol";
 import type { FrameHeader } from "../protocol/frame_header";
 import { Disconnected } from "../protocol/rpc";
 import { SceneEditor } from "../scene/editor";
@@ -52,6 +53,8 @@ export class App {
   readonly cameras = new ShownCameras();
   readonly player = new Player(playerHost(this), now);
   readonly tab = tabSession();
+  /** What colourings were before they became logarithmic, by what they colour. */
+  readonly beforeLog = new Map<string, Coloring>();
   readonly editor: SceneEditor;
   readonly session: Session;
   readonly histograms: Histograms;

@@ -121,13 +121,27 @@ function OutsideFields({
   );
 }
 
-function Ways({ coloring, scale, change }: { coloring: Coloring; scale: ColorScale; change: Change }): JSX.Element {
+interface WaysProps {
+  of: Colored;
+  coloring: Coloring;
+  scale: ColorScale;
+  change: Change;
+}
+
+function Ways({ of, coloring, scale, change }: WaysProps): JSX.Element {
+  const { beforeLog } = useApp();
+  const key = JSON.stringify(of);
+  const setLog = (on: boolean): void => {
+    change(withLog(coloring, on, beforeLog.get(key)));
+    if (on) beforeLog.set(key, coloring);
+    else beforeLog.delete(key);
+  };
   const steps = coloring.steps ?? null;
   return (
     <>
       <div class="scale-checks">
         <Check label="Reverse" checked={scale.reverse} onChange={(on) => change({ reverse: on || undefined })} />
-        <Check label="Logarithmic" checked={scale.log} onChange={(on) => change(withLog(coloring, on))} />
+        <Check label="Logarithmic" checked={scale.log} onChange={setLog} />
         <Check label="Symmetric" checked={coloring.symmetric === true} onChange={(on) => change(withSymmetric(on))} />
         <div class="outside-row">
           <Check label="Steps" checked={steps !== null} onChange={(on) => change({ steps: on ? 10 : undefined })} />
@@ -172,7 +186,7 @@ export function ColorScalePanel({ of, coloring, data }: Props): JSX.Element {
             onChange={(on) => change({ points: on ? pointsOf(scale) : undefined })}
           />
           {own && <PointsEditor scale={scale} onChange={(points, gesture) => change({ points }, gesture)} />}
-          <Ways coloring={coloring} scale={scale} change={change} />
+          <Ways of={of} coloring={coloring} scale={scale} change={change} />
           {!isShownBy(coloring, data) && (
             <p class="hint" role="status">
               {coloring.array} has no value above zero now: a logarithmic scale shows none.

@@ -11,9 +11,17 @@ export const MOST_POINTS = 64;
 export const MOST_STEPS = 256;
 const FIRST_POINTS = 5;
 
-/** A logarithm and zero in the middle exclude each other; a given range keeps what of it lies above zero. */
-export function withLog({ range }: Coloring, on: boolean): ColoringChange {
-  if (!on) return { log: undefined };
+/**
+ * A logarithm and zero in the middle exclude each other; a given range keeps what of it lies above zero. `before`: the
+ * colouring when the logarithm was switched on, whose members come back with its end unless a hand has changed them.
+ */
+export function withLog({ array, range }: Coloring, on: boolean, before?: Coloring): ColoringChange {
+  if (!on) {
+    if (before === undefined || before.array !== array) return { log: undefined };
+    const { range: narrowed } = { ...before, ...withLog(before, true) };
+    const isUntouched = JSON.stringify(narrowed ?? null) === JSON.stringify(range ?? null);
+    return { log: undefined, symmetric: before.symmetric, ...(isUntouched && { range: before.range }) };
+  }
   if (!range || range[0] > 0) return { log: true, symmetric: undefined };
   return { log: true, symmetric: undefined, range: range[1] > 0 ? rangeAboveZero(range) : undefined };
 }
