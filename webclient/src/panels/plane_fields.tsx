@@ -18,7 +18,7 @@ interface PlaneProps {
 }
 
 export function PlaneFields({ id, origin, normal }: PlaneProps): JSX.Element {
-  const { actions, editor } = useApp();
+  const { actions, editor, toasts } = useApp();
   const description = useAppState((state) => state.description);
   const direction = normalize(normal);
   const centre = description === null ? origin : boundsCentre(description.bounds);
@@ -50,6 +50,7 @@ export function PlaneFields({ id, origin, normal }: PlaneProps): JSX.Element {
         span={10 * Math.hypot(...normal)}
         set={(to) => {
           if (to.some((part) => part !== 0)) actions.setLayer(id, { normal: to });
+          else toasts.show("A normal of 0, 0, 0 has no direction; type the part that is to stay first", "error");
         }}
       />
       <IconButton icon="eye" label="Turn the plane to face the view" text="Face the view" onClick={face} />

@@ -33,9 +33,11 @@ function AxisRow({ axis, entry }: { axis: Axis; entry: [string, SliceLayer] | un
   const shown = entry !== undefined && entry[1].visible !== false;
   const value = entry?.[1].value ?? (low + high) / 2;
   const style = useStyle();
-  const toggle = (on: boolean): void => {
-    if (entry !== undefined) actions.setLayer(entry[0], { visible: on });
-    else actions.addLayer(`slice-${axis}`, { type: "slice", axis, value, ...style });
+  /** With a position that was typed where no slice is seen: it switches the slice on. */
+  const toggle = (on: boolean, typed?: number): void => {
+    if (entry === undefined)
+      actions.addLayer(`slice-${axis}`, { type: "slice", axis, value: typed ?? value, ...style });
+    else actions.setLayer(entry[0], { visible: on, ...(typed !== undefined && { value: typed }) });
   };
   const set = (position: number, gesture?: string): void => {
     if (entry !== undefined) actions.setLayer(entry[0], { value: position }, gesture);
@@ -45,7 +47,7 @@ function AxisRow({ axis, entry }: { axis: Axis; entry: [string, SliceLayer] | un
   return (
     <>
       <div class="axis-row">
-        <Check label={axis.toUpperCase()} checked={shown} onChange={toggle} />
+        <Check label={axis.toUpperCase()} checked={shown} onChange={(on) => toggle(on)} />
         <Slider
           label={`Position of the ${axis} slice`}
           {...sliderTrack([low, high])}
@@ -55,7 +57,12 @@ function AxisRow({ axis, entry }: { axis: Axis; entry: [string, SliceLayer] | un
           newGesture={() => editor.newGesture()}
           onChange={(position, gesture) => set(clamp(position, low, high), gesture)}
         />
-        <NumberField label={`Position on ${axis}`} value={shown ? value : null} span={high - low} onChange={set} />
+        <NumberField
+          label={`Position on ${axis}`}
+          value={shown ? value : null}
+          span={high - low}
+          onChange={(typed) => (shown ? set(typed) : toggle(true, typed))}
+        />
       </div>
       {shown && description !== null && (value < low || value > high) && (
         <p class="hint" role="status">
