@@ -2,6 +2,7 @@ import { describe, expect, test } from "vitest";
 import { keyed } from "../src/panels/histogram_slider";
 import {
   barHeights,
+  formatCount,
   formatNumber,
   fractionOf,
   logarithmicStart,
@@ -9,6 +10,7 @@ import {
   parseNumber,
   sliderTrack,
   valueAt,
+  whyNoNumber,
   widestGap,
 } from "../src/scene/numbers";
 
@@ -43,6 +45,35 @@ describe("writing numbers", () => {
     expect(parseNumber("0,5")).toBe(0.5);
     expect(parseNumber(" 3 ")).toBe(3);
     for (const wrong of ["", "a", "1 2", "1e999", "--1"]) expect(parseNumber(wrong)).toBeNull();
+    for (const count of [0, 999, 1000, 37479, 1234567]) expect(parseNumber(formatCount(count))).toBe(count);
+  });
+
+  test.each([
+    ["1,5", 1.5],
+    ["1,50", 1.5],
+    ["0,125", 0.125],
+    ["1234,567", 1234.567],
+    ["1,2345", 1.2345],
+    ["37 479", 37479],
+    ["37\u00a0479", 37479],
+    ["37\u202f479", 37479],
+    ["37\u2009479,5", 37479.5],
+    ["\u22121 234 567.25", -1234567.25],
+    ["1 500,250", 1500.25],
+    ["1,234,567", 1234567],
+    ["1,500.0", 1500],
+    ["-1,234.5e3", -1234500],
+  ])("%s is %d", (text, value) => expect(parseNumber(text)).toBe(value));
+
+  test.each(["1,500", "37,479", "-1,500", "1,500e3", "12 34", "1 2345", "0 123", "1 500 2", "1.234,5", "1,5,5"])(
+    "%s is refused",
+    (text) => expect(parseNumber(text)).toBeNull(),
+  );
+
+  test("a comma that may part thousands is asked about", () => {
+    expect(whyNoNumber("1,500")).toBe('"1,500" can be read in two ways; write 1500 or 1.500');
+    expect(whyNoNumber("\u22121,500")).toContain("write -1500 or -1.500");
+    expect(whyNoNumber("x")).toBe('"x" is not a number that can be used');
   });
 });
 

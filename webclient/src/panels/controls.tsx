@@ -1,7 +1,7 @@
 // The few controls that all panels are made of.
 import type { ComponentChildren, JSX } from "preact";
 import { useEffect, useRef, useState } from "preact/hooks";
-import { formatNumber, parseNumber } from "../scene/numbers";
+import { formatNumber, parseNumber, whyNoNumber } from "../scene/numbers";
 import { useApp } from "./context";
 import { Icon, type IconName } from "./icons";
 
@@ -56,7 +56,7 @@ export function NumberField(props: NumberFieldProps): JSX.Element {
   const commit = (): void => {
     const parsed = typed === null || typed === shown ? null : parseNumber(typed);
     setTyped(null);
-    if (wrong) toasts.show(`"${typed}" is not a number that can be used; it stays ${shown || "empty"}`, "error");
+    if (wrong) toasts.show(`${whyNoNumber(typed)}; it stays ${shown || "empty"}`, "error");
     if (parsed !== null && parsed !== value) onChange(parsed);
   };
   const onKeyDown = (event: KeyboardEvent): void => {

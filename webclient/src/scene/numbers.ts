@@ -18,12 +18,32 @@ export function formatNumber(value: number, span = Math.abs(value)): string {
   return (exponent === undefined ? short : `${short}e${exponent.replace("+", "")}`).replaceAll("-", MINUS);
 }
 
-/** null where the text is not one finite number. Accepts what formatNumber writes. */
+// Three digits each, after one to three of which the first is not 0: with spaces as formatCount writes them (thin, no-break
+// or plain), or with commas.
+const SPACED = /^[-+]?[1-9]\d{0,2}(?:[ \u00a0\u2009\u202f]\d{3})+(?![\d ])/;
+const COMMAS = /^[-+]?[1-9]\d{0,2}(?:,\d{3})+(?=\.|$|e)/i;
+const EITHER = /^[-+]?[1-9]\d{0,2},\d{3}(?=$|e)/i;
+
+const withHyphen = (text: string): string => text.trim().replaceAll(MINUS, "-");
+
+function withoutGroups(text: string): string {
+  const spaced = text.replace(SPACED, (digits) => digits.replace(/\s/g, ""));
+  return spaced.replace(COMMAS, (digits) => digits.replaceAll(",", "")).replace(",", ".");
+}
+
+/** null where the text is not one finite number. Accepts what formatNumber and formatCount write. */
 export function parseNumber(text: string): number | null {
-  const plain = text.trim().replaceAll(MINUS, "-").replace(",", ".");
-  if (plain === "") return null;
-  const value = Number(plain);
+  const typed = withHyphen(text);
+  if (typed === "" || EITHER.test(typed)) return null;
+  const value = Number(withoutGroups(typed));
   return Number.isFinite(value) ? value : null;
+}
+
+/** Why parseNumber takes no number from the text: one comma before three digits may stand for thousands or for a point. */
+export function whyNoNumber(text: string): string {
+  const typed = withHyphen(text);
+  if (!EITHER.test(typed)) return `"${text}" is not a number that can be used`;
+  return `"${text}" can be read in two ways; write ${typed.replace(",", "")} or ${typed.replace(",", ".")}`;
 }
 
 const SUPERSCRIPTS = "\u2070\u00b9\u00b2\u00b3\u2074\u2075\u2076\u2077\u2078\u2079";
