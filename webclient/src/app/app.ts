@@ -151,6 +151,7 @@ export class App {
     const shownFrom = this.viewport?.shown === "image" ? this.cameras.of(header.revision) : null;
     this.store.set({
       shownFrom,
+      failedRevision: null,
       readout: {
         ...readout,
         stream: this.viewport?.shown ?? "none",

@@ -94,8 +94,9 @@ function notificationHandlers(app: App): Handlers {
       app.cameras.taken(revision, scene.camera);
       app.editor.overheard(scene);
     },
-    "view.failed": ({ message }) => {
+    "view.failed": ({ message, revision }) => {
       app.player.stop();
+      app.store.set({ failedRevision: revision });
       app.toasts.show(message, "error");
     },
     "view.lacking": ({ sentences, empty, missing }) => app.store.set({ lacking: sentences, empty, missing }),

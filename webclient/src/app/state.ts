@@ -69,6 +69,8 @@ export interface AppState {
   revision: number;
   streamChoice: StreamChoice;
   readout: Readout;
+  /** Of the picture that the server could not draw, until another comes. */
+  failedRevision: number | null;
   /** What the picture lacks, a sentence each. */
   lacking: string[];
   /** Layers that are switched on and of which nothing is seen. */
@@ -128,6 +130,7 @@ export const initialState: AppState = {
   revision: 0,
   streamChoice: "image",
   readout: emptyReadout,
+  failedRevision: null,
   lacking: [],
   empty: [],
   missing: [],

@@ -6,6 +6,7 @@ import { formatCount } from "../scene/numbers";
 import { layerNames } from "../scene/layer_names";
 import { layersInOrder } from "../scene/layer_order";
 import { wantsSurfaces } from "../scene/scalars";
+import { useLasting } from "./lasting";
 import { TokenForm } from "./token_form";
 import { useApp, useAppState } from "./context";
 
@@ -160,14 +161,7 @@ function useLate(): boolean {
   const behind = useAppState(
     (state) => state.readout.stream === "image" && (state.pending || state.readout.revision < state.revision),
   );
-  const [late, setLate] = useState(false);
-  useEffect(() => {
-    setLate(false);
-    if (!behind) return;
-    const timer = setTimeout(() => setLate(true), LATE_MS);
-    return () => clearTimeout(timer);
-  }, [behind]);
-  return late && behind;
+  return useLasting(behind, LATE_MS);
 }
 
 export function Busy(): JSX.Element | null {

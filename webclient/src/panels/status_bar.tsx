@@ -1,8 +1,10 @@
 // Latency, rate and what kind of picture is seen.
 import type { JSX } from "preact";
 import type { Readout } from "../app/state";
+import { stillDue } from "../app/still_due";
 import { formatCount } from "../scene/numbers";
 import { useAppState } from "./context";
+import { useLasting } from "./lasting";
 
 const milliseconds = (value: number): string => `${value < 10 ? value.toFixed(1) : value.toFixed(0)} ms`;
 
@@ -13,6 +15,21 @@ const rate = (perSecond: number): string =>
 function kind({ stream, still }: Readout): string {
   if (stream === "geometry") return "geometry";
   return still ? "image, still" : "image, preview";
+}
+
+/** A full picture that takes longer is said to be on its way. */
+const PATIENCE_MS = 1000;
+
+/** Always there, so that who listens hears its words come. */
+function StillNotice(): JSX.Element {
+  const due = useAppState(stillDue);
+  const frame = useAppState((state) => state.readout.frame);
+  const late = useLasting(due, PATIENCE_MS, frame);
+  return (
+    <span class={late ? "drawing" : ""} role="status" aria-live="polite" data-readout="drawing">
+      {late && "full picture is being drawn\u2026"}
+    </span>
+  );
 }
 
 export function StatusBar(): JSX.Element {
@@ -33,6 +50,7 @@ export function StatusBar(): JSX.Element {
       {readout.stream !== "none" && (
         <>
           <span data-readout="stream">{kind(readout)}</span>
+          <StillNotice />
           <span class="dimensions">
             {readout.width} × {readout.height}
           </span>

@@ -1,0 +1,13 @@
+import { useEffect, useState } from "preact/hooks";
+
+/** Whether `holds` has been true for so long; counted anew whenever `since` is another. */
+export function useLasting(holds: boolean, milliseconds: number, since: unknown = null): boolean {
+  const [lasts, setLasts] = useState(false);
+  useEffect(() => {
+    setLasts(false);
+    if (!holds) return;
+    const timer = setTimeout(() => setLasts(true), milliseconds);
+    return () => clearTimeout(timer);
+  }, [holds, since]);
+  return lasts && holds;
+}
