@@ -3,6 +3,7 @@ import { axisView, centre, complete, defaultView, withParallel } from "../camera
 import type { AxisView, Bounds, FullCamera } from "../camera/camera";
 import type { Layer, Range, Vec3 } from "../generated/protocol";
 import type { Json, JsonObject } from "../protocol/merge_patch";
+import { Disconnected } from "../protocol/rpc";
 import type { ColoringChange } from "../scene/color_edit";
 import { movedTo } from "../scene/layer_order";
 import { clamp } from "../scene/numbers";
@@ -79,7 +80,7 @@ export class Actions {
       this.app.store.set({ probe: result.hit ? { result, time: this.app.store.get().readout.time } : null });
       return result.position;
     } catch (error) {
-      this.app.fail(error);
+      this.unanswered(error, "The values there cannot be read");
       return null;
     }
   }
@@ -148,7 +149,7 @@ export class Actions {
       app.toasts.show("No value of these layers is in view; the range stays as it is", "error");
       return null;
     } catch (error) {
-      app.fail(error);
+      this.unanswered(error, "The range in view cannot be told");
       return null;
     }
   }
@@ -184,7 +185,7 @@ export class Actions {
   async openDataset(name: string): Promise<void> {
     const { app } = this;
     app.player.stop();
-    await this.whileBusy(`Opening ${name}`, async () => {
+    await this.whileBusy(`Opening ${name}`, `${name} cannot be opened`, async () => {
       const description = await app.session.call("dataset.describe", { dataset: name });
       const scene = openingScene(description, app.size, this.themeBackground());
       app.store.set({ description, probe: null });
@@ -196,7 +197,7 @@ export class Actions {
   /** As large as the view's, or as given. */
   async screenshot(size = this.app.size.pixels()): Promise<void> {
     const { app } = this;
-    await this.whileBusy("Drawing the picture", async () => {
+    await this.whileBusy("Drawing the picture", "The picture cannot be saved", async () => {
       const picture = await app.session.call("picture.render", { session: app.tab.id, ...size });
       download(`${app.editor.scene?.dataset ?? "ciel"}.png`, picture.mime, picture.data);
     });
@@ -204,7 +205,7 @@ export class Actions {
 
   async exportSurface(layer: string, format: ExportFormat, triangles: boolean): Promise<void> {
     const { app } = this;
-    await this.whileBusy("Writing the surface", async () => {
+    await this.whileBusy("Writing the surface", "The surface cannot be exported", async () => {
       const file = await app.session.call("surface.export", { session: app.tab.id, layer, format, triangles });
       download(file.name, file.mime, file.data);
       app.toasts.show(`${file.name}: ${file.polygons} polygons, ${file.vertices} vertices`);
@@ -238,15 +239,23 @@ export class Actions {
     if (!background.startsWith("#")) this.app.editor.amend({ background: this.themeBackground() });
   }
 
-  private async whileBusy(words: string, work: () => Promise<void>): Promise<void> {
+  /** `failed`: what has not been done if the connection is gone. */
+  private async whileBusy(words: string, failed: string, work: () => Promise<void>): Promise<void> {
     this.app.store.set({ busy: words });
     try {
       await work();
     } catch (error) {
-      this.app.fail(error);
+      this.unanswered(error, failed);
     } finally {
       this.app.store.set({ busy: null });
     }
+  }
+
+  /** What a hand asks of the server is not done later by itself, as changes of the scene are. */
+  private unanswered(error: unknown, failed: string): void {
+    if (error instanceof Disconnected)
+      this.app.toasts.show(`${failed}: the server is not connected. Try again when it is back`, "error");
+    else this.app.fail(error);
   }
 
   private bounds(): Bounds | null {
