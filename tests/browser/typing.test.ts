@@ -1,0 +1,108 @@
+// Numbers as they are typed: ends of ranges, thousands, and what is refused.
+import assert from "node:assert/strict";
+import { before, describe, test } from "node:test";
+import { fragmentOf } from "./link.ts";
+import type { Client } from "./page.ts";
+import { nameOf } from "./server.ts";
+import { data, skip, Stage } from "./stage.ts";
+
+const scene = {
+  dataset: nameOf(data[0] ?? ""),
+  layers: {
+    s: {
+      type: "slice",
+      axis: "z",
+      value: 2.4,
+      color: { array: "U:magnitude", range: [0.19, 4.98] },
+      contours: { array: "U:magnitude", range: [0.19, 4.98] },
+    },
+    y: { type: "slice", axis: "y", value: 3, visible: false, color: { array: "U:magnitude", range: [0.19, 4.98] } },
+    plane: {
+      type: "slice",
+      origin: [5, 0, 2],
+      normal: [1, 0, 0],
+      color: { array: "U:magnitude", range: [0.19, 4.98] },
+    },
+  },
+};
+
+describe("typing", { skip }, () => {
+  const stage = new Stage();
+  let client: Client;
+  before(async () => {
+    client = await stage.fresh({ width: 1280, height: 900 }, fragmentOf(scene));
+    await client.button("Colour scale of U:magnitude").click();
+  });
+
+  const field = (name: string | RegExp): ReturnType<Client["page"]["getByLabel"]> =>
+    client.page.getByRole("textbox", { name, exact: true });
+  const type = async (name: string | RegExp, text: string): Promise<void> => {
+    await field(name).fill(text);
+    await field(name).press("Tab");
+  };
+  const values = (...names: (string | RegExp)[]): Promise<string[]> =>
+    Promise.all(names.map((name) => field(name).inputValue()));
+  const check = (name: string): ReturnType<Client["page"]["getByLabel"]> =>
+    client.page.getByLabel(name, { exact: true });
+
+  for (const [what, from, to] of [
+    ["colours", "Range from", "Range to"],
+    ["contour lines", "Contour lines from", "Contour lines to"],
+    ["the legend", /^Lowest value of/, /^Highest value of/],
+  ] as const)
+    test(`an end of the range of ${what} pushes the other before it`, async () => {
+      await type(to, "4.98");
+      await type(from, "0.19");
+      await type(from, "5");
+      assert.deepEqual(await values(from, to), ["5", "5"]);
+      await type(to, "10");
+      assert.deepEqual(await values(from, to), ["5", "10"]);
+      await type(to, "2");
+      assert.deepEqual(await values(from, to), ["2", "2"]);
+      await type(to, "4.98");
+      await type(from, "0.19");
+      await client.settled();
+    });
+
+  test("a logarithm that is switched on and off leaves Symmetric and the range as they were", async () => {
+    await type("Range from", "-3");
+    await check("Symmetric").check();
+    const wide = await values("Range from", "Range to");
+    await check("Logarithmic").check();
+    assert.notDeepEqual(await values("Range from", "Range to"), wide);
+    await check("Logarithmic").uncheck();
+    assert.ok(await check("Symmetric").isChecked());
+    assert.deepEqual(await values("Range from", "Range to"), wide);
+    await check("Symmetric").uncheck();
+    await type("Range from", "0.19");
+  });
+
+  test("a comma that may part thousands is asked about, a group of three is not", async () => {
+    await type("Position on z", "1,500");
+    await client.toast('"1,500" can be read in two ways; write 1500 or 1.500; it stays 2.4').waitFor();
+    assert.equal(await field("Position on z").inputValue(), "2.4");
+    await type("Position on z", "1,5");
+    assert.equal(await field("Position on z").inputValue(), "1.5");
+    await type("Position on z", "1\u202f500");
+    assert.equal(await field("Position on z").inputValue(), "1500");
+    await type("Position on z", "2.4");
+  });
+
+  test("a position that is typed switches its slice on, a new one and a hidden one", async () => {
+    for (const axis of ["X", "Y"]) {
+      assert.equal(await check(axis).isChecked(), false);
+      await type(`Position on ${axis.toLowerCase()}`, "2");
+      assert.ok(await check(axis).isChecked());
+      assert.equal(await field(`Position on ${axis.toLowerCase()}`).inputValue(), "2");
+    }
+    await client.settled();
+  });
+
+  test("a normal without a direction is refused with a sentence", async () => {
+    await type("Normal x", "0");
+    await client.toast(/A normal of 0, 0, 0 has no direction/).waitFor();
+    assert.equal(await field("Normal x").inputValue(), "1");
+  });
+
+  test("nothing went wrong on the way", () => assert.deepEqual(client.problems, []));
+});
