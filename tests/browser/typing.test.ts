@@ -6,23 +6,15 @@ import type { Client } from "./page.ts";
 import { nameOf } from "./server.ts";
 import { data, skip, Stage } from "./stage.ts";
 
+const range = [0.19, 4.98];
+const looks = { color: { array: "U:magnitude", range }, contours: { array: "U:magnitude", range } };
 const scene = {
   dataset: nameOf(data[0] ?? ""),
   layers: {
-    s: {
-      type: "slice",
-      axis: "z",
-      value: 2.4,
-      color: { array: "U:magnitude", range: [0.19, 4.98] },
-      contours: { array: "U:magnitude", range: [0.19, 4.98] },
-    },
-    y: { type: "slice", axis: "y", value: 3, visible: false, color: { array: "U:magnitude", range: [0.19, 4.98] } },
-    plane: {
-      type: "slice",
-      origin: [5, 0, 2],
-      normal: [1, 0, 0],
-      color: { array: "U:magnitude", range: [0.19, 4.98] },
-    },
+    s: { type: "slice", axis: "z", value: 2.4, ...looks },
+    y: { type: "slice", axis: "y", value: 3, visible: false, ...looks },
+    plane: { type: "slice", origin: [5, 0, 2], normal: [1, 0, 0], ...looks },
+    volume: { type: "volume", array: "tracer", slices: 20, color: { range: [0, 1] } },
   },
 };
 
@@ -34,21 +26,20 @@ describe("typing", { skip }, () => {
     await client.button("Colour scale of U:magnitude").click();
   });
 
-  const field = (name: string | RegExp): ReturnType<Client["page"]["getByLabel"]> =>
+  const field = (name: string): ReturnType<Client["page"]["getByLabel"]> =>
     client.page.getByRole("textbox", { name, exact: true });
-  const type = async (name: string | RegExp, text: string): Promise<void> => {
+  const type = async (name: string, text: string): Promise<void> => {
     await field(name).fill(text);
     await field(name).press("Tab");
   };
-  const values = (...names: (string | RegExp)[]): Promise<string[]> =>
-    Promise.all(names.map((name) => field(name).inputValue()));
+  const values = (...names: string[]): Promise<string[]> => Promise.all(names.map((name) => field(name).inputValue()));
   const check = (name: string): ReturnType<Client["page"]["getByLabel"]> =>
     client.page.getByLabel(name, { exact: true });
 
   for (const [what, from, to] of [
     ["colours", "Range from", "Range to"],
     ["contour lines", "Contour lines from", "Contour lines to"],
-    ["the legend", /^Lowest value of/, /^Highest value of/],
+    ["the legend", "Lowest value of the U:magnitude colours", "Highest value of the U:magnitude colours"],
   ] as const)
     test(`an end of the range of ${what} pushes the other before it`, async () => {
       await type(to, "4.98");
@@ -102,6 +93,20 @@ describe("typing", { skip }, () => {
     await type("Normal x", "0");
     await client.toast(/A normal of 0, 0, 0 has no direction/).waitFor();
     assert.equal(await field("Normal x").inputValue(), "1");
+  });
+
+  test("a point of an opacity curve is typed, and stays between its neighbours", async () => {
+    await client.button("Add an opacity point").click();
+    await client.page.getByRole("slider", { name: "Opacity point 2" }).focus();
+    await type("Value of opacity point 2", "0.25");
+    await type("Opacity of opacity point 2 in percent", "60");
+    const slider = client.page.getByRole("slider", { name: "Opacity point 2" });
+    assert.equal(await slider.getAttribute("aria-valuetext"), "60 % at 0.25");
+    await client.keep("typing-opacity");
+    await type("Value of opacity point 2", "-4");
+    assert.deepEqual(await values("Value of opacity point 2"), ["0"]);
+    await type("Opacity of opacity point 2 in percent", "160");
+    assert.deepEqual(await values("Opacity of opacity point 2 in percent"), ["100"]);
   });
 
   test("nothing went wrong on the way", () => assert.deepEqual(client.problems, []));

@@ -41,6 +41,14 @@ const ROWS: { title: string; keys: [string, string][] }[] = [
     ],
   },
   {
+    title: "On the opacity curve of a volume",
+    keys: [
+      ["Click beside the points", "One more point"],
+      ["Drag, arrow keys", "Move a point; with Shift in large steps"],
+      ["Delete, double click", "Take a point away"],
+    ],
+  },
+  {
     title: "In the list of layers",
     keys: [
       ["Drag a row", "Another order"],

@@ -1,12 +1,14 @@
 // The opacity curve of a volume over the histogram of its array. A click beside the points makes one; they are dragged,
 // moved by the arrow keys, and taken away by Delete or a double click.
 import type { JSX } from "preact";
+import { useState } from "preact/hooks";
 import type { Histogram } from "../app/state";
 import type { Range } from "../generated/protocol";
 import { formatNumber, valueAt } from "../scene/numbers";
 import { MOST_POINTS, inserted, keyedPoint, moved, removed, type OpacityPoint } from "../scene/opacity";
 import { useHandleDrag } from "./handle_drag";
 import { histogramBars } from "./histogram_bars";
+import { OpacityPointFields } from "./opacity_point_fields";
 
 interface Props {
   name: string;
@@ -35,9 +37,10 @@ interface HandleProps {
   value: string;
   onKeyDown: (event: KeyboardEvent) => void;
   onRemove: () => void;
+  onFocus: () => void;
 }
 
-function Handle({ index, point: [position, opacity], value, onKeyDown, onRemove }: HandleProps): JSX.Element {
+function Handle({ index, point: [position, opacity], value, onKeyDown, onRemove, onFocus }: HandleProps): JSX.Element {
   const text = `${Math.round(opacity * 100)} % at ${value}`;
   return (
     <div
@@ -50,16 +53,18 @@ function Handle({ index, point: [position, opacity], value, onKeyDown, onRemove 
       aria-valuemax={1}
       aria-valuenow={opacity}
       aria-valuetext={text}
-      title={text}
+      title={`${text}. Delete or a double click removes it`}
       style={{ left: `${position * 100}%`, top: `${(1 - opacity) * 100}%` }}
       onKeyDown={onKeyDown}
       onDblClick={onRemove}
+      onFocus={onFocus}
     />
   );
 }
 
 export function OpacityEditor(props: Props): JSX.Element {
   const { name, units, range, logarithmic, histogram, points, newGesture, onChange } = props;
+  const [chosen, setChosen] = useState(0);
   const { track, pointer, keyGesture } = useHandleDrag({
     newGesture,
     pressed: ({ x, y }, gesture) => {
@@ -81,6 +86,8 @@ export function OpacityEditor(props: Props): JSX.Element {
     onChange(to === null ? removed(points, index) : moved(points, index, to), keyGesture(event));
   };
   const span = range[1] - range[0];
+  const inHand = Math.min(chosen, points.length - 1);
+  const inHandPoint = points[inHand];
   const valueOf = (position: number): string =>
     `${formatNumber(valueAt(position, range, logarithmic), logarithmic ? undefined : span)} ${units}`.trim();
   return (
@@ -111,6 +118,7 @@ export function OpacityEditor(props: Props): JSX.Element {
             value={valueOf(point[0])}
             onKeyDown={(event) => onKeyDown(event, index)}
             onRemove={() => onChange(removed(points, index), newGesture())}
+            onFocus={() => setChosen(index)}
           />
         ))}
       </div>
@@ -119,6 +127,16 @@ export function OpacityEditor(props: Props): JSX.Element {
         <span>{units}</span>
         <span>{formatNumber(range[1], span)}</span>
       </div>
+      {inHandPoint !== undefined && (
+        <OpacityPointFields
+          index={inHand}
+          point={inHandPoint}
+          range={range}
+          logarithmic={logarithmic}
+          units={units}
+          set={(to) => onChange(moved(points, inHand, to), newGesture())}
+        />
+      )}
     </div>
   );
 }

@@ -1,0 +1,39 @@
+// The point of an opacity curve that was taken hold of last: where it is and how opaque, in numbers.
+import type { JSX } from "preact";
+import type { Range } from "../generated/protocol";
+import { fractionOf, valueAt } from "../scene/numbers";
+import type { OpacityPoint } from "../scene/opacity";
+import { NumberField } from "./controls";
+
+interface Props {
+  index: number;
+  point: OpacityPoint;
+  range: Range;
+  logarithmic: boolean;
+  units: string;
+  set: (to: OpacityPoint) => void;
+}
+
+export function OpacityPointFields({ index, point, range, logarithmic, units, set }: Props): JSX.Element {
+  const [position, opacity] = point;
+  const name = `opacity point ${index + 1}`;
+  return (
+    <div class="opacity-fields">
+      <span>Point {index + 1} at</span>
+      <NumberField
+        label={`Value of ${name}`}
+        value={valueAt(position, range, logarithmic)}
+        span={logarithmic ? undefined : range[1] - range[0]}
+        onChange={(typed) => set([fractionOf(typed, range, logarithmic), opacity])}
+      />
+      <span>{units} is</span>
+      <NumberField
+        label={`Opacity of ${name} in percent`}
+        value={Number((100 * opacity).toFixed(2))}
+        step={5}
+        onChange={(typed) => set([position, typed / 100])}
+      />
+      <span>% opaque</span>
+    </div>
+  );
+}
