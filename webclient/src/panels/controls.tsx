@@ -42,6 +42,8 @@ interface NumberFieldProps {
   shown?: (value: number) => string;
   placeholder?: string;
   step?: number;
+  /** Stands behind the number. */
+  unit?: string;
   onChange: (value: number) => void;
 }
 
@@ -68,7 +70,7 @@ export function NumberField(props: NumberFieldProps): JSX.Element {
     } else return;
     event.stopPropagation();
   };
-  return (
+  const input = (
     <input
       class="number-field"
       type="text"
@@ -88,6 +90,13 @@ export function NumberField(props: NumberFieldProps): JSX.Element {
       onBlur={commit}
       onKeyDown={onKeyDown}
     />
+  );
+  if (props.unit === undefined) return input;
+  return (
+    <span class="with-unit">
+      {input}
+      <small aria-hidden="true">{props.unit}</small>
+    </span>
   );
 }
 

@@ -34,6 +34,7 @@ export function LineStyleFields({ label, color, width, onChange }: LineStyleProp
           label={`Width of ${label} in pixels`}
           value={width}
           step={0.5}
+          unit="px"
           onChange={(typed) => onChange({ width: Math.min(Math.max(typed, 0.1), 32) })}
         />
       </label>

@@ -57,14 +57,21 @@ interface SizeProps {
   value: number;
   step: number;
   range: Range;
+  unit?: string;
   set: (value: number) => void;
 }
 
-function SizeField({ name, label, value, step, range, set }: SizeProps): JSX.Element {
+function SizeField({ name, label, value, step, range, unit, set }: SizeProps): JSX.Element {
   return (
     <label class="field">
       <span>{name}</span>
-      <NumberField label={label} value={value} step={step} onChange={(typed) => set(clamp(typed, ...range))} />
+      <NumberField
+        label={label}
+        value={value}
+        step={step}
+        {...(unit !== undefined && { unit })}
+        onChange={(typed) => set(clamp(typed, ...range))}
+      />
     </label>
   );
 }
@@ -88,11 +95,13 @@ function EdgesCard({ id, layer }: { id: string; layer: EdgesLayer }): JSX.Elemen
         value={layer.width ?? 1.5}
         step={0.5}
         range={[0.1, 32]}
+        unit="px"
         set={(width) => actions.setLayer(id, { width })}
       />
       {layer.angle !== undefined && (
         <SizeField
-          name="More than °"
+          name="By more than"
+          unit="°"
           label="Angle in degrees"
           value={layer.angle}
           step={5}
@@ -124,6 +133,7 @@ function PointsCard({ id, layer }: { id: string; layer: PointsLayer }): JSX.Elem
         value={layer.size ?? 4}
         step={1}
         range={[0.5, 64]}
+        unit="px"
         set={(size) => actions.setLayer(id, { size })}
       />
       <SizeField

@@ -28,6 +28,7 @@ export function PictureMenu({ disabled }: { disabled: boolean }): JSX.Element {
             <NumberField
               label="Height of the picture in pixels"
               value={height}
+              unit="px"
               onChange={(typed) => setChosen({ width, height: side(typed) })}
             />
           </div>
