@@ -109,5 +109,24 @@ describe("typing", { skip }, () => {
     assert.deepEqual(await values("Opacity of opacity point 2 in percent"), ["100"]);
   });
 
+  test("a number outside its limits becomes the nearest, which is said", async () => {
+    await type("Number of slices", "1e30");
+    await client.toast("Number of slices goes from 1 to 1000; 1e30 became 1000").waitFor();
+    assert.equal(await field("Number of slices").inputValue(), "1000");
+    await type("Number of slices", "20");
+  });
+
+  test("a logarithm over values below zero says what becomes of them", async () => {
+    const hint = client.page.getByText(
+      /^U:x goes down to \u2212\d.*: what is not above zero has the colour of the lower end/,
+    );
+    const section = client.page.locator(".section").filter({ has: client.button("Slices", true) });
+    await section.getByLabel("Colour by").selectOption("U:x");
+    await check("Logarithmic").first().check();
+    await hint.waitFor();
+    await check("Logarithmic").first().uncheck();
+    assert.equal(await hint.count(), 0);
+  });
+
   test("nothing went wrong on the way", () => assert.deepEqual(client.problems, []));
 });

@@ -36,7 +36,14 @@ function FieldOfView({ fov }: { fov: number }): JSX.Element {
           newGesture={() => editor.newGesture()}
           onChange={set}
         />
-        <NumberField label="Field of view in degrees" value={fov} span={90} step={5} onChange={set} />
+        <NumberField
+          label="Field of view in degrees"
+          value={fov}
+          span={90}
+          step={5}
+          limits={FOV_RANGE}
+          onChange={set}
+        />
       </div>
     </div>
   );

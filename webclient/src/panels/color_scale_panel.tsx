@@ -14,7 +14,7 @@ import {
   type ColoringChange,
 } from "../scene/color_edit";
 import { isShownBy, rangeOf, scaleOf } from "../scene/color_range";
-import { clamp } from "../scene/numbers";
+import { formatNumber } from "../scene/numbers";
 import { rangeOfAllSteps, type Colored, type ScaledColoring } from "../scene/scalars";
 import { PointsEditor } from "./color_points";
 import { gradientOf, MapGallery } from "./color_swatch";
@@ -150,7 +150,8 @@ function Ways({ of, coloring, scale, change }: WaysProps): JSX.Element {
               label="Number of steps"
               value={steps}
               step={1}
-              onChange={(count) => change({ steps: clamp(Math.round(count), 2, MOST_STEPS) })}
+              limits={[2, MOST_STEPS]}
+              onChange={(count) => change({ steps: Math.round(count) })}
             />
           )}
         </div>
@@ -190,6 +191,12 @@ export function ColorScalePanel({ of, coloring, data }: Props): JSX.Element {
           {!isShownBy(coloring, data) && (
             <p class="hint" role="status">
               {coloring.array} has no value above zero now: a logarithmic scale shows none.
+            </p>
+          )}
+          {scale.log && data[0] < 0 && data[1] > 0 && (
+            <p class="hint" role="status">
+              {`${coloring.array} goes down to ${formatNumber(data[0])}: what is not above zero has the colour of `}
+              {coloring.below ? "values below the range." : "the lower end."}
             </p>
           )}
           <RangeFields of={of} coloring={coloring} data={data} change={change} />

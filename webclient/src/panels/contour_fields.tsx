@@ -10,7 +10,7 @@ import {
   ofArray,
   type ContoursChange,
 } from "../scene/contours";
-import { clamp, withEnd } from "../scene/numbers";
+import { withEnd } from "../scene/numbers";
 import { firstScalar, scalarsOf } from "../scene/scalars";
 import { ColoringFields } from "./coloring";
 import { Check, NumberField, SelectField } from "./controls";
@@ -68,7 +68,8 @@ function ValuesFields({ contours, set }: FieldsProps): JSX.Element {
               label="Number of contour lines"
               value={contours.count ?? DEFAULT_COUNT}
               step={1}
-              onChange={(typed) => set({ count: clamp(Math.round(typed), 1, MOST_COUNT) })}
+              limits={[1, MOST_COUNT]}
+              onChange={(typed) => set({ count: Math.round(typed) })}
             />
           </label>
         )}

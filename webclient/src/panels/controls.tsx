@@ -1,7 +1,7 @@
 // The few controls that all panels are made of.
 import type { ComponentChildren, JSX } from "preact";
 import { useEffect, useRef, useState } from "preact/hooks";
-import { formatNumber, parseNumber, whyNoNumber } from "../scene/numbers";
+import { clamp, formatNumber, parseNumber, whyNoNumber } from "../scene/numbers";
 import { useApp } from "./context";
 import { Icon, type IconName } from "./icons";
 
@@ -44,29 +44,39 @@ interface NumberFieldProps {
   step?: number;
   /** Stands behind the number. */
   unit?: string;
+  /** What is typed outside becomes the nearest of them, which is said. */
+  limits?: readonly [number, number];
   onChange: (value: number) => void;
 }
 
 /** Commits on Enter and when it loses the focus; Escape takes the typing back. */
 export function NumberField(props: NumberFieldProps): JSX.Element {
-  const { value, label, span, placeholder, step, onChange } = props;
+  const { value, label, span, placeholder, step, limits, onChange } = props;
   const shown = value === null ? "" : formatNumber(value, span === undefined ? undefined : span / 10);
   const { toasts } = useApp();
   const [typed, setTyped] = useState<string | null>(null);
   const text = typed ?? (value === null || props.shown === undefined ? shown : props.shown(value));
   const wrong = typed !== null && typed !== "" && parseNumber(typed) === null;
+  const within = (number: number): number => (limits === undefined ? number : clamp(number, ...limits));
   const commit = (): void => {
     const parsed = typed === null || typed === shown ? null : parseNumber(typed);
     setTyped(null);
     if (wrong) toasts.show(`${whyNoNumber(typed)}; it stays ${shown || "empty"}`, "error");
-    if (parsed !== null && parsed !== value) onChange(parsed);
+    if (parsed === null) return;
+    const kept = within(parsed);
+    if (kept !== parsed && limits !== undefined) {
+      const [low, high] = limits.map((end) => formatNumber(end));
+      toasts.show(`${label} goes from ${low} to ${high}; ${typed} became ${formatNumber(kept)}`);
+    }
+    if (kept !== value) onChange(kept);
   };
   const onKeyDown = (event: KeyboardEvent): void => {
     if (event.key === "Enter") commit();
     else if (event.key === "Escape") setTyped(null);
     else if ((event.key === "ArrowUp" || event.key === "ArrowDown") && step !== undefined && value !== null) {
       event.preventDefault();
-      onChange(Number((value + (event.key === "ArrowUp" ? step : -step)).toPrecision(12)));
+      const to = within(Number((value + (event.key === "ArrowUp" ? step : -step)).toPrecision(12)));
+      if (to !== value) onChange(to);
     } else return;
     event.stopPropagation();
   };

@@ -35,7 +35,8 @@ export function LineStyleFields({ label, color, width, onChange }: LineStyleProp
           value={width}
           step={0.5}
           unit="px"
-          onChange={(typed) => onChange({ width: Math.min(Math.max(typed, 0.1), 32) })}
+          limits={[0.1, 32]}
+          onChange={(typed) => onChange({ width: typed })}
         />
       </label>
     </div>

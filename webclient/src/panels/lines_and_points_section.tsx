@@ -1,7 +1,7 @@
 // The mesh itself: the edges of its boundary, its vertices.
 import type { ComponentChildren, JSX } from "preact";
 import type { EdgesLayer, PointsLayer, Range } from "../generated/protocol";
-import { clamp, formatCount } from "../scene/numbers";
+import { formatCount } from "../scene/numbers";
 import { layersOf } from "../scene/scalars";
 import { ColoringFields, OpacityField } from "./coloring";
 import { IconButton, NumberField, Section, SelectField } from "./controls";
@@ -70,7 +70,8 @@ function SizeField({ name, label, value, step, range, unit, set }: SizeProps): J
         value={value}
         step={step}
         {...(unit !== undefined && { unit })}
-        onChange={(typed) => set(clamp(typed, ...range))}
+        limits={range}
+        onChange={set}
       />
     </label>
   );

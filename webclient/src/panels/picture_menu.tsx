@@ -3,12 +3,12 @@ import type { JSX } from "preact";
 import { useState } from "preact/hooks";
 import type { Size } from "../camera/camera";
 import { LARGEST, SMALLEST } from "../app/canvas_size";
-import { clamp } from "../scene/numbers";
+import type { Range } from "../generated/protocol";
 import { Menu, NumberField } from "./controls";
 import { useApp } from "./context";
 
 const FACTORS = [1, 2, 4];
-const side = (pixels: number): number => clamp(Math.round(pixels), SMALLEST, LARGEST);
+const SIDES: Range = [SMALLEST, LARGEST];
 
 export function PictureMenu({ disabled }: { disabled: boolean }): JSX.Element {
   const { actions, size } = useApp();
@@ -22,14 +22,16 @@ export function PictureMenu({ disabled }: { disabled: boolean }): JSX.Element {
             <NumberField
               label="Width of the picture in pixels"
               value={width}
-              onChange={(typed) => setChosen({ width: side(typed), height })}
+              limits={SIDES}
+              onChange={(typed) => setChosen({ width: Math.round(typed), height })}
             />
             <span aria-hidden="true">×</span>
             <NumberField
               label="Height of the picture in pixels"
               value={height}
               unit="px"
-              onChange={(typed) => setChosen({ width, height: side(typed) })}
+              limits={SIDES}
+              onChange={(typed) => setChosen({ width, height: Math.round(typed) })}
             />
           </div>
           <div class="row" role="group" aria-label="Times the size of the view">

@@ -22,8 +22,7 @@ const DIRECTIONS = [
 function VolumeFields({ id, layer }: { id: string; layer: VolumeLayer }): JSX.Element {
   const { actions } = useApp();
   const units = useAppState((state) => state.description?.length_units) ?? "";
-  const setSlices = (typed: number): void =>
-    actions.setLayer(id, { slices: Math.min(MOST_SLICES, Math.max(1, Math.round(typed))) });
+  const setSlices = (typed: number): void => actions.setLayer(id, { slices: Math.round(typed) });
   return (
     <div class="fields">
       <SelectField
@@ -39,6 +38,7 @@ function VolumeFields({ id, layer }: { id: string; layer: VolumeLayer }): JSX.El
           value={layer.slices ?? DEFAULT_SLICES}
           span={MOST_SLICES}
           step={10}
+          limits={[1, MOST_SLICES]}
           onChange={setSlices}
         />
       </label>
