@@ -116,6 +116,15 @@ describe("typing", { skip }, () => {
     await type("Number of slices", "20");
   });
 
+  test("a point of one's own colours stays between its neighbours, which is said", async () => {
+    await check("Colours of my own").first().check();
+    const before = await values("Value of colour 1", "Value of colour 2");
+    await type("Value of colour 1", String(Number(before[1]) + 1));
+    await client.toast(/^Value of colour 1 goes from .* became/).waitFor();
+    assert.deepEqual(await values("Value of colour 1"), [before[1]]);
+    await check("Colours of my own").first().uncheck();
+  });
+
   test("a logarithm over values below zero says what becomes of them", async () => {
     const hint = client.page.getByText(
       /^U:x goes down to \u2212\d.*: what is not above zero has the colour of the lower end/,

@@ -1,7 +1,7 @@
 // Colours of one's own: points on a bar that the hand and the keyboard move, and a row for each.
 import type { JSX } from "preact";
 import { colorOf, hexOf, placeOf, valueAtPlace, type ColorScale } from "../display/color_scale";
-import type { ColorPoint } from "../generated/protocol";
+import type { ColorPoint, Range } from "../generated/protocol";
 import { addedPoint, MOST_POINTS, movedPoint } from "../scene/color_edit";
 import { clamp, formatNumber } from "../scene/numbers";
 import { gradientOf } from "./color_swatch";
@@ -30,6 +30,13 @@ const rounded = (at: number): number => Number(at.toFixed(4));
 
 /** Where a point is seen, or which one is meant there: both ways the same. */
 const turned = ({ reverse }: ColorScale, at: number): number => (reverse ? rounded(1 - at) : at);
+
+/** Of the points beside it: one does not go past them. */
+function valuesBetween(scale: ColorScale, index: number): Range {
+  const places = [scale.points[index - 1]?.at ?? 0, scale.points[index + 1]?.at ?? 1];
+  const [a = 0, b = 0] = places.map((at) => Number(valueAtPlace(scale, turned(scale, at)).toPrecision(6)));
+  return [Math.min(a, b), Math.max(a, b)];
+}
 
 function PointsBar({ scale, onChange }: Props): JSX.Element {
   const { editor } = useApp();
@@ -96,6 +103,7 @@ export function PointsEditor({ scale, onChange }: Props): JSX.Element {
             label={`Value of colour ${index + 1}`}
             value={Number(valueAtPlace(scale, turned(scale, at)).toPrecision(6))}
             span={span}
+            limits={valuesBetween(scale, index)}
             onChange={(value) =>
               onChange(movedPoint(points, index, turned(scale, rounded(clamp(placeOf(scale, value), 0, 1)))))
             }

@@ -131,6 +131,7 @@ export function OpacityEditor(props: Props): JSX.Element {
         <OpacityPointFields
           index={inHand}
           point={inHandPoint}
+          between={[points[inHand - 1]?.[0] ?? 0, points[inHand + 1]?.[0] ?? 1]}
           range={range}
           logarithmic={logarithmic}
           units={units}

@@ -8,13 +8,15 @@ import { NumberField } from "./controls";
 interface Props {
   index: number;
   point: OpacityPoint;
+  /** Of the points beside it. */
+  between: Range;
   range: Range;
   logarithmic: boolean;
   units: string;
   set: (to: OpacityPoint) => void;
 }
 
-export function OpacityPointFields({ index, point, range, logarithmic, units, set }: Props): JSX.Element {
+export function OpacityPointFields({ index, point, between, range, logarithmic, units, set }: Props): JSX.Element {
   const [position, opacity] = point;
   const name = `opacity point ${index + 1}`;
   return (
@@ -24,6 +26,7 @@ export function OpacityPointFields({ index, point, range, logarithmic, units, se
         label={`Value of ${name}`}
         value={valueAt(position, range, logarithmic)}
         span={logarithmic ? undefined : range[1] - range[0]}
+        limits={[valueAt(between[0], range, logarithmic), valueAt(between[1], range, logarithmic)]}
         onChange={(typed) => set([fractionOf(typed, range, logarithmic), opacity])}
       />
       <span>{units} is</span>
@@ -31,6 +34,7 @@ export function OpacityPointFields({ index, point, range, logarithmic, units, se
         label={`Opacity of ${name} in percent`}
         value={Number((100 * opacity).toFixed(2))}
         step={5}
+        limits={[0, 100]}
         onChange={(typed) => set([position, typed / 100])}
       />
       <span>% opaque</span>
