@@ -5,6 +5,7 @@
 
 #include "render/gl.hpp"
 #include "render/renderer.hpp"
+#include "render/vertex_arrays.hpp"
 
 #include <glm/vec4.hpp>
 #include <vector>
@@ -49,7 +50,7 @@ private:
     void upload_order(const std::vector<Triangle>& order);
 
     const Gl& gl_;
-    GLuint array_ = 0, vertex_buffer_ = 0, index_buffer_ = 0;
+    VertexArrays arrays_;
     glm::vec4 depth_row_{};
     bool is_sorted_ = false;
     std::vector<Held> held_;

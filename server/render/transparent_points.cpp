@@ -4,29 +4,15 @@
 #include "render/shaders.hpp"
 #include "render/sort_by_key.hpp"
 
-#include <cstddef>
-
 namespace ciel::render {
 
-TransparentPoints::TransparentPoints(const Gl& gl) : gl_(gl) {
-    gl_.GenVertexArrays(1, &array_);
-    gl_.GenBuffers(1, &vertex_buffer_);
-    gl_.GenBuffers(1, &index_buffer_);
-    gl_.BindVertexArray(array_);
-    gl_.BindBuffer(GL_ARRAY_BUFFER, vertex_buffer_);
-    gl_.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, index_buffer_);
-    const auto attribute = [&](GLuint index, int components, std::size_t offset) {
-        gl_.EnableVertexAttribArray(index);
-        gl_.VertexAttribPointer(
-            index, components, GL_FLOAT, GL_FALSE, sizeof(Vertex),
-            reinterpret_cast<const void*>(offset)); // NOLINT(performance-no-int-to-ptr): GL's own way
-    };
-    attribute(attribute_position, 3, offsetof(Vertex, position));
-    attribute(attribute_scalar, 1, offsetof(Vertex, scalar));
-    attribute(attribute_size, 1, offsetof(Vertex, size));
-    attribute(attribute_color, 4, offsetof(Vertex, color));
-    attribute(attribute_style, 2, offsetof(Vertex, style));
-}
+TransparentPoints::TransparentPoints(const Gl& gl)
+    : gl_(gl), arrays_(make_vertex_arrays(gl, sizeof(Vertex),
+                                          {{attribute_position, 3, offsetof(Vertex, position)},
+                                           {attribute_scalar, 1, offsetof(Vertex, scalar)},
+                                           {attribute_size, 1, offsetof(Vertex, size)},
+                                           {attribute_color, 4, offsetof(Vertex, color)},
+                                           {attribute_style, 2, offsetof(Vertex, style)}})) {}
 
 void TransparentPoints::load(const std::vector<Part>& parts, const glm::vec4& depth_row) {
     std::vector<Held> wanted;
@@ -62,7 +48,7 @@ void TransparentPoints::add(const Part& part) {
 
 void TransparentPoints::upload_vertices() {
     if (vertices_.empty()) return;
-    gl_.BindBuffer(GL_ARRAY_BUFFER, vertex_buffer_);
+    gl_.BindBuffer(GL_ARRAY_BUFFER, arrays_.vertices);
     gl_.BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(vertices_.size() * sizeof(Vertex)), vertices_.data(),
                    GL_STREAM_DRAW);
 }
@@ -79,13 +65,13 @@ void TransparentPoints::upload_order() {
     order_.clear();
     for (const Point& point : sorted_) order_.push_back(point.vertex);
     if (order_.empty()) return;
-    gl_.BindVertexArray(array_);
+    gl_.BindVertexArray(arrays_.array);
     gl_.BufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(order_.size() * sizeof(Index)), order_.data(),
                    GL_STREAM_DRAW);
 }
 
 void TransparentPoints::draw() const {
-    gl_.BindVertexArray(array_);
+    gl_.BindVertexArray(arrays_.array);
     gl_.DrawElements(GL_POINTS, static_cast<GLsizei>(order_.size()), GL_UNSIGNED_INT, nullptr);
 }
 

@@ -4,6 +4,7 @@
 
 #include "render/gl.hpp"
 #include "render/renderer.hpp"
+#include "render/vertex_arrays.hpp"
 
 #include <glm/vec4.hpp>
 #include <vector>
@@ -48,7 +49,7 @@ private:
     void upload_order();
 
     const Gl& gl_;
-    GLuint array_ = 0, vertex_buffer_ = 0, index_buffer_ = 0;
+    VertexArrays arrays_;
     glm::vec4 depth_row_{};
     std::vector<Held> held_;
     std::vector<Vertex> vertices_; // one a point, in the order of the parts: ties are drawn in it

@@ -47,28 +47,17 @@ std::uint64_t places_of(const SlabMesh& mesh) {
     return hash;
 }
 
+VertexArrays make_arrays(const Gl& gl) {
+    return make_vertex_arrays(gl, sizeof(SlabVertex),
+                              {{volume_position, 3, offsetof(SlabVertex, position)},
+                               {volume_value, 1, offsetof(SlabVertex, value)},
+                               {volume_gradient, 3, offsetof(SlabVertex, gradient)},
+                               {volume_limits, 2, offsetof(SlabVertex, limits)}});
+}
+
 } // namespace
 
-VolumeBuffers::VolumeBuffers(const Gl& gl) : gl_(gl), slices_(make_arrays()), boundary_(make_arrays()) {}
-
-VolumeBuffers::Arrays VolumeBuffers::make_arrays() const {
-    Arrays arrays;
-    gl_.GenVertexArrays(1, &arrays.array);
-    gl_.GenBuffers(1, &arrays.vertices);
-    gl_.GenBuffers(1, &arrays.indices);
-    gl_.BindVertexArray(arrays.array);
-    gl_.BindBuffer(GL_ARRAY_BUFFER, arrays.vertices);
-    gl_.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, arrays.indices);
-    const auto attribute = [&](GLuint index, int components, std::size_t at) {
-        gl_.EnableVertexAttribArray(index);
-        gl_.VertexAttribPointer(index, components, GL_FLOAT, GL_FALSE, sizeof(SlabVertex), offset(at));
-    };
-    attribute(volume_position, 3, offsetof(SlabVertex, position));
-    attribute(volume_value, 1, offsetof(SlabVertex, value));
-    attribute(volume_gradient, 3, offsetof(SlabVertex, gradient));
-    attribute(volume_limits, 2, offsetof(SlabVertex, limits));
-    return arrays;
-}
+VolumeBuffers::VolumeBuffers(const Gl& gl) : gl_(gl), slices_(make_arrays(gl)), boundary_(make_arrays(gl)) {}
 
 void VolumeBuffers::load(const Volume& volume) {
     const bool same_slices = identity_ == volume.identity && revision_ == volume.revision && revision_ != 0;

@@ -1,6 +1,7 @@
 // A volume's slices and boundary on the GL's side, kept from frame to frame.
 #pragma once
 
+#include "render/vertex_arrays.hpp"
 #include "render/volume/index_parts.hpp"
 #include "render/volume/inner_polygons.hpp"
 #include "render/volume/volume.hpp"
@@ -38,15 +39,11 @@ public:
     [[nodiscard]] std::uint64_t boundary_places() const { return boundary_places_; }
 
 private:
-    struct Arrays {
-        GLuint array = 0, vertices = 0, indices = 0;
-    };
-    [[nodiscard]] Arrays make_arrays() const;
     void upload_slices(const std::vector<SortedSlice>& slices);
     void upload_boundary(const SlabMesh& mesh, const std::vector<std::vector<Index>>& lists);
 
     const Gl& gl_;
-    Arrays slices_, boundary_;
+    VertexArrays slices_, boundary_;
     std::vector<Slice> slice_of_slab_;
     std::vector<IndexRange> boundary_of_slab_;
     std::vector<std::vector<IndexPart>> slice_parts_, boundary_parts_;
