@@ -297,12 +297,10 @@ TEST_P(PeelingTest, LinesOnASheetAreWholeWhileSomethingMoves) {
 }
 
 // A cube of even fog with a sheet in its middle: half of the fog is before the sheet, half behind it.
+// Along the slabs, and across four thick ones: both sheets are before the middles of theirs.
 TEST_P(PeelingTest, ASheetInAVolume) {
-    VolumeScene fog(test::hexahedra({{4, 4, 4}}), [](const Vec3d&) { return 1.0; });
-    Volume volume = fog.volume({1, 0, 0}, 50);
-    volume.scale.range = {0, 1};
-    volume.opacity_points = {{0, 0.5}, {1, 0.5}};
-    volume.unit_length = 2; // half of the cube takes half of the light
+    VolumeScene along(test::hexahedra({{4, 4, 4}}), [](const Vec3d&) { return 1.0; });
+    VolumeScene across(test::hexahedra({{4, 4, 4}}), [](const Vec3d&) { return 1.0; });
     frame.bounds_min = {0, 0, 0};
     frame.bounds_max = {4, 4, 4};
     frame.camera.position = {2, -9, 2};
@@ -314,17 +312,24 @@ TEST_P(PeelingTest, ASheetInAVolume) {
             return Vec3f{static_cast<float>(4 * u), static_cast<float>(y), static_cast<float>(4 * v)};
         });
     };
-    for (const int samples : {1, 4}) {
-        frame.samples = samples;
-        frame.meshes.clear();
-        frame.volumes = {volume};
-        add(sheet(2), red, 0.5);
-        renderer.draw(frame, image);
-        expect(160, 120, over({{white, 0.5}, {red, 0.5}, {white, 0.5}}, {}), 3);
-        add(sheet(3), green, 1);
-        renderer.draw(frame, image);
-        expect(160, 120, over({{white, 0.5}, {red, 0.5}, {white, 1 - std::sqrt(0.5)}}, green), 3);
-    }
+    const auto fog = [](double length) { return 1 - std::pow(0.5, length / 2); }; // two take half of the light
+    for (Volume volume : {along.volume({1, 0, 0}, 50), across.volume({0, 1, 0}, 4)})
+        for (const bool parallel : {true, false})
+            for (const int samples : {1, 4}) {
+                volume.scale.range = {0, 1};
+                volume.opacity_points = {{0, 0.5}, {1, 0.5}};
+                volume.unit_length = 2;
+                frame.camera.parallel = parallel;
+                frame.samples = samples;
+                frame.meshes.clear();
+                frame.volumes = {volume};
+                add(sheet(2.2), red, 0.5);
+                renderer.draw(frame, image);
+                expect(160, 120, over({{white, fog(2.2)}, {red, 0.5}, {white, fog(1.8)}}, {}), 3);
+                add(sheet(3.4), green, 1);
+                renderer.draw(frame, image);
+                expect(160, 120, over({{white, fog(2.2)}, {red, 0.5}, {white, fog(1.2)}}, green), 3);
+            }
 }
 
 INSTANTIATE_TEST_SUITE_P(, PeelingTest, testing::ValuesIn(available_backends()), name_of_test);
