@@ -2,13 +2,13 @@
 #pragma once
 
 #include "render/ambient_occlusion.hpp"
+#include "render/annotations/overlay_painter.hpp"
 #include "render/camera.hpp"
 #include "render/color_scales.hpp"
 #include "render/depth_peeling.hpp"
 #include "render/kept_picture.hpp"
 #include "render/mesh_buffers.hpp"
 #include "render/opaque_depth.hpp"
-#include "render/overlay_painter.hpp"
 #include "render/shaders.hpp"
 #include "render/surface_slopes.hpp"
 #include "render/target.hpp"

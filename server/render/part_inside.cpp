@@ -1,6 +1,6 @@
 // This work is based on: Y.-D. Liang, B. A. Barsky, "A New Concept and Method for Line Clipping", ACM Transactions on
 // Graphics 3(1), 1984.
-#include "render/overlay.hpp"
+#include "render/annotations/overlay.hpp"
 
 #include <algorithm>
 

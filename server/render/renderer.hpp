@@ -2,7 +2,7 @@
 #pragma once
 
 #include "ciel/types.hpp"
-#include "render/annotations.hpp"
+#include "render/annotations/annotations.hpp"
 #include "render/color_scale.hpp"
 #include "render/lighting.hpp"
 #include "render/volume/volume.hpp"

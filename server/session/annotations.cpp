@@ -1,6 +1,6 @@
 #include "session/annotations.hpp"
 
-#include "render/ticks.hpp"
+#include "render/annotations/ticks.hpp"
 #include "session/legend_names.hpp"
 
 namespace ciel::session {

@@ -1,6 +1,6 @@
 #include "session/empty_layers.hpp"
 
-#include "render/ticks.hpp"
+#include "render/annotations/ticks.hpp"
 #include "session/cutter.hpp"
 #include "session/layer_update.hpp"
 #include "session/volume_cut.hpp"

@@ -1,4 +1,4 @@
-#include "render/make_room.hpp"
+#include "render/annotations/make_room.hpp"
 #include "render/renderer.hpp"
 #include "session/annotations.hpp"
 #include "session/clip.hpp"

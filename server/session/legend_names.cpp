@@ -1,6 +1,6 @@
 #include "session/legend_names.hpp"
 
-#include "render/ticks.hpp"
+#include "render/annotations/ticks.hpp"
 
 #include <algorithm>
 #include <map>

@@ -130,7 +130,7 @@ private:
 };
 
 // Borrows from `geometry`. samples: 1, or 4 for stills. Without a camera in the scene it looks from as far as what is
-// written over pictures needs (render/make_room.hpp), though it carries none of it.
+// written over pictures needs (render/annotations/make_room.hpp), though it carries none of it.
 [[nodiscard]] render::Frame frame_of(const Geometry& geometry, const scene::Scene& scene, int width, int height,
                                      int samples);
 // Of the whole of the bounds, or of a box in them, beside what is written over pictures of that shape.

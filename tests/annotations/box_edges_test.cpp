@@ -1,6 +1,6 @@
 // Which edges of the box carry the numbers: against views whose answer can be seen.
 #include "pages.hpp"
-#include "render/box_edges.hpp"
+#include "render/annotations/box_edges.hpp"
 
 #include <algorithm>
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // Text through FreeType, and UTF-8 against the standard's own examples.
 #include "ciel/types.hpp"
-#include "render/font.hpp"
+#include "render/annotations/font.hpp"
 
 #include <algorithm>
 #include <gmock/gmock.h>

@@ -1,9 +1,9 @@
 // The laws of every layout: text lies inside the picture and never on other text. In tables of sizes, scales and
 // directions of view.
 #include "pages.hpp"
-#include "render/box_edges.hpp"
-#include "render/make_room.hpp"
-#include "render/page.hpp"
+#include "render/annotations/box_edges.hpp"
+#include "render/annotations/make_room.hpp"
+#include "render/annotations/page.hpp"
 
 #include <algorithm>
 #include <gtest/gtest.h>

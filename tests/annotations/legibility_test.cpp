@@ -1,6 +1,6 @@
 // All that is written is read over any picture: its contrast, as WCAG 2.1 measures it, to what is around the letters.
 #include "pages.hpp"
-#include "render/page.hpp"
+#include "render/annotations/page.hpp"
 
 #include <algorithm>
 #include <gtest/gtest.h>

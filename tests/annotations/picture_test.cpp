@@ -1,7 +1,7 @@
 // Annotations as pixels, on every back end of this machine.
 #include "pages.hpp"
+#include "render/annotations/page.hpp"
 #include "render/color_map.hpp"
-#include "render/page.hpp"
 #include "support/golden/golden.hpp"
 
 #include <gmock/gmock.h>

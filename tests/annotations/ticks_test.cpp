@@ -1,6 +1,6 @@
 // Ticks and numbers against a table, and their laws for random ranges.
-#include "render/color_ticks.hpp"
-#include "render/ticks.hpp"
+#include "render/annotations/color_ticks.hpp"
+#include "render/annotations/ticks.hpp"
 
 #include <cmath>
 #include <gtest/gtest.h>

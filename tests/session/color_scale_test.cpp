@@ -1,6 +1,6 @@
 // From a scene's words on colours to colours, by the cases that the browser is held to, too.
-#include "render/color_ticks.hpp"
-#include "render/ticks.hpp"
+#include "render/annotations/color_ticks.hpp"
+#include "render/annotations/ticks.hpp"
 #include "session/color_scale_of.hpp"
 
 #include <cmath>

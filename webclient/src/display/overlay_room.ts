@@ -1,4 +1,4 @@
-// What lies over the canvas keeps clear of each other, by the rule of server/render/page.hpp: captions, legends, triad,
+// What lies over the canvas keeps clear of each other, by the rule of server/render/annotations/page.hpp: captions, legends, triad,
 // axes; what comes later gives way. Places are CSS pixels of the stage.
 import type { Size } from "../camera/camera";
 

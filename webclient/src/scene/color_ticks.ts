@@ -1,4 +1,4 @@
-// Where a legend has its marks and what stands beside them: the twin of server/render/color_ticks.cpp.
+// Where a legend has its marks and what stands beside them: the twin of server/render/annotations/color_ticks.cpp.
 import { hasWidth, placeOf, valueAtPlace, type ColorScale } from "../display/color_scale";
 import { clamp } from "./numbers";
 import { commonExponent, niceScale, numberAlone, numberLabel } from "./ticks";

@@ -1,4 +1,4 @@
-// Where a scale is marked, and how its numbers are written: the twin of server/render/ticks.cpp, held to the same cases
+// Where a scale is marked, and how its numbers are written: the twin of server/render/annotations/ticks.cpp, held to the same cases
 // (tests/support/tick_cases.json), so that the page and the pictures that are saved of it say the same.
 import { clamp, MINUS, superscript } from "./numbers";
 

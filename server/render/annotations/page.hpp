@@ -1,8 +1,8 @@
 // One picture's sheet while its annotations are laid out: how large things are, what is taken, and what is drawn.
 #pragma once
 
-#include "render/font.hpp"
-#include "render/overlay.hpp"
+#include "render/annotations/font.hpp"
+#include "render/annotations/overlay.hpp"
 #include "render/renderer.hpp"
 
 namespace ciel::render {

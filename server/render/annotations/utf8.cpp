@@ -1,5 +1,5 @@
 // The best practice of Unicode 15, section 3.9: each longest start of a well-formed sequence becomes one U+FFFD.
-#include "render/font.hpp"
+#include "render/annotations/font.hpp"
 
 namespace ciel::render {
 namespace {

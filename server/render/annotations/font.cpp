@@ -1,7 +1,7 @@
-#include "render/font.hpp"
+#include "render/annotations/font.hpp"
 
 #include "ciel/types.hpp"
-#include "render/fallback_font.hpp"
+#include "render/annotations/fallback_font.hpp"
 
 #include <ft2build.h>
 #include FT_FREETYPE_H

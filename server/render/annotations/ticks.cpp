@@ -1,4 +1,4 @@
-#include "render/ticks.hpp"
+#include "render/annotations/ticks.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
-#include "render/color_ticks.hpp"
+#include "render/annotations/color_ticks.hpp"
 
-#include "render/ticks.hpp"
+#include "render/annotations/ticks.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 // The edges of a box in a picture, as an axis of a diagram wants them.
 #pragma once
 
+#include "render/annotations/overlay.hpp"
 #include "render/camera.hpp"
-#include "render/overlay.hpp"
 
 #include <glm/vec3.hpp>
 #include <optional>

@@ -1,7 +1,7 @@
 // Ticks, numbers and names along three edges of the bounding box.
-#include "render/box_edges.hpp"
-#include "render/page.hpp"
-#include "render/ticks.hpp"
+#include "render/annotations/box_edges.hpp"
+#include "render/annotations/page.hpp"
+#include "render/annotations/ticks.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "render/page.hpp"
+#include "render/annotations/page.hpp"
 
 #include <algorithm>
 #include <cmath>

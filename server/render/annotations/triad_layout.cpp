@@ -1,6 +1,6 @@
 // Where x, y and z point, at the lower left; the colours are the page's.
+#include "render/annotations/page.hpp"
 #include "render/camera.hpp"
-#include "render/page.hpp"
 
 #include <algorithm>
 #include <cmath>

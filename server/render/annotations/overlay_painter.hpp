@@ -1,8 +1,8 @@
 // Draws annotations over a finished picture: one buffer, one program, one draw.
 #pragma once
 
-#include "render/glyph_atlas.hpp"
-#include "render/overlay.hpp"
+#include "render/annotations/glyph_atlas.hpp"
+#include "render/annotations/overlay.hpp"
 #include "render/renderer.hpp"
 #include "render/touched_tiles.hpp"
 

@@ -1,7 +1,7 @@
-#include "render/make_room.hpp"
+#include "render/annotations/make_room.hpp"
 
-#include "render/box_edges.hpp"
-#include "render/page.hpp"
+#include "render/annotations/box_edges.hpp"
+#include "render/annotations/page.hpp"
 
 #include <algorithm>
 #include <cmath>

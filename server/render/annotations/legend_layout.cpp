@@ -1,7 +1,7 @@
 // Colour bars at the right, in columns from the upper corner to the left.
-#include "render/color_ticks.hpp"
-#include "render/page.hpp"
-#include "render/ticks.hpp"
+#include "render/annotations/color_ticks.hpp"
+#include "render/annotations/page.hpp"
+#include "render/annotations/ticks.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // The title across the top, and lines of text at the upper left.
-#include "render/page.hpp"
+#include "render/annotations/page.hpp"
 
 #include <cmath>
 

@@ -1,4 +1,4 @@
-#include "render/fallback_font.hpp"
+#include "render/annotations/fallback_font.hpp"
 
 #include <fontconfig/fontconfig.h>
 #include <memory>

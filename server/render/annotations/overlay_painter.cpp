@@ -1,6 +1,6 @@
-#include "render/overlay_painter.hpp"
+#include "render/annotations/overlay_painter.hpp"
 
-#include "render/page.hpp"
+#include "render/annotations/page.hpp"
 #include "render/shaders.hpp"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-#include "render/glyph_atlas.hpp"
+#include "render/annotations/glyph_atlas.hpp"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "render/box_edges.hpp"
+#include "render/annotations/box_edges.hpp"
 
 #include <algorithm>
 #include <cmath>

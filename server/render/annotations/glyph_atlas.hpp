@@ -1,7 +1,7 @@
 // Letters as they are on the screen, each drawn once and kept in one texture.
 #pragma once
 
-#include "render/font.hpp"
+#include "render/annotations/font.hpp"
 #include "render/gl.hpp"
 
 #include <optional>
