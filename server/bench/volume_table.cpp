@@ -28,9 +28,12 @@ void add_figures(Table& table, const VolumePictures& pictures, const std::string
 Table volume_table(const Case& data) {
     Table table{"volume", {}, {}};
     VolumePictures pictures(data);
-    const std::size_t preview_stride = session::moving_stride(VolumePictures::slice_count, data.values->size());
     const Vec3d box{0, 1, 0};
     table.rows.push_back(measure("cut box-aligned", [&] { return pictures.cut(box); }));
+    const render::Volume& volume = pictures.volume();
+    const double loss = session::largest_loss(volume.opacity_points, volume.unit_length,
+                                              volume.thickness * static_cast<double>(volume.slices.size()));
+    const std::size_t preview_stride = session::moving_stride(VolumePictures::slice_count, data.values->size(), loss);
     for (const bool shaded : {true, false}) {
         pictures.turn_back();
         table.rows.push_back(measure(

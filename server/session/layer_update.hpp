@@ -68,7 +68,9 @@ private:
     bool add_caps(const scene::Layer& layer, const scene::SurfaceLayer& surface, const Boundary& solid);
 
     [[nodiscard]] VolumeDrawable drawable_of(const scene::Layer& layer, const scene::VolumeLayer& volume,
-                                             const VolumeCut& kept) const;
+                                             const VolumeCut& kept, std::size_t stride) const;
+    [[nodiscard]] double loss_of(const scene::VolumeLayer& volume, const store::ScalarField& planes) const;
+    [[nodiscard]] double unit_length_of(const scene::VolumeLayer& volume) const;
     [[nodiscard]] double diagonal() const;
 };
 

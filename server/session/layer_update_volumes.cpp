@@ -18,23 +18,33 @@ bool LayerUpdate::operator()(const scene::Layer& layer, const scene::VolumeLayer
     const Vec3d normal = slab_normal(slabs_across, camera, moving);
     const store::ScalarField planes = loaded->plane(out.step, out.origin, normal);
     const std::string place = plane_name(normal, step());
-    if (!kept.cut(place, planes, normal, volume.slices, moving, extraction, stop)) return false;
-    out.volumes.push_back(drawable_of(layer, volume, kept));
+    const std::size_t stride = moving ? moving_stride(volume.slices, kept.values->size(), loss_of(volume, planes)) : 1;
+    if (!kept.cut(place, planes, normal, volume.slices, stride, extraction, stop)) return false;
+    out.volumes.push_back(drawable_of(layer, volume, kept, stride));
     count(before, kept.memory_bytes());
     return true;
 }
 
+double LayerUpdate::loss_of(const scene::VolumeLayer& volume, const store::ScalarField& planes) const {
+    const auto [low, high] = planes.field->range();
+    return largest_loss(volume.opacity_points, unit_length_of(volume), double{high} - double{low});
+}
+
+double LayerUpdate::unit_length_of(const scene::VolumeLayer& volume) const {
+    return volume.unit_length.value_or(0.1 * diagonal());
+}
+
 VolumeDrawable LayerUpdate::drawable_of(const scene::Layer& layer, const scene::VolumeLayer& volume,
-                                        const VolumeCut& kept) const {
+                                        const VolumeCut& kept, std::size_t stride) const {
     VolumeDrawable drawable;
     drawable.layer = layer.id;
     drawable.slabs = kept.slabs;
-    drawable.stride = moving ? moving_stride(volume.slices, kept.values->size()) : 1;
+    drawable.stride = stride;
     drawable.array = volume.array;
     drawable.units = dataset->find(store::parse_scalar(*dataset, volume.array).array)->units;
     drawable.scale = color_scale_of(volume.color, range_of(*dataset, volume.array, out.step));
     drawable.opacity_points = volume.opacity_points;
-    drawable.unit_length = volume.unit_length.value_or(0.1 * diagonal());
+    drawable.unit_length = unit_length_of(volume);
     drawable.shaded = volume.shaded;
     drawable.opacity = layer.opacity;
     drawable.identity = kept.identity;

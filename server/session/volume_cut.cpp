@@ -1,5 +1,6 @@
 #include "session/volume_cut.hpp"
 
+#include "render/volume/transfer_table.hpp"
 #include "session/cut.hpp"
 
 #include <algorithm>
@@ -12,11 +13,14 @@ namespace {
 // About as many as software draws ten times a second of a mesh whose slices have a few thousand triangles. Those of
 // larger ones have more, by two thirds of an order for each order of vertices; fewer are drawn then, though not so much
 // fewer that a thick slab loses what the mesh shows.
-constexpr double most_moving_slices = 24, least_moving_slices = 8, usual_vertices = 200'000;
+constexpr double most_slices = 24, least_slices = 8, usual_vertices = 200'000;
+// More where slabs would lose more than this: twice as many, and those of a small mesh for as long as that takes.
+constexpr double usual_loss = 0.25, times_more = 2, most_of_all = 96;
 
-std::size_t moving_slices(std::size_t vertices) {
-    const double fitting = most_moving_slices * std::cbrt(usual_vertices / static_cast<double>(vertices + 1));
-    return static_cast<std::size_t>(std::clamp(fitting, least_moving_slices, most_moving_slices));
+double moving_slices(std::size_t vertices, double loss) {
+    const double fitting = most_slices * std::cbrt(usual_vertices / static_cast<double>(vertices + 1));
+    const double usual = std::clamp(fitting, least_slices, most_slices);
+    return std::clamp(loss / usual_loss, usual, std::min(times_more * std::max(fitting, least_slices), most_of_all));
 }
 
 Vec3d unit_vector(const Vec3d& v) {
@@ -32,10 +36,15 @@ std::size_t Slabs::memory_bytes() const {
     return bytes;
 }
 
-std::size_t moving_stride(std::size_t slices, std::size_t vertices) {
-    const std::size_t most = moving_slices(vertices);
-    const std::size_t stride = (slices + most - 1) / most;
-    return stride % 2 == 0 ? stride + 1 : stride;
+double largest_loss(std::span<const std::array<double, 2>> opacity_points, double unit_length, double length) {
+    double opacity = 0;
+    for (const auto& [place, of_unit_length] : opacity_points) opacity = std::max(opacity, of_unit_length);
+    return render::extinction_of(opacity) * length / unit_length;
+}
+
+std::size_t moving_stride(std::size_t slices, std::size_t vertices, double loss) {
+    const double fitting = static_cast<double>(slices) / moving_slices(vertices, loss);
+    return 2 * static_cast<std::size_t>(std::ceil((fitting - 1) / 2)) + 1; // the next odd number
 }
 
 VolumeCut::VolumeCut() : identity(unique_number()) {}
@@ -55,10 +64,10 @@ void VolumeCut::use_property(const std::string& name, std::size_t step, store::L
 }
 
 bool VolumeCut::cut(const std::string& place, const store::ScalarField& planes, Vec3d normal, std::size_t count,
-                    bool moving, Extraction extraction, const std::stop_token& stop) {
+                    std::size_t every, Extraction extraction, const std::stop_token& stop) {
     const std::string wanted = place + " " + std::to_string(count);
     const bool same = slabs && slabs_key == wanted;
-    if (same && (whole || moving)) return true;
+    if (same && (stride == 1 || stride == every)) return true;
     auto made = std::make_shared<Slabs>();
     const auto [low, high] = planes.field->range();
     made->normal = normal;
@@ -67,18 +76,17 @@ bool VolumeCut::cut(const std::string& place, const store::ScalarField& planes, 
     made->boundary = boundary;
     made->slices.resize(count);
 
-    const std::size_t stride = moving ? moving_stride(count, values->size()) : 1;
     std::vector<double> places;
-    for (std::size_t i = stride / 2; i < count; i += stride)
+    for (std::size_t i = every / 2; i < count; i += every)
         places.push_back(made->first + (static_cast<double>(i) + 0.5) * made->thickness);
     std::vector<SlabMesh> cuts;
     if (!sweep(*planes.topology, planes.mesh, *planes.field, places, SlabSink{{*values, gradients, limits}}, cuts, stop,
                extraction))
         return false;
-    for (std::size_t i = stride / 2, k = 0; i < count; i += stride, ++k) made->slices[i] = std::move(cuts[k]);
+    for (std::size_t i = every / 2, k = 0; i < count; i += every, ++k) made->slices[i] = std::move(cuts[k]);
     slabs = std::move(made);
     slabs_key = wanted;
-    whole = stride == 1;
+    stride = every;
     revision = unique_number();
     return true;
 }

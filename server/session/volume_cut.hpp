@@ -4,6 +4,9 @@
 #include "ciel/slab.hpp"
 #include "session/scene_geometry.hpp"
 
+#include <array>
+#include <span>
+
 namespace ciel::session {
 
 // Parallel slabs of one thickness that cover the mesh; slice i is the cut of slab i's middle plane. The direction and
@@ -17,10 +20,15 @@ struct Slabs {
     [[nodiscard]] std::size_t memory_bytes() const;
 };
 
+// What a ray along `length` loses where the volume is densest, as an exponent.
+[[nodiscard]] double largest_loss(std::span<const std::array<double, 2>> opacity_points, double unit_length,
+                                  double length);
+
 // While something moves, one slice in so many is drawn, each for a slab so many times as thick. Odd, so that the
 // slices of a still serve: the middle plane of the thick slab is that of one of the thin ones.
-// Larger for a mesh of more vertices, so that it can be turned as well.
-[[nodiscard]] std::size_t moving_stride(std::size_t slices, std::size_t vertices);
+// Larger for a mesh of more vertices, so that it can be turned as well. Smaller where a slab would take much of a ray's
+// light: of what changes within that, only what is in front should be seen. `loss`: of all slabs together.
+[[nodiscard]] std::size_t moving_stride(std::size_t slices, std::size_t vertices, double loss);
 
 struct VolumeCut {
     std::string key; // of the property: array, step
@@ -30,14 +38,14 @@ struct VolumeCut {
     std::shared_ptr<const SlabMesh> boundary;
     std::shared_ptr<const Slabs> slabs;
     std::string slabs_key;
-    bool whole = false; // all slices are there, not only those that are drawn while something moves
+    std::size_t stride = 1; // of the slices that are there: all, or those that are drawn while something moves
     std::uint64_t identity, revision = 0;
 
     VolumeCut();
     void use_property(const std::string& name, std::size_t step, store::LoadedDataset& loaded);
-    // False when stopped; what was there before is kept then.
-    bool cut(const std::string& place, const store::ScalarField& planes, Vec3d normal, std::size_t slices, bool moving,
-             Extraction extraction, const std::stop_token& stop);
+    // One slice in `every`, if not all are there. False when stopped; what was there before is kept then.
+    bool cut(const std::string& place, const store::ScalarField& planes, Vec3d normal, std::size_t slices,
+             std::size_t every, Extraction extraction, const std::stop_token& stop);
     [[nodiscard]] std::size_t memory_bytes() const;
 };
 

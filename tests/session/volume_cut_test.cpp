@@ -46,24 +46,53 @@ protected:
 TEST_F(volume_cut, strides_are_odd_so_that_the_middle_slices_are_those_of_the_still) {
     for (std::size_t slices = 1; slices <= 1000; ++slices) {
         for (const std::size_t vertices : {1U, 200'000U, 900'000U, 2'000'000'000U}) {
-            const std::size_t stride = moving_stride(slices, vertices);
-            EXPECT_EQ(stride % 2, 1U);
-            EXPECT_LE((slices + stride - 1) / stride, 24U);
+            for (const double loss : {0.0, 10.0, 1000.0}) {
+                const std::size_t stride = moving_stride(slices, vertices, loss);
+                EXPECT_EQ(stride % 2, 1U);
+                EXPECT_LE((slices + stride - 1) / stride, loss > 0 ? 96U : 24U);
+            }
         }
     }
-    EXPECT_EQ(moving_stride(24, 100), 1U);
+    EXPECT_EQ(moving_stride(24, 100, 0), 1U);
 }
 
 TEST_F(volume_cut, slices_of_a_large_mesh_are_fewer_while_something_moves_but_never_next_to_none) {
-    EXPECT_EQ(moving_stride(100, 110'000), 5U);
-    EXPECT_EQ(moving_stride(100, 900'000), 9U);
-    EXPECT_EQ(moving_stride(100, 2'000'000'000), 13U);
+    EXPECT_EQ(moving_stride(100, 110'000, 0), 5U);
+    EXPECT_EQ(moving_stride(100, 900'000, 0), 7U);
+    EXPECT_EQ(moving_stride(100, 2'000'000'000, 0), 13U);
+}
+
+TEST_F(volume_cut, slices_of_a_dense_volume_are_more_while_something_moves) {
+    EXPECT_EQ(moving_stride(200, 110'000, 8), 7U) << "32 slabs, of which each loses a quarter";
+    EXPECT_EQ(moving_stride(200, 110'000, 100), 5U);
+    EXPECT_EQ(moving_stride(200, 900'000, 8), 7U);
+    EXPECT_EQ(moving_stride(200, 900'000, 100), 7U);
+    EXPECT_EQ(moving_stride(400, 10'000, 1000), 5U);
+    EXPECT_EQ(moving_stride(200, 2'000'000'000, 100), 13U);
+}
+
+TEST_F(volume_cut, a_loss_is_that_of_the_densest_value_over_the_whole_length) {
+    const std::vector<std::array<double, 2>> points{{0, 0}, {0.5, 0.75}, {1, 0.5}};
+    EXPECT_NEAR(largest_loss(points, 2, 6), 3 * std::log(4), 1e-12);
+    EXPECT_EQ(largest_loss({}, 2, 6), 0);
+}
+
+TEST_F(volume_cut, slices_are_cut_for_what_gets_denser_while_something_moves) {
+    json layer = volume(200);
+    layer["opacity_points"] = {{0, 0}, {1, 0.05}};
+    const VolumeDrawable thin = show(layer, true);
+    EXPECT_EQ(thin.stride, 9U);
+    layer["opacity_points"] = {{0, 0.9}, {1, 0.9}};
+    const VolumeDrawable thick = show(layer, true);
+    EXPECT_LT(thick.stride, 9U);
+    EXPECT_EQ(cut_slices(thick), (200 + thick.stride / 2) / thick.stride);
+    EXPECT_NE(thick.revision, thin.revision);
 }
 
 TEST_F(volume_cut, only_what_is_drawn_while_something_moves_is_cut_and_the_rest_for_the_still) {
     const VolumeDrawable moving = show(volume(100), true);
-    EXPECT_EQ(moving.stride, 5U);
-    EXPECT_EQ(cut_slices(moving), 20U);
+    EXPECT_EQ(moving.stride, 3U);
+    EXPECT_EQ(cut_slices(moving), 33U);
     const VolumeDrawable still = show(volume(100));
     EXPECT_EQ(still.stride, 1U);
     EXPECT_EQ(cut_slices(still), 100U);
