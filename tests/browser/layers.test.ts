@@ -51,7 +51,7 @@ describe("layers", { skip }, () => {
   });
 
   test("contour lines of a slice", async () => {
-    await check("Slices", "Z").check();
+    await client.button("Add a slice across z").click();
     await client.settled();
     const plain = await client.picture();
     await check("Slices", "Contour lines").check();
@@ -66,7 +66,7 @@ describe("layers", { skip }, () => {
     await check("Slices", "Contour lines").uncheck();
     await client.settled();
     assert.ok(difference(plain, await client.picture()) < 0.001);
-    await check("Slices", "Z").uncheck();
+    await client.button("Remove this slice").click();
     await client.settled();
   });
 

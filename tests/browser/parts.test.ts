@@ -39,24 +39,22 @@ describe("parts of layers", { skip }, () => {
   test("contour lines in the colours of their values have a legend, a scale and a range of their own", async () => {
     const client = await opened({
       a: { ...slice, axis: "z", value: 2.4, contours: { array: "vorticity", width: 3 } },
-      b: { ...slice, axis: "x", value: 5 }, // has none yet
     });
     assert.deepEqual(await legends(client), ["Colours of U:magnitude"]);
     const plain = await client.picture();
     await client.page.getByLabel("Lines in the colours of their values").check();
     await client.settled();
     assert.deepEqual(await legends(client), ["Colours of U:magnitude", "Colours of vorticity"]);
-    assert.ok(difference(plain, await client.picture()) > 0.001, "lines of other colours, and on both slices");
+    assert.ok(difference(plain, await client.picture()) > 0.001, "lines of other colours");
     await client.button("Colour scale of the lines of vorticity").click();
     await client.button("In view").click();
     await client.patched(2);
     await client.settled();
-    const { a, b } = await layers(client);
-    assert.deepEqual(a?.contours?.coloring?.range, b?.contours?.coloring?.range);
+    const { a } = await layers(client);
     const [low, high] = a?.contours?.coloring?.range ?? [];
     const highest = Number(await client.page.getByLabel("Highest value of the U:magnitude colours").inputValue());
     assert.ok(low !== undefined && high !== undefined && low < high);
-    assert.notEqual(high.toFixed(1), highest.toFixed(1), "of the lines, not of the slices");
+    assert.notEqual(high.toFixed(1), highest.toFixed(1), "of the lines, not of the slice");
     await client.keep("contours_scale");
     assert.deepEqual(client.problems, []);
     assert.equal(await client.page.locator(".toast").count(), 0);

@@ -150,7 +150,7 @@ describe("view", { skip }, () => {
 
   test("a slice appears, moves and goes", async () => {
     const before = await client.picture();
-    await client.page.getByLabel("X", { exact: true }).check();
+    await client.button("Add a slice across x").click();
     await client.settled();
     const sliced = await client.picture();
     await client.keep("slice");
@@ -159,7 +159,7 @@ describe("view", { skip }, () => {
     for (let i = 0; i < 3; i += 1) await client.page.keyboard.press("PageUp");
     await client.settled();
     assert.ok(difference(sliced, await client.picture()) > 0.005);
-    await client.page.getByLabel("X", { exact: true }).uncheck();
+    await client.button("Remove this slice").click();
     await client.settled();
     assert.ok(difference(before, await client.picture()) < 0.005);
   });

@@ -114,7 +114,7 @@ describe("writing", { skip }, () => {
     await client.button("Turn the plane to face the view").click();
     await client.settled();
     assert.ok(difference(moved, await client.picture()) > 0.01);
-    await client.button("Remove this plane").click();
+    await client.button("Remove this slice").click();
     await client.settled();
     assert.ok(difference(before, await client.picture()) < 0.001);
     const panel = client.page.locator(".side-panel");

@@ -1,7 +1,6 @@
 import { describe, expect, test } from "vitest";
-import type { SliceLayer } from "../src/generated/protocol";
 import { applyPatch } from "../src/protocol/merge_patch";
-import { contoursPatch, evenValues, mapBeside, ofArray } from "../src/scene/contours";
+import { evenValues, mapBeside, ofArray } from "../src/scene/contours";
 
 describe("contour lines", () => {
   test("values to begin with are those that even ones had", () => {
@@ -22,24 +21,6 @@ describe("contour lines", () => {
     expect(applyPatch({ array: "p", count: 3 }, ofArray({ array: "p" }, "q") as never)).toEqual({
       array: "q",
       count: 3,
-    });
-  });
-
-  test("a change is made on all slices, and gives those without lines the lines of the others", () => {
-    const slices: [string, SliceLayer][] = [
-      ["a", { type: "slice", contours: { array: "p", values: [1, 2], width: 3 } }],
-      ["b", { type: "slice" }],
-    ];
-    const common = { array: "p", values: [1, 2], width: 3 };
-    const after = (change: object): unknown =>
-      applyPatch(Object.fromEntries(slices) as never, contoursPatch(slices, common, change));
-    expect(after({ visible: false })).toEqual({
-      a: { type: "slice", contours: { ...common, visible: false } },
-      b: { type: "slice", contours: { ...common, visible: false } },
-    });
-    expect(after({ values: null, count: 5 })).toEqual({
-      a: { type: "slice", contours: { array: "p", width: 3, count: 5 } },
-      b: { type: "slice", contours: { array: "p", width: 3, count: 5 } },
     });
   });
 });

@@ -13,9 +13,9 @@ function LookFields({ id, layer }: { id: string; layer: SurfaceLayer }): JSX.Ele
   return (
     <>
       <ColoringFields of={{ layers: [id] }} coloring={layer.color ?? {}} />
-      <OpacityField layers={[id]} opacity={layer.opacity ?? 1} />
+      <OpacityField id={id} opacity={layer.opacity ?? 1} />
       <ThresholdFields id={id} threshold={layer.threshold} color={layer.color?.array} />
-      <EdgesFields layers={[id]} edges={layer.edges} />
+      <EdgesFields id={id} edges={layer.edges} />
     </>
   );
 }

@@ -1,36 +1,16 @@
 // Planes that cut all layers, each with its place, its side and whether it is closed.
 import type { JSX } from "preact";
-import type { ClipLayer, Vec3 } from "../generated/protocol";
-import { clamp, formatNumber, sliderTrack } from "../scene/numbers";
+import { boundsCentre } from "../camera/camera";
+import type { ClipLayer } from "../generated/protocol";
+import { AXES, type Across } from "../scene/axes";
 import { layersOf } from "../scene/scalars";
-import { Check, IconButton, NumberField, Section, Slider } from "./controls";
+import { AddPlaneRow } from "./add_plane_row";
+import { Check, IconButton, Section } from "./controls";
 import { useApp, useAppState } from "./context";
 import { PlaneFields } from "./plane_fields";
+import { PositionRow } from "./position_row";
 
-const AXES = ["x", "y", "z"] as const;
 const MOST_SHOWN = 6;
-
-function PositionRow({ id, layer, at }: { id: string; layer: ClipLayer; at: number }): JSX.Element {
-  const { actions, editor } = useApp();
-  const description = useAppState((state) => state.description);
-  const low = description?.bounds[2 * at] ?? 0;
-  const high = description?.bounds[2 * at + 1] ?? 1;
-  const value = layer.value ?? (low + high) / 2;
-  const set = (position: number, gesture?: string): void => actions.setLayer(id, { value: position }, gesture);
-  return (
-    <div class="clip-row">
-      <Slider
-        label={`Position of the ${AXES[at] ?? ""} clip`}
-        {...sliderTrack([low, high])}
-        value={value}
-        text={`${formatNumber(value, high - low)} ${description?.length_units ?? ""}`.trim()}
-        newGesture={() => editor.newGesture()}
-        onChange={(position, gesture) => set(clamp(position, low, high), gesture)}
-      />
-      <NumberField label={`Clip position on ${AXES[at] ?? ""}`} value={value} span={high - low} onChange={set} />
-    </div>
-  );
-}
 
 function ClipCard({ id, layer }: { id: string; layer: ClipLayer }): JSX.Element {
   const { actions } = useApp();
@@ -51,7 +31,12 @@ function ClipCard({ id, layer }: { id: string; layer: ClipLayer }): JSX.Element 
       {layer.axis === undefined ? (
         <PlaneFields id={id} origin={layer.origin ?? [0, 0, 0]} normal={layer.normal ?? [1, 0, 0]} />
       ) : (
-        <PositionRow id={id} layer={layer} at={AXES.indexOf(layer.axis)} />
+        <PositionRow
+          id={id}
+          axis={layer.axis}
+          value={layer.value}
+          labels={[`Position of the ${layer.axis} clip`, `Clip position on ${layer.axis}`]}
+        />
       )}
       <Check
         label="Other side"
@@ -69,30 +54,15 @@ export function ClipSection(): JSX.Element {
   const description = useAppState((state) => state.description);
   const clips = layersOf(scene, "clip");
   const full = clips.filter(([, layer]) => layer.visible !== false).length >= MOST_SHOWN;
-  const middle = (at: number): number =>
-    ((description?.bounds[2 * at] ?? 0) + (description?.bounds[2 * at + 1] ?? 1)) / 2;
-  const centre: Vec3 = [middle(0), middle(1), middle(2)];
+  const add = (across: Across): void => {
+    if (description === null) return;
+    const centre = boundsCentre(description.bounds);
+    if (across === "free") actions.addLayer("clip", { type: "clip", origin: centre, normal: [1, 1, 0] });
+    else actions.addLayer(`clip-${across}`, { type: "clip", axis: across, value: centre[AXES.indexOf(across)] ?? 0 });
+  };
   return (
     <Section title="Clip">
-      <div class="add-row">
-        {AXES.map((axis, at) => (
-          <IconButton
-            key={axis}
-            icon="plus"
-            label={`Add a clip across ${axis}`}
-            text={axis.toUpperCase()}
-            disabled={full || description === null}
-            onClick={() => actions.addLayer(`clip-${axis}`, { type: "clip", axis, value: centre[at] ?? 0 })}
-          />
-        ))}
-        <IconButton
-          icon="plus"
-          label="Add a free clip plane"
-          text="Free"
-          disabled={full || description === null}
-          onClick={() => actions.addLayer("clip", { type: "clip", origin: centre, normal: [1, 1, 0] })}
-        />
-      </div>
+      <AddPlaneRow what="clip" disabled={full || description === null} add={add} />
       {clips.map(([id, layer]) => (
         <ClipCard key={id} id={id} layer={layer} />
       ))}

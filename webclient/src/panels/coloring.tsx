@@ -74,19 +74,19 @@ export function ColoringFields({ of, coloring, ofArray = false, mapLabel = "Map"
 }
 
 /** Why nothing is seen of a layer; where its value or its plane is outside the data, the fields of those say so. */
-function EmptyHint({ layers }: { layers: string[] }): JSX.Element | null {
+export function EmptyHint({ id }: { id: string }): JSX.Element | null {
   const empty = useAppState((state) => state.empty);
-  const reasons = empty.filter(({ layer, why }) => layers.includes(layer) && why !== "outside");
-  if (reasons.length === 0) return null;
+  const found = empty.find(({ layer, why }) => layer === id && why !== "outside");
+  if (found === undefined) return null;
   return (
     <p class="hint" role="status">
-      Nothing is seen of it. {[...new Set(reasons.map(({ reason }) => reason))].join(" ")}
+      Nothing is seen of it. {found.reason}
     </p>
   );
 }
 
-function OpacitySlider({ layers, opacity }: { layers: string[]; opacity: number }): JSX.Element {
-  const { editor } = useApp();
+function OpacitySlider({ id, opacity }: { id: string; opacity: number }): JSX.Element {
+  const { actions, editor } = useApp();
   const percent = Math.round(opacity * 100);
   return (
     <div class="field opacity">
@@ -99,21 +99,18 @@ function OpacitySlider({ layers, opacity }: { layers: string[]; opacity: number 
         value={percent}
         text={`${percent} %`}
         newGesture={() => editor.newGesture()}
-        onChange={(value, gesture) => {
-          const change = Object.fromEntries(layers.map((id) => [id, { opacity: value / 100 }]));
-          editor.change({ layers: change }, gesture);
-        }}
+        onChange={(value, gesture) => actions.setLayer(id, { opacity: value / 100 }, gesture)}
       />
       <output>{percent} %</output>
     </div>
   );
 }
 
-export function OpacityField({ layers, opacity }: { layers: string[]; opacity: number }): JSX.Element {
+export function OpacityField({ id, opacity }: { id: string; opacity: number }): JSX.Element {
   return (
     <>
-      <OpacitySlider layers={layers} opacity={opacity} />
-      <EmptyHint layers={layers} />
+      <OpacitySlider id={id} opacity={opacity} />
+      <EmptyHint id={id} />
     </>
   );
 }

@@ -1,15 +1,7 @@
-// Contour lines of slices: of which array, at which values, in one colour or in those of their values.
+// Contour lines of a slice: of which array, at which values, in one colour or in those of their values.
 import type { JSX } from "preact";
-import type { Contours, Range, SliceLayer } from "../generated/protocol";
-import {
-  contoursPatch,
-  DEFAULT_COUNT,
-  evenValues,
-  mapBeside,
-  MOST_COUNT,
-  ofArray,
-  type ContoursChange,
-} from "../scene/contours";
+import type { Coloring, Contours, Range, SliceLayer } from "../generated/protocol";
+import { DEFAULT_COUNT, evenValues, mapBeside, MOST_COUNT, ofArray, type ContoursChange } from "../scene/contours";
 import { withEnd } from "../scene/numbers";
 import { firstScalar, scalarsOf } from "../scene/scalars";
 import { ColoringFields } from "./coloring";
@@ -90,9 +82,13 @@ function ValuesFields({ contours, set }: FieldsProps): JSX.Element {
 }
 
 /** One colour for all lines, or the colours of their values; and how wide they are. */
-function LooksFields({ contours, slices, set }: FieldsProps & { slices: [string, SliceLayer][] }): JSX.Element {
+function LooksFields({
+  id,
+  contours,
+  below,
+  set,
+}: FieldsProps & { id: string; below: Coloring | undefined }): JSX.Element {
   const { coloring } = contours;
-  const coloured = slices.filter(([, slice]) => slice.contours?.coloring).map(([id]) => id);
   return (
     <>
       <LineStyleFields
@@ -104,11 +100,11 @@ function LooksFields({ contours, slices, set }: FieldsProps & { slices: [string,
       <Check
         label="Lines in the colours of their values"
         checked={coloring !== undefined}
-        onChange={(on) => set({ coloring: on ? { map: mapBeside(slices[0]?.[1].color) } : null })}
+        onChange={(on) => set({ coloring: on ? { map: mapBeside(below) } : null })}
       />
       {coloring !== undefined && (
         <ColoringFields
-          of={{ layers: [], contours: coloured }}
+          of={{ layers: [], contours: [id] }}
           coloring={{ ...coloring, array: contours.array }}
           ofArray
           mapLabel="Map of the lines"
@@ -118,16 +114,14 @@ function LooksFields({ contours, slices, set }: FieldsProps & { slices: [string,
   );
 }
 
-/** Of all slices: `first` is the one that the controls show. */
-export function ContourFields(props: { slices: [string, SliceLayer][]; first: SliceLayer }): JSX.Element | null {
-  const { slices, first } = props;
-  const { editor } = useApp();
+export function ContourFields({ id, slice }: { id: string; slice: SliceLayer }): JSX.Element | null {
+  const { actions } = useApp();
   const description = useAppState((state) => state.description);
-  const array = first.color?.array ?? firstScalar(description);
-  const { contours } = first;
+  const { color, contours } = slice;
+  const array = color?.array ?? firstScalar(description);
   if (array === undefined) return null;
   const set = (change: ContoursChange): void =>
-    editor.change({ layers: contoursPatch(slices, contours ?? { array }, change) });
+    actions.setLayer(id, { contours: contours === undefined ? { array, ...change } : change });
   return (
     <>
       <Check
@@ -144,7 +138,7 @@ export function ContourFields(props: { slices: [string, SliceLayer][]; first: Sl
             onChange={(chosen) => set(ofArray(contours, chosen))}
           />
           <ValuesFields contours={contours} set={set} />
-          <LooksFields contours={contours} slices={slices} set={set} />
+          <LooksFields id={id} contours={contours} below={color} set={set} />
         </>
       )}
     </>

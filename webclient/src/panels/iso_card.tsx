@@ -113,9 +113,9 @@ export function IsoCard({ id, layer }: { id: string; layer: IsoLayer }): JSX.Ele
       </ValueRow>
       <OutsideHint values={layer.values} range={range} />
       <ColoringFields of={{ layers: [id] }} coloring={layer.color ?? {}} />
-      <OpacityField layers={[id]} opacity={layer.opacity ?? 1} />
+      <OpacityField id={id} opacity={layer.opacity ?? 1} />
       <Check label="Smooth" checked={layer.smooth !== false} onChange={(smooth) => actions.setLayer(id, { smooth })} />
-      <EdgesFields layers={[id]} edges={layer.edges} />
+      <EdgesFields id={id} edges={layer.edges} />
     </article>
   );
 }

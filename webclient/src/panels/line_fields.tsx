@@ -43,12 +43,10 @@ export function LineStyleFields({ label, color, width, onChange }: LineStyleProp
   );
 }
 
-/** Of one layer, or of several that are changed together. */
-export function EdgesFields({ layers, edges }: { layers: string[]; edges: Edges | undefined }): JSX.Element {
-  const { editor } = useApp();
+export function EdgesFields({ id, edges }: { id: string; edges: Edges | undefined }): JSX.Element {
+  const { actions } = useApp();
   const shown = edges !== undefined && edges.visible !== false;
-  const set = (change: Edges): void =>
-    editor.change({ layers: Object.fromEntries(layers.map((id) => [id, { edges: change }])) });
+  const set = (change: Edges): void => actions.setLayer(id, { edges: change });
   return (
     <>
       <Check label="Cell edges" checked={shown} onChange={(visible) => set({ visible })} />

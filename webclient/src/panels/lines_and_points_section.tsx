@@ -45,7 +45,7 @@ function Card({ id, layer, children }: CardProps): JSX.Element {
         />
       )}
       <ColoringFields of={{ layers: [id] }} coloring={layer.color ?? {}} />
-      <OpacityField layers={[id]} opacity={layer.opacity ?? 1} />
+      <OpacityField id={id} opacity={layer.opacity ?? 1} />
       <ThresholdFields id={id} threshold={layer.threshold} color={layer.color?.array} />
     </article>
   );

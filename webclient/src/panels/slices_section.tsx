@@ -1,139 +1,55 @@
-// Slices at right angles to the axes, each with a slider over the dataset's bounds, and free planes.
+// Slices, each with its own plane and looks; any number of them, also across one axis.
 import type { JSX } from "preact";
-import { boundsCentre } from "../camera/camera";
-import type { SliceLayer } from "../generated/protocol";
-import { clamp, formatNumber, sliderTrack } from "../scene/numbers";
+import { useRef, useState } from "preact/hooks";
+import type { Across } from "../scene/axes";
+import { layerNames } from "../scene/layer_names";
 import { firstScalar, layersOf } from "../scene/scalars";
-import { ColoringFields, OpacityField } from "./coloring";
-import { ContourFields } from "./contour_fields";
-import { Check, IconButton, NumberField, Section, Slider } from "./controls";
+import { furtherSlice } from "../scene/slices";
+import { AddPlaneRow } from "./add_plane_row";
+import { Section } from "./controls";
 import { useApp, useAppState } from "./context";
-import { EdgesFields } from "./line_fields";
-import { PlaneFields } from "./plane_fields";
-
-const AXES = ["x", "y", "z"] as const;
-type Axis = (typeof AXES)[number];
-type Style = Pick<SliceLayer, "color" | "opacity" | "contours" | "edges">;
-
-/** Of a further slice: as the others are, for their controls are common. */
-function useStyle(): Style {
-  const description = useAppState((state) => state.description);
-  const first = useAppState((state) => layersOf(state.scene, "slice")[0]?.[1]);
-  const array = firstScalar(description);
-  const { color = array === undefined ? {} : { array }, opacity, contours, edges } = first ?? {};
-  return { color, ...(opacity !== undefined && { opacity }), ...(contours && { contours }), ...(edges && { edges }) };
-}
-
-function AxisRow({ axis, entry }: { axis: Axis; entry: [string, SliceLayer] | undefined }): JSX.Element {
-  const { actions, editor } = useApp();
-  const description = useAppState((state) => state.description);
-  const at = AXES.indexOf(axis);
-  const low = description?.bounds[2 * at] ?? 0;
-  const high = description?.bounds[2 * at + 1] ?? 1;
-  const shown = entry !== undefined && entry[1].visible !== false;
-  const value = entry?.[1].value ?? (low + high) / 2;
-  const style = useStyle();
-  /** With a position that was typed where no slice is seen: it switches the slice on. */
-  const toggle = (on: boolean, typed?: number): void => {
-    if (entry === undefined)
-      actions.addLayer(`slice-${axis}`, { type: "slice", axis, value: typed ?? value, ...style });
-    else actions.setLayer(entry[0], { visible: on, ...(typed !== undefined && { value: typed }) });
-  };
-  const set = (position: number, gesture?: string): void => {
-    if (entry !== undefined) actions.setLayer(entry[0], { value: position }, gesture);
-  };
-  const units = description?.length_units ?? "";
-  const text = (position: number): string => formatNumber(position, high - low);
-  return (
-    <>
-      <div class="axis-row">
-        <Check label={axis.toUpperCase()} checked={shown} onChange={(on) => toggle(on)} />
-        <Slider
-          label={`Position of the ${axis} slice`}
-          {...sliderTrack([low, high])}
-          value={value}
-          text={`${text(value)} ${units}`.trim()}
-          disabled={!shown}
-          newGesture={() => editor.newGesture()}
-          onChange={(position, gesture) => set(clamp(position, low, high), gesture)}
-        />
-        <NumberField
-          label={`Position on ${axis}`}
-          value={shown ? value : null}
-          span={high - low}
-          onChange={(typed) => (shown ? set(typed) : toggle(true, typed))}
-        />
-      </div>
-      {shown && description !== null && (value < low || value > high) && (
-        <p class="hint" role="status">
-          No slice: {axis} goes from {text(low)} to {text(high)}.
-        </p>
-      )}
-    </>
-  );
-}
-
-function PlaneCard({ id, layer }: { id: string; layer: SliceLayer }): JSX.Element {
-  const { actions } = useApp();
-  const visible = layer.visible !== false;
-  const name = layer.axis === undefined ? "Free plane" : `Across ${layer.axis} at ${formatNumber(layer.value ?? 0)}`;
-  return (
-    <article class={visible ? "card" : "card off"} aria-label={`Slice: ${name}`}>
-      <div class="card-head">
-        <IconButton
-          icon={visible ? "eye" : "hidden"}
-          label={visible ? "Hide this plane" : "Show this plane"}
-          pressed={visible}
-          onClick={() => actions.setLayer(id, { visible: !visible })}
-        />
-        <span class="card-title">{name}</span>
-        <IconButton icon="close" label="Remove this plane" onClick={() => actions.removeLayer(id)} />
-      </div>
-      {layer.origin && layer.normal && <PlaneFields id={id} origin={layer.origin} normal={layer.normal} />}
-    </article>
-  );
-}
+import { SliceCard } from "./slice_card";
 
 export function SlicesSection(): JSX.Element {
   const { actions } = useApp();
   const description = useAppState((state) => state.description);
-  const style = useStyle();
   const scene = useAppState((state) => state.scene);
+  // The looks of one slice only until a hand wants more: so that all positions are in sight.
+  const [opened, setOpened] = useState<readonly string[] | null>(null);
+  const first = useRef<string | undefined>(undefined);
+  const added = useRef<string | null>(null);
   const slices = layersOf(scene, "slice");
-  const byAxis = (axis: Axis): [string, SliceLayer] | undefined => slices.find(([, layer]) => layer.axis === axis);
-  const shown = slices.filter(([, layer]) => layer.visible !== false);
-  const listed = new Set(AXES.map((axis) => byAxis(axis)?.[0]));
-  const [first] = shown;
+  const names = layerNames(scene);
+  if (!slices.some(([id]) => id === first.current)) first.current = slices[0]?.[0]; // stays while others come before it
+  const open = opened ?? slices.flatMap(([id]) => (id === first.current ? [id] : []));
+  const add = (across: Across): void => {
+    if (description === null) return;
+    const slice = furtherSlice(slices, across, description.bounds, firstScalar(description));
+    added.current = actions.addLayer(across === "free" ? "slice" : `slice-${across}`, slice);
+    if (added.current !== null) setOpened([added.current]);
+  };
+  const takesFocus = (id: string): boolean => {
+    const isNew = added.current === id;
+    if (isNew) added.current = null;
+    return isNew;
+  };
   return (
     <Section title="Slices">
-      {AXES.map((axis) => (
-        <AxisRow key={axis} axis={axis} entry={byAxis(axis)} />
-      ))}
-      {slices
-        .filter(([id]) => !listed.has(id))
-        .map(([id, layer]) => (
-          <PlaneCard key={id} id={id} layer={layer} />
-        ))}
-      <div class="add-row">
-        <IconButton
-          icon="plus"
-          label="Add a free slice plane"
-          text="Free plane"
-          disabled={description === null}
-          onClick={() => {
-            if (description === null) return;
-            const origin = boundsCentre(description.bounds);
-            actions.addLayer("slice", { type: "slice", origin, normal: [1, 1, 0], ...style });
-          }}
+      <AddPlaneRow what="slice" disabled={description === null} add={add} />
+      {slices.map(([id, layer]) => (
+        <SliceCard
+          key={id}
+          id={id}
+          layer={layer}
+          name={names.get(id) ?? id}
+          slices={slices}
+          isOpen={open.includes(id)}
+          fold={() => setOpened(open.includes(id) ? open.filter((other) => other !== id) : [...open, id])}
+          takesFocus={() => takesFocus(id)}
         />
-      </div>
-      {first !== undefined && (
-        <>
-          <ColoringFields of={{ layers: slices.map(([id]) => id) }} coloring={first[1].color ?? {}} />
-          <OpacityField layers={slices.map(([id]) => id)} opacity={first[1].opacity ?? 1} />
-          <ContourFields slices={slices} first={first[1]} />
-          <EdgesFields layers={slices.map(([id]) => id)} edges={first[1].edges} />
-        </>
+      ))}
+      {slices.length === 0 && (
+        <p class="hint">None. A slice shows the data in a plane, which can be moved through it.</p>
       )}
     </Section>
   );

@@ -1,9 +1,8 @@
 // Three coordinates in a row.
 import type { JSX } from "preact";
 import type { Vec3 } from "../generated/protocol";
+import { AXES } from "../scene/axes";
 import { NumberField } from "./controls";
-
-const AXES = ["x", "y", "z"] as const;
 
 interface VectorProps {
   label: string;

@@ -103,7 +103,7 @@ function VolumeCard({ id, layer }: { id: string; layer: VolumeLayer }): JSX.Elem
       />
       <ColoringFields of={{ layers: [id] }} coloring={{ ...layer.color, array: layer.array }} ofArray />
       <VolumeFields id={id} layer={layer} />
-      <OpacityField layers={[id]} opacity={layer.opacity ?? 1} />
+      <OpacityField id={id} opacity={layer.opacity ?? 1} />
     </article>
   );
 }

@@ -1,7 +1,6 @@
-// Contour lines of several slices, which are changed together.
+// Contour lines of a slice: where they lie, and what becomes of them when a hand changes what they are of.
 import { DEFAULT_MAP } from "../display/color_maps";
-import type { Coloring, Contours, Range, SliceLayer } from "../generated/protocol";
-import type { JsonObject } from "../protocol/merge_patch";
+import type { Coloring, Contours, Range } from "../generated/protocol";
 
 export const DEFAULT_COUNT = 10;
 export const MOST_COUNT = 64;
@@ -28,13 +27,3 @@ export const ofArray = ({ coloring }: Contours, array: string): ContoursChange =
   range: null,
   ...(coloring && { coloring: { array: null, range: null } }),
 });
-
-/** A slice that has no contour lines yet gets those of the others: a change alone would be of lines of nothing. */
-export function contoursPatch(
-  slices: readonly [string, SliceLayer][],
-  common: Contours,
-  change: ContoursChange,
-): JsonObject {
-  const whole = (slice: SliceLayer): object => (slice.contours === undefined ? { ...common, ...change } : change);
-  return Object.fromEntries(slices.map(([id, slice]) => [id, { contours: whole(slice) }])) as unknown as JsonObject;
-}
