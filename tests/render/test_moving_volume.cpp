@@ -1,5 +1,6 @@
 // A volume while something moves, every third or fifth slice at half the resolution, and its still are the same to the
 // eye: nothing gets lighter, darker or another colour when the hand lets go.
+#include "scenes.hpp"
 #include "support/meshes.hpp"
 #include "volume_compare.hpp"
 
@@ -77,6 +78,50 @@ TEST(MovingVolume, HasTheColoursOfItsStill) {
                              std::string(colors.name) + ", " + view.name + ", stride " + std::to_string(stride));
             }
         }
+}
+
+// Least and most of a channel in a pixel and around it.
+std::array<int, 2> ends_around(const Image& image, int x, int y, std::size_t k) {
+    std::array<int, 2> ends{255, 0};
+    for (int v = std::max(0, y - 1); v <= std::min(image.height - 1, y + 1); ++v)
+        for (int u = std::max(0, x - 1); u <= std::min(image.width - 1, x + 1); ++u) {
+            const int one = image.rgb[3 * static_cast<std::size_t>(v * image.width + u) + k];
+            ends = {std::min(ends[0], one), std::max(ends[1], one)};
+        }
+    return ends;
+}
+
+// A ray for four pixels that met the ball has no fog from behind it to give to the pixels beside the ball, and one that
+// went past has too much for those on it.
+TEST(MovingVolume, HasNoFringeAtTheOutlineOfASurface) {
+    VolumeScene fog(test::hexahedra({{6, 6, 6}, 0, 1, 1.0 / 6}), [](const Vec3d&) { return 1; });
+    const Shape ball = sphere(0.3, {0.5, 0.5, 0.5}, 96);
+    for (const View& view : {views[1], views[2], views[4], views[5]}) {
+        Frame frame = frame_of(view);
+        frame.background_top = frame.background_bottom = {1, 1, 1};
+        frame.meshes.push_back(ball.mesh());
+        frame.meshes[0].color = {0.9F, 0.9F, 0.2F, 1};
+        Volume volume = fog.volume(nearest_axis(view.from), 45);
+        volume.scale.points = {{0, {20, 40, 120}}, {1, {20, 40, 120}}};
+        volume.opacity_points = {{0, 0.9}, {1, 0.9}};
+        volume.unit_length = 0.5;
+        frame.volumes = {volume};
+        frame.samples = 1;
+        Image sharp, moving;
+        renderer().draw(frame, sharp);
+        frame.volumes[0].stride = 3;
+        frame.volumes[0].coarseness = 2;
+        renderer().draw(frame, moving);
+        int off = 0;
+        for (int y = 7 * side / 20; y < 13 * side / 20; ++y) // away from the outline of the volume itself
+            for (int x = 7 * side / 20; x < 13 * side / 20; ++x)
+                for (std::size_t k = 0; k < 3; ++k) {
+                    const auto [low, high] = ends_around(sharp, x, y, k);
+                    const int one = moving.rgb[3 * static_cast<std::size_t>(y * side + x) + k];
+                    off += one < low - 3 || one > high + 3 ? 1 : 0;
+                }
+        EXPECT_EQ(off, 0) << view;
+    }
 }
 
 } // namespace

@@ -55,9 +55,10 @@ void check_directions(const Frame& frame) {
 } // namespace
 
 VolumePainter::VolumePainter(const Gl& gl)
-    : gl_(gl), picture_program_(make_volume_picture_program(gl, false)),
-      sample_program_(make_volume_picture_program(gl, true)), rays_(gl), reach_(gl), coverage_(gl), picture_(gl),
-      together_(gl) {
+    : gl_(gl), picture_program_(make_volume_picture_program(gl, RaysOfPicture::one_for_each_pixel)),
+      sample_program_(make_volume_picture_program(gl, RaysOfPicture::one_for_samples)),
+      coarse_program_(make_volume_picture_program(gl, RaysOfPicture::one_for_several_pixels)), rays_(gl), reach_(gl),
+      coverage_(gl), picture_(gl), together_(gl) {
     gl_.GenVertexArrays(1, &no_array_);
 }
 
@@ -366,7 +367,9 @@ double VolumePainter::eye_across(const Frame& frame) const {
 void VolumePainter::put_on_picture(float opacity, bool coarse, bool per_sample) const {
     bind(gl_, picture_unit, picture_.texture());
     filter(gl_, coarse ? GL_LINEAR : GL_NEAREST);
-    const ShaderProgram& program = per_sample ? sample_program_ : picture_program_;
+    const bool beside_surfaces = coarse && view_.opaque != 0;
+    const ShaderProgram& program =
+        per_sample ? sample_program_ : (beside_surfaces ? coarse_program_ : picture_program_);
     program.use();
     program.set("volume", int{picture_unit});
     program.set("viewport", glm::vec2(view_.frame->width, view_.frame->height));
@@ -383,6 +386,10 @@ void VolumePainter::put_on_picture(float opacity, bool coarse, bool per_sample) 
     const PixelBox box = view_.seen_box(view_.frame->width, view_.frame->height);
     gl_.Scissor(box.left, box.bottom, box.width, box.height);
     gl_.Enable(GL_SCISSOR_TEST);
+    if (beside_surfaces) {
+        bind(gl_, opaque_unit, view_.opaque);
+        program.set("opaque", int{opaque_unit});
+    }
     if (per_sample)
         draw_per_sample(gl_, program, {view_.opaque, opaque_unit}, cover);
     else

@@ -88,7 +88,7 @@ private:
     void put_on_picture(float opacity, bool coarse, bool per_sample) const;
 
     const Gl& gl_;
-    ShaderProgram picture_program_, sample_program_;
+    ShaderProgram picture_program_, sample_program_, coarse_program_;
     VolumeRays rays_;
     VolumeReach reach_;
     VolumeCoverage coverage_;

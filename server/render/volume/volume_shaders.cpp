@@ -128,10 +128,36 @@ std::string next_parts_seen(int parts) {
     return text;
 }
 
+// A ray for several pixels ends on an outline's one side or on the other: a pixel beside it takes the ray, of the four
+// around it, that ended as far as it does. Depths of the window run straight over a plane: between the rays' they say
+// whether an outline runs there. A hundredth of all that is between the nearest and the farthest place of the picture
+// hides too little of a volume to be seen.
+constexpr const char* seen_between_rays = R"(
+uniform sampler2D opaque;
+const float least_bend = 1e-2;
+vec2 seen_from() {
+    vec2 pixels = vec2(textureSize(opaque, 0)) / vec2(textureSize(volume, 0)); // of a ray
+    vec2 place = gl_FragCoord.xy / pixels - 0.5, corner = floor(place), share = place - corner;
+    float own = texelFetch(opaque, ivec2(gl_FragCoord.xy), 0).r, between = 0.0, least = 2.0;
+    vec2 nearest = corner;
+    for (int i = 0; i < 4; ++i) {
+        vec2 step = vec2(i & 1, i >> 1);
+        vec2 ray = clamp(corner + step, vec2(0.0), vec2(textureSize(volume, 0) - 1));
+        float z = texelFetch(opaque, ivec2((ray + 0.5) * pixels), 0).r;
+        vec2 part = mix(1.0 - share, share, step);
+        between += part.x * part.y * z;
+        if (abs(z - own) < least) {
+            least = abs(z - own);
+            nearest = ray;
+        }
+    }
+    return abs(between - own) < least_bend ? gl_FragCoord.xy : (nearest + 0.5) * pixels;
+}
+)";
+
 // A pixel that what is left of the mesh covers in part has so much of its light, or of a pixel's beside it whose ray
 // met that.
 constexpr const char* picture_fragment = R"(
-uniform sampler2D volume;
 uniform sampler2D covered;
 uniform sampler2D limits;
 uniform float has_covered;
@@ -184,8 +210,12 @@ ShaderProgram make_limits_copy_program(const Gl& gl) {
     return make_cover_program(gl, std::string(version) + limits_copy_fragment);
 }
 
-ShaderProgram make_volume_picture_program(const Gl& gl, bool per_sample) {
-    return make_cover_program(gl, std::string(version) + seen_from_glsl(per_sample) + picture_fragment);
+ShaderProgram make_volume_picture_program(const Gl& gl, RaysOfPicture rays) {
+    const bool coarse = rays == RaysOfPicture::one_for_several_pixels;
+    return make_cover_program(
+        gl, std::string(version) + "uniform sampler2D volume;\n" +
+                (coarse ? seen_between_rays : seen_from_glsl(rays == RaysOfPicture::one_for_samples)) +
+                picture_fragment);
 }
 
 } // namespace ciel::render

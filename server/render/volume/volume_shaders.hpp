@@ -24,7 +24,8 @@ inline constexpr int most_ray_parts = 8;
 [[nodiscard]] ShaderProgram make_limits_program(const Gl& gl, int parts);
 // The same again, to be blended with others'.
 [[nodiscard]] ShaderProgram make_limits_copy_program(const Gl& gl);
-// The finished volumes onto the picture; per sample as draw_per_sample() does it.
-[[nodiscard]] ShaderProgram make_volume_picture_program(const Gl& gl, bool per_sample);
+// The finished volumes onto the picture; for samples as draw_per_sample() does it.
+enum class RaysOfPicture { one_for_each_pixel, one_for_samples, one_for_several_pixels };
+[[nodiscard]] ShaderProgram make_volume_picture_program(const Gl& gl, RaysOfPicture rays);
 
 } // namespace ciel::render
