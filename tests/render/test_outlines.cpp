@@ -194,6 +194,40 @@ TEST_F(OutlineOfAVolume, IsSmooth) {
         }
 }
 
+// A ray beside an edge that is seen from the side has only a little of the volume in it, and the next one a lot more.
+TEST_F(OutlineOfAVolume, IsSmoothWhereItIsThinAtItsEdge) {
+    for (const View& view : outline_views)
+        for (const auto& [unit_length, most] : {std::array{0.3, 0.01}, {0.1, 0.02}, {0.03, 0.05}, {0.01, 0.08}}) {
+            Frame frame = frame_of(view);
+            frame.samples = 4;
+            frame.volumes = {rock(cube)};
+            frame.volumes[0].opacity_points = {{0, 0.9}};
+            frame.volumes[0].unit_length = unit_length;
+            const auto light = [unit = unit_length](const Ray& ray) {
+                const auto [from, to] = inside_box(ray, {0, 0, 0}, {1, 1, 1});
+                return from < to ? 1 - std::pow(0.1, (to - from) / unit) : 0;
+            };
+            Image image;
+            renderer().draw(frame, image);
+            double off = 0;
+            int pixels = 0;
+            for (int y = 0; y < frame.height; ++y)
+                for (int x = 0; x < frame.width; ++x) {
+                    double mean = 0;
+                    int met = 0;
+                    for (int i = 0; i < parts * parts; ++i) {
+                        mean += light(ray_of_part(frame, x, y, i)) / (parts * parts);
+                        met += light(ray_of_part(frame, x, y, i)) > 0 ? 1 : 0;
+                    }
+                    if (met == 0 || met == parts * parts) continue;
+                    off += std::abs(image.rgb[3 * static_cast<std::size_t>(y * frame.width + x)] / 255.0 - mean);
+                    ++pixels;
+                }
+            EXPECT_GT(pixels, 100);
+            EXPECT_LT(off / pixels, most) << view.name << ", " << unit_length;
+        }
+}
+
 // Without a face of the mesh between two planes only the planes say where there is something.
 TEST_F(OutlineOfAVolume, IsSmoothWherePlanesCutIt) {
     const Vec3d middle{0.43, 0.57, 0.51};

@@ -155,8 +155,10 @@ vec2 seen_from() {
 }
 )";
 
-// A pixel that what is left of the mesh covers in part has so much of its light, or of a pixel's beside it whose ray
-// met that.
+// A pixel that what is left of the mesh covers in part has the light of that part. It is thin at its outline and gets
+// thicker inward, and dense ones are all but opaque a pixel farther: so what a ray loses there, as an exponent, is
+// taken to rise straight inward, as it does from this pixel's ray to the next one's, or between the next two where this
+// one misses.
 constexpr const char* picture_fragment = R"(
 uniform sampler2D covered;
 uniform sampler2D limits;
@@ -175,11 +177,32 @@ vec2 beside(vec2 place) {
                     return clamp(place + vec2(x, y), vec2(0.5), vec2(last) + 0.5);
     return place;
 }
+const vec2 gauss_points = vec2(0.2113, 0.7887);
+float loss_of(vec4 light) { return -log(1.0 - min(light.a, 0.9999)); }
+float covered_at(ivec2 pixel) { return texelFetch(covered, clamp(pixel, ivec2(0), textureSize(covered, 0) - 1), 0).r; }
+vec4 light_of_part(vec2 place, float share) {
+    ivec2 pixel = ivec2(place), last = textureSize(limits, 0) - 1;
+    vec2 rise = vec2(covered_at(pixel + ivec2(1, 0)) - covered_at(pixel - ivec2(1, 0)),
+                     covered_at(pixel + ivec2(0, 1)) - covered_at(pixel - ivec2(0, 1)));
+    ivec2 inward = ivec2(round(rise / max(max(abs(rise.x), abs(rise.y)), 1e-3)));
+    ivec2 next = clamp(pixel + inward, ivec2(0), last), second = clamp(next + inward, ivec2(0), last);
+    bool is_own = place == gl_FragCoord.xy;
+    if (!is_own || next == pixel || misses(next)) return texture(volume, beside(place) / viewport);
+    bool is_met = !misses(pixel);
+    if (!is_met && misses(second)) return texelFetch(volume, next, 0);
+    vec4 light = texelFetch(volume, is_met ? pixel : next, 0);
+    vec4 inner = texelFetch(volume, is_met ? next : second, 0);
+    float loss = loss_of(light), rate = loss_of(inner) - loss;
+    vec2 ways = share * gauss_points - (is_met ? share - 0.5 : share + 0.5); // inward of that ray
+    vec2 opacity = 1.0 - exp(-max(loss + rate * ways, 0.0));
+    vec4 hue = light.a > 0.01 ? light : inner;
+    return hue * (dot(opacity, vec2(0.5)) / max(hue.a, 1e-6));
+}
 void main() {
     vec2 place = seen_from();
     float share = has_covered > 0.5 ? texelFetch(covered, ivec2(gl_FragCoord.xy), 0).r : 1.0;
-    if (share > 0.0 && share < 1.0) place = beside(place);
-    picture = texture(volume, place / viewport) * (share * opacity);
+    bool in_part = share > 0.0 && share < 1.0;
+    picture = (in_part ? light_of_part(place, share) : texture(volume, place / viewport)) * (share * opacity);
 }
 )";
 
