@@ -93,7 +93,10 @@ void LayerOptions::add_to(CLI::App& command) {
         ->delimiter(',');
     command.add_option("--opacity", opacity, "Of all layers, from 0 to 1.")->type_name("SHARE");
     command.add_flag("--flat", flat, "Iso-surfaces shaded polygon by polygon, not by the field's gradient.");
-    command.add_option("--volume-slices", volume_slices, "How finely volumes are cut; 200 by default.")->type_name("N");
+    command
+        .add_option("--volume-slices", volume_slices,
+                    "How finely volumes are cut; 200 or more slices by default, as the mesh and the opacities need.")
+        ->type_name("N");
     command
         .add_option(
             "--volume-direction", volume_direction,

@@ -312,7 +312,8 @@ VolumeLayer volume_of(const json& object, const std::string& path) {
     check_opacity_points(volume, path);
     if (const auto length = object.find("unit_length"); length != object.end() && !length->is_null())
         volume.unit_length = length->get<double>();
-    read(object, "slices", volume.slices);
+    if (const auto slices = object.find("slices"); slices != object.end() && !slices->is_null())
+        volume.slices = slices->get<std::size_t>();
     if (const auto direction = object.find("direction"); direction != object.end())
         volume.direction = directions.at(direction->get<std::string>());
     read(object, "shaded", volume.shaded);

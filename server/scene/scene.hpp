@@ -113,7 +113,7 @@ struct VolumeLayer {
     // (place between the ends of the range, opacity of a ray that runs one unit length through this value); ascending.
     std::vector<std::array<double, 2>> opacity_points{{0, 0}, {1, 0.9}};
     std::optional<double> unit_length; // none: a tenth of the bounds' diagonal
-    std::size_t slices = 200;
+    std::optional<std::size_t> slices; // none: as session/volume_cut.hpp finds fitting
     Direction direction = Direction::automatic;
     bool shaded = true;
 };

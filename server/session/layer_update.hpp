@@ -69,8 +69,8 @@ private:
 
     [[nodiscard]] VolumeDrawable drawable_of(const scene::Layer& layer, const scene::VolumeLayer& volume,
                                              const VolumeCut& kept, std::size_t stride) const;
-    [[nodiscard]] double loss_of(const scene::VolumeLayer& volume, const store::ScalarField& planes) const;
     [[nodiscard]] double unit_length_of(const scene::VolumeLayer& volume) const;
+    [[nodiscard]] double mean_edge() const; // of the bounds
     [[nodiscard]] double diagonal() const;
 };
 

@@ -18,16 +18,17 @@ bool LayerUpdate::operator()(const scene::Layer& layer, const scene::VolumeLayer
     const Vec3d normal = slab_normal(slabs_across, camera, moving);
     const store::ScalarField planes = loaded->plane(out.step, out.origin, normal);
     const std::string place = plane_name(normal, step());
-    const std::size_t stride = moving ? moving_stride(volume.slices, kept.values->size(), loss_of(volume, planes)) : 1;
-    if (!kept.cut(place, planes, normal, volume.slices, stride, extraction, stop)) return false;
+    const auto [low, high] = planes.field->range();
+    const double length = double{high} - double{low};
+    const std::size_t vertices = kept.values->size();
+    const std::size_t slices =
+        volume.slices.value_or(usual_slices(length, mean_edge(), vertices, steepness(volume.opacity_points)));
+    const double loss = largest_loss(volume.opacity_points, unit_length_of(volume), length);
+    const std::size_t stride = moving ? moving_stride(slices, vertices, loss) : 1;
+    if (!kept.cut(place, planes, normal, slices, stride, extraction, stop)) return false;
     out.volumes.push_back(drawable_of(layer, volume, kept, stride));
     count(before, kept.memory_bytes());
     return true;
-}
-
-double LayerUpdate::loss_of(const scene::VolumeLayer& volume, const store::ScalarField& planes) const {
-    const auto [low, high] = planes.field->range();
-    return largest_loss(volume.opacity_points, unit_length_of(volume), double{high} - double{low});
 }
 
 double LayerUpdate::unit_length_of(const scene::VolumeLayer& volume) const {
@@ -50,6 +51,12 @@ VolumeDrawable LayerUpdate::drawable_of(const scene::Layer& layer, const scene::
     drawable.identity = kept.identity;
     drawable.revision = kept.revision;
     return drawable;
+}
+
+double LayerUpdate::mean_edge() const {
+    double volume = 1;
+    for (std::size_t axis = 0; axis < 3; ++axis) volume *= out.bounds_max[axis] - out.bounds_min[axis];
+    return std::cbrt(volume);
 }
 
 double LayerUpdate::diagonal() const {

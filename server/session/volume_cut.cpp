@@ -16,6 +16,8 @@ namespace {
 constexpr double most_slices = 24, least_slices = 8, usual_vertices = 200'000;
 // More where slabs would lose more than this: twice as many, and those of a small mesh for as long as that takes.
 constexpr double usual_loss = 0.25, times_more = 2, most_of_all = 96;
+// Of a still.
+constexpr double fewest_in_all = 200, most_in_all = 1000, large_mesh = 800'000, steep = 10;
 
 double moving_slices(std::size_t vertices, double loss) {
     const double fitting = most_slices * std::cbrt(usual_vertices / static_cast<double>(vertices + 1));
@@ -34,6 +36,24 @@ std::size_t Slabs::memory_bytes() const {
     std::size_t bytes = 0;
     for (const SlabMesh& slice : slices) bytes += slice.memory_bytes();
     return bytes;
+}
+
+std::size_t usual_slices(double length, double mean_edge, std::size_t vertices, double steepest) {
+    const double affordable = std::sqrt(large_mesh / static_cast<double>(vertices + 1));
+    const double finer = std::clamp(std::min(affordable, steepest / steep), 1.0, 2.0);
+    const double fitting = mean_edge > 0 ? finer * fewest_in_all * length / mean_edge : fewest_in_all;
+    return static_cast<std::size_t>(std::lround(std::clamp(fitting, fewest_in_all, most_in_all)));
+}
+
+double steepness(std::span<const std::array<double, 2>> opacity_points) {
+    double steepest = 0;
+    for (std::size_t i = 1; i < opacity_points.size(); ++i) {
+        const auto& [from, low] = opacity_points[i - 1];
+        const auto& [to, high] = opacity_points[i];
+        const double rise = std::abs(render::extinction_of(high) - render::extinction_of(low));
+        if (rise > 0) steepest = std::max(steepest, rise / (to - from)); // infinite of a step
+    }
+    return steepest;
 }
 
 double largest_loss(std::span<const std::array<double, 2>> opacity_points, double unit_length, double length) {

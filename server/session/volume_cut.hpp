@@ -24,6 +24,13 @@ struct Slabs {
 [[nodiscard]] double largest_loss(std::span<const std::array<double, 2>> opacity_points, double unit_length,
                                   double length);
 
+// Of a volume whose scene gives no number: slabs as thick whatever they are across, so that a picture is as fine from
+// any side and takes as long. Thinner ones, if the mesh is not too large, where opacity rises steeply: that looks like
+// a surface, on which each slab is a step. `length`: of all slabs; `mean_edge`: of the mesh's bounds.
+[[nodiscard]] std::size_t usual_slices(double length, double mean_edge, std::size_t vertices, double steepest);
+// How fast what a ray loses in a unit length, as an exponent, changes with the property, by the range of that.
+[[nodiscard]] double steepness(std::span<const std::array<double, 2>> opacity_points);
+
 // While something moves, one slice in so many is drawn, each for a slab so many times as thick. Odd, so that the
 // slices of a still serve: the middle plane of the thick slab is that of one of the thin ones.
 // Larger for a mesh of more vertices, so that it can be turned as well. Smaller where a slab would take much of a ray's

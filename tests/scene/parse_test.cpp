@@ -318,7 +318,7 @@ constexpr Malformed table[] = {
      "/layers/a/opacity_points", "/layers/a/opacity_points must have at least 1 item"},
     {"volume_of_too_many_slices",
      R"({"dataset": "d", "layers": {"a": {"type": "volume", "array": "p", "slices": 1001}}})", "/layers/a/slices",
-     "/layers/a/slices must be at most 1000"},
+     "/layers/a/slices must be at most 1000, or must be null"},
     {"volume_of_no_length", R"({"dataset": "d", "layers": {"a": {"type": "volume", "array": "p", "unit_length": 0}}})",
      "/layers/a/unit_length", "/layers/a/unit_length must be more than 0, or must be null"},
     {"volume_direction", R"({"dataset": "d", "layers": {"a": {"type": "volume", "array": "p", "direction": "w"}}})",
@@ -373,7 +373,7 @@ TEST(scene, a_volume_has_the_defaults_of_the_contract) {
     const auto& volume = std::get<VolumeLayer>(layer.kind);
     EXPECT_EQ(volume.opacity_points,
               (fallback("VolumeLayer", "opacity_points").get<std::vector<std::array<double, 2>>>()));
-    EXPECT_EQ(volume.slices, fallback("VolumeLayer", "slices"));
+    EXPECT_FALSE(volume.slices);
     EXPECT_EQ(volume.shaded, fallback("VolumeLayer", "shaded"));
     EXPECT_EQ(fallback("VolumeLayer", "direction"), "auto");
     EXPECT_EQ(volume.direction, VolumeLayer::Direction::automatic);

@@ -77,6 +77,33 @@ TEST_F(volume_cut, a_loss_is_that_of_the_densest_value_over_the_whole_length) {
     EXPECT_EQ(largest_loss({}, 2, 6), 0);
 }
 
+TEST_F(volume_cut, slices_that_no_scene_counts_are_as_far_apart_whatever_they_are_across) {
+    EXPECT_EQ(usual_slices(5, 5, 1000, 2), 200U);
+    EXPECT_EQ(usual_slices(10, 5, 1000, 2), 400U) << "along a long axis";
+    EXPECT_EQ(usual_slices(2, 5, 1000, 2), 200U) << "never fewer";
+    EXPECT_EQ(usual_slices(50, 5, 1000, 2), 1000U);
+    EXPECT_EQ(usual_slices(50, 0, 1000, 2), 200U) << "of a flat mesh";
+    json layer = volume(1);
+    layer.erase("slices");
+    EXPECT_EQ(show(layer).slabs->slices.size(), 200U);
+}
+
+TEST_F(volume_cut, slices_that_no_scene_counts_are_more_where_opacity_is_steep_and_the_mesh_not_large) {
+    EXPECT_EQ(usual_slices(5, 5, 1000, 15), 300U);
+    EXPECT_EQ(usual_slices(5, 5, 1000, 1000), 400U);
+    EXPECT_EQ(usual_slices(5, 5, 450'000, 1000), 267U);
+    EXPECT_EQ(usual_slices(5, 5, 2'000'000, 1000), 200U);
+    const double rise = std::log(10); // from 0 to 0.9
+    EXPECT_NEAR(steepness(std::vector<std::array<double, 2>>{{0, 0}, {1, 0.9}}), rise, 1e-12);
+    EXPECT_NEAR(steepness(std::vector<std::array<double, 2>>{{0, 0.9}, {0.5, 0.9}, {0.6, 0}}), 10 * rise, 1e-9);
+    EXPECT_TRUE(std::isinf(steepness(std::vector<std::array<double, 2>>{{0.5, 0}, {0.5, 0.9}})));
+    EXPECT_EQ(steepness({}), 0);
+    json layer = volume(1);
+    layer.erase("slices");
+    layer["opacity_points"] = {{0.4, 0}, {0.41, 0.9}};
+    EXPECT_EQ(show(layer).slabs->slices.size(), 400U);
+}
+
 TEST_F(volume_cut, slices_are_cut_for_what_gets_denser_while_something_moves) {
     json layer = volume(200);
     layer["opacity_points"] = {{0, 0}, {1, 0.05}};

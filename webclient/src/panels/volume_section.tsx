@@ -9,7 +9,6 @@ import { Check, IconButton, NumberField, Section, SelectField } from "./controls
 import { useApp, useAppState } from "./context";
 import { OpacityEditor } from "./opacity_editor";
 
-const DEFAULT_SLICES = 200;
 const MOST_SLICES = 1000;
 const DIRECTIONS = [
   { value: "auto", text: "Axis nearest the view" },
@@ -22,7 +21,10 @@ const DIRECTIONS = [
 function VolumeFields({ id, layer }: { id: string; layer: VolumeLayer }): JSX.Element {
   const { actions } = useApp();
   const units = useAppState((state) => state.description?.length_units) ?? "";
-  const setSlices = (typed: number): void => actions.setLayer(id, { slices: Math.round(typed) });
+  const setSlices = (typed: number): void => {
+    const slices = Math.round(typed);
+    actions.setLayer(id, { slices: slices > 0 ? slices : null }); // 0 is auto, as of the unit length
+  };
   return (
     <div class="fields">
       <SelectField
@@ -35,10 +37,11 @@ function VolumeFields({ id, layer }: { id: string; layer: VolumeLayer }): JSX.El
         <span>Slices</span>
         <NumberField
           label="Number of slices"
-          value={layer.slices ?? DEFAULT_SLICES}
+          value={layer.slices ?? null}
+          placeholder="auto"
           span={MOST_SLICES}
           step={10}
-          limits={[1, MOST_SLICES]}
+          limits={[0, MOST_SLICES]}
           onChange={setSlices}
         />
       </label>
