@@ -32,8 +32,11 @@ void TransparentTriangles::load(const std::vector<Part>& parts, const glm::vec4&
     }
     depth_row_ = depth_row;
     is_sorted_ = sorted;
-    if (sorted) sort();
-    upload_order(sorted ? sorted_ : triangles_);
+    if (sorted)
+        sort();
+    else // of two in one place the first one drawn is peeled, and the other not at all: the last layer's is
+        sorted_.assign(triangles_.rbegin(), triangles_.rend());
+    upload_order();
     held_ = std::move(wanted);
 }
 
@@ -73,10 +76,10 @@ void TransparentTriangles::sort() {
     sort_by_key(sorted_, other_);
 }
 
-void TransparentTriangles::upload_order(const std::vector<Triangle>& order) {
+void TransparentTriangles::upload_order() {
     indices_.clear();
-    indices_.reserve(3 * order.size());
-    for (const Triangle& triangle : order)
+    indices_.reserve(3 * sorted_.size());
+    for (const Triangle& triangle : sorted_)
         indices_.insert(indices_.end(), triangle.corners.begin(), triangle.corners.end());
     if (indices_.empty()) return;
     gl_.BindVertexArray(arrays_.array);

@@ -47,7 +47,7 @@ private:
     void add(const Part& part);
     void upload_vertices();
     void sort();
-    void upload_order(const std::vector<Triangle>& order);
+    void upload_order();
 
     const Gl& gl_;
     VertexArrays arrays_;
@@ -56,7 +56,8 @@ private:
     std::vector<Held> held_;
     std::vector<Vertex> vertices_;
     std::vector<Triangle> triangles_; // in the order of the parts: ties are drawn in it, whatever was drawn before
-    std::vector<Triangle> sorted_, other_;
+    std::vector<Triangle> sorted_;    // as they are drawn
+    std::vector<Triangle> other_;
     std::vector<Index> indices_;
 };
 

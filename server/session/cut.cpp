@@ -105,6 +105,12 @@ bool Cut::extract(double new_nu, bool new_normals, const std::stop_token& stop) 
     return true;
 }
 
+void Cut::show(std::shared_ptr<const Shape> made, double at_nu) {
+    shape = std::move(made);
+    nu = at_nu;
+    normals = false;
+}
+
 std::size_t Cut::memory_bytes() const {
     return (query ? query->memory_bytes() : 0) + (shape ? bytes_of(*shape) : 0) + shapes->memory_bytes() +
            painted.memory_bytes() + outlined.memory_bytes() + contoured.memory_bytes();

@@ -67,6 +67,7 @@ struct Cut {
     void use_field(const std::string& name, store::ScalarField new_field, Extraction extraction);
     // False when stopped; the shape is then made anew by the next call.
     bool extract(double new_nu, bool new_normals, const std::stop_token& stop);
+    void show(std::shared_ptr<const Shape> made, double at_nu); // without normals, instead of what `extract` gives
     [[nodiscard]] std::size_t memory_bytes() const;
 };
 

@@ -59,6 +59,8 @@ private:
     // Whose caps lie where the slice does, or null. It is cut just as they are: between vertices rounded in another
     // way, or the other way round, the one would show through the other here and there.
     [[nodiscard]] const scene::ClipLayer* cap_at(const scene::SliceLayer& slice) const;
+    // In a side of the mesh for the same reason the very faces that surface layers have there. False when stopped.
+    bool cut_along(Cut& cut, double nu) const;
 
     Boundary& boundary(const scene::Layer& layer, const std::string& key, std::size_t index = 0);
     [[nodiscard]] std::vector<std::uint8_t> cells_of(const scene::Threshold& threshold) const;

@@ -1,21 +1,12 @@
 // Layers that cut the mesh: iso-surfaces and slices.
 #include "session/layer_update.hpp"
+#include "session/mesh_side.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 namespace ciel::session {
 namespace {
-
-// High means value >= nu, so a plane on the low side of the domain would cut nothing. One that is off a side by no more
-// than rounding means the side.
-double on_the_side(double nu, std::array<float, 2> range) {
-    const auto [low, high] = range;
-    const double rounding = 1e-6 * (static_cast<double>(high) - static_cast<double>(low));
-    if (nu <= low && nu >= low - rounding) return std::nextafter(low, high);
-    if (nu > high && nu <= high + rounding) return high;
-    return nu;
-}
 
 // In one plane, on whichever side what is kept lies.
 bool coincide(const scene::SliceLayer& slice, const scene::ClipLayer& clip, double diagonal) {
@@ -63,12 +54,22 @@ const scene::ClipLayer* LayerUpdate::cap_at(const scene::SliceLayer& slice) cons
     return found == caps.end() ? nullptr : *found;
 }
 
+bool LayerUpdate::cut_along(Cut& cut, double nu) const {
+    const auto side = side_at(nu, cut.field.field->range());
+    if (!side) return cut.extract(nu, false, stop);
+    if (cut.shape && cut.nu == *side && !cut.normals) return true;
+    Surface faces = side_surface(cut.field, *side);
+    if (faces.polygon_cell.empty()) return cut.extract(*side, false, stop);
+    cut.show(triangles_shape(std::move(faces)), *side);
+    return true;
+}
+
 bool LayerUpdate::operator()(const scene::Layer& layer, const scene::SliceLayer& slice) {
     Cut& cut = cuts[{layer.id, 0}];
     const std::size_t before = cut.memory_bytes();
     const scene::ClipLayer* cap = cap_at(slice);
     const double nu = use_plane(cut, cap ? cap->origin : slice.origin, cap ? cap->normal : slice.normal);
-    if (!cut.extract(on_the_side(nu, cut.field.field->range()), false, stop)) return false;
+    if (!cut_along(cut, nu)) return false;
     add(cut.painted, cut.shape, slice.color, layer, false);
     add_edges(cut.outlined, cut.shape, slice.edges, layer);
     add_contours(cut.contoured, cut.shape, slice.contours, layer);

@@ -2,6 +2,7 @@
 #include "session/layer_update.hpp"
 
 #include "ciel/threshold_surface.hpp"
+#include "session/mesh_side.hpp"
 
 #include <algorithm>
 
@@ -70,13 +71,17 @@ bool LayerUpdate::operator()(const scene::Layer& layer, const scene::SurfaceLaye
     return !surface.groups.empty() || add_caps(layer, surface, *kept); // patches are no solid
 }
 
-// Each is the whole slice of the mesh by its plane: the other planes cut it as they cut everything.
+// Each is the whole slice of the mesh by its plane: the other planes cut it as they cut everything. A plane in a side
+// opens nothing: the boundary's faces are there.
 bool LayerUpdate::add_caps(const scene::Layer& layer, const scene::SurfaceLayer& surface, const Boundary& solid) {
     for (std::size_t i = 0; i < caps.size(); ++i) {
         Cut& cut = cuts[{layer.id, i}];
         const std::size_t before = cut.memory_bytes();
-        if (!cut.extract(use_plane(cut, caps[i]->origin, caps[i]->normal), false, stop)) return false;
+        const double nu = use_plane(cut, caps[i]->origin, caps[i]->normal);
+        const bool opens = !side_at(nu, cut.field.field->range());
+        if (opens && !cut.extract(nu, false, stop)) return false;
         count(before, cut.memory_bytes());
+        if (!opens) continue;
         Boundary& cap = boundary(layer, solid.key, i + 1);
         const std::size_t of_cap = cap.memory_bytes();
         if (!cap.shape || cap.of != cut.shape) cap.shape = cap_shape(cut.shape, solid.cells);
