@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <gtest/gtest.h>
 #include <random>
+#include <set>
 
 namespace ciel::render {
 namespace {
@@ -211,6 +212,22 @@ TEST_F(Layout, ShowsTheColourOfMissingValuesWhereThereAreSome) {
         }
         expect_lawful(other, std::to_string(width) + " with missing values");
     }
+}
+
+TEST_F(Layout, MarksOfStepsCanBeToldApartHoweverManyThereAre) {
+    for (const auto& [width, height] : {std::pair(320, 200), {500, 320}, {1280, 720}, {4096, 4096}})
+        for (int steps = 2; steps <= most_color_steps; ++steps) {
+            Frame frame = annotated_frame(width, height);
+            frame.annotations = {};
+            frame.annotations.legends = {{"p", "", scale_of("viridis", {0, 1})}};
+            frame.annotations.legends[0].scale.steps = steps;
+            const Overlay overlay = lay_out(frame, font);
+            std::set<double> places;
+            for (const Stroke& stroke : overlay.strokes) places.insert(stroke.from.y);
+            ASSERT_GE(places.size(), 2U) << steps;
+            for (auto next = std::next(places.begin()); next != places.end(); ++next)
+                EXPECT_GT(*next - *std::prev(next), 3 * overlay.strokes[0].width) << steps << " at " << width;
+        }
 }
 
 TEST_F(Layout, HasAllItsPartsWhereThereIsRoom) {

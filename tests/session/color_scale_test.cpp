@@ -76,6 +76,24 @@ TEST(ColorScale, NumbersFollowTheCases) {
         EXPECT_EQ(render::number_label(row[0].get<double>(), row[1].get<int>()), row[2]) << row;
 }
 
+TEST(ColorScale, OfManyStepsOnlyMarksThatCanBeToldApartFollowTheCases) {
+    for (const json& row : tick_cases()["marks"])
+        for (const bool log : {false, true}) {
+            render::ColorScale scale;
+            scale.steps = row[0];
+            scale.log = log;
+            scale.range = {1, 1e4F};
+            const auto ticks = render::color_ticks(scale, 6, row[1]);
+            const int steps = row[0], marks = row[2], labels = row[3];
+            ASSERT_EQ(ticks.size(), row[4].get<std::size_t>()) << row;
+            for (int i = 0; i < row[4]; ++i) {
+                const render::ColorTick& tick = ticks[static_cast<std::size_t>(i)];
+                EXPECT_NEAR(tick.at, static_cast<double>(i) * marks / steps, 1e-9) << row;
+                EXPECT_EQ(tick.label.empty(), i * marks % labels != 0) << row;
+            }
+        }
+}
+
 TEST(ColorScale, TakesACommonPowerOfTenOutOfItsNumbersUnlessItIsLogarithmic) {
     render::ColorScale scale;
     scale.range = {1.2e-5F, 3.4e-5F};

@@ -31,6 +31,22 @@ describe("marks of a linear scale, as the server has them", () => {
   });
 });
 
+describe("marks of steps, as the server has them", () => {
+  test.each(cases.marks as [number, number, number, number, number][])(
+    "%d steps, at most %d marks: one every %d, a label every %d",
+    (steps, most, marks, labels, count) => {
+      for (const log of [false, true]) {
+        const found = colorTicks(scaleOf({ steps, log, range: [1, 1e4] }, [0, 1]), 6, most);
+        expect(found).toHaveLength(count);
+        found.forEach(({ at, label }, i) => {
+          expect(at).toBeCloseTo((i * marks) / steps, 9);
+          expect(label === "").toBe((i * marks) % labels !== 0);
+        });
+      }
+    },
+  );
+});
+
 describe("numbers, as the server writes them", () => {
   test.each(cases.numbers as [number | null, number, number, string][])(
     "%d over a span of %d, without 10^%d: %s",

@@ -25,11 +25,21 @@ struct Marks {
     }
 };
 
-void add_steps(Marks& marks) {
+// Of the bounds of steps every so manyth: as many as may be, and the same number between any two labels.
+int stride_of_marks(int steps, int stride_of_labels, int most) {
+    for (int stride = 1; stride < stride_of_labels; ++stride)
+        if (stride_of_labels % stride == 0 && steps / stride < most) return stride;
+    return stride_of_labels;
+}
+
+void add_steps(Marks& marks, int most) {
     const ColorScale& scale = marks.scale;
     const int stride = (scale.steps + most_labels - 1) / most_labels;
-    for (int k = 0; k <= scale.steps; ++k)
+    for (int k = 0; k <= scale.steps; k += stride_of_marks(scale.steps, stride, most)) {
+        const int to_the_end = scale.steps - k;
+        if (to_the_end > 0 && to_the_end * most < scale.steps) continue; // which has a mark of its own
         marks.add(value_at(scale, static_cast<double>(k) / scale.steps), k % stride == 0);
+    }
 }
 
 // 1, 2, 3 ... 9 times each power of ten; `with` of them have labels, on every `stride`-th power.
@@ -75,12 +85,12 @@ std::string label_on(const ColorScale& scale, double value) {
     return number_label(value, static_cast<double>(scale.range[1]) - scale.range[0], exponent_of(scale));
 }
 
-std::vector<ColorTick> color_ticks(const ColorScale& scale, int most) {
+std::vector<ColorTick> color_ticks(const ColorScale& scale, int most, int most_marks) {
     Marks marks{scale, {}};
     if (!has_width(scale))
         marks.add(scale.range[0], true);
     else if (scale.steps > 1)
-        add_steps(marks);
+        add_steps(marks, most_marks);
     else if (scale.log)
         add_log(marks, most);
     else

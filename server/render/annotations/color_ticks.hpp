@@ -17,7 +17,9 @@ struct ColorTick {
 [[nodiscard]] std::string label_on(const ColorScale& scale, double value);
 // Linear: nice_scale of ticks.hpp, at most `most` of them. Logarithmic: powers of ten, with 2 and 5 of each, or
 // nice_scale, where there are too few of them, and the multiples between as marks. Steps: their bounds; where there are
-// many, every n-th has a label. In ascending order, inside the range; one for a range without width.
-[[nodiscard]] std::vector<ColorTick> color_ticks(const ColorScale& scale, int most = 6);
+// many, every n-th has a label, and of more than `most_marks` only every m-th has a mark. In ascending order, inside
+// the range; one for a range without width.
+[[nodiscard]] std::vector<ColorTick> color_ticks(const ColorScale& scale, int most = 6,
+                                                 int most_marks = most_color_steps + 1);
 
 } // namespace ciel::render

@@ -18,6 +18,7 @@ constexpr double leftmost_first = 1.0 / 3, leftmost_other = 0.66;
 constexpr double wide_legend = 0.22, upper_part = 0.55;
 constexpr double tick_spacing = 1.7; // lines
 constexpr int most_ticks = 6;
+constexpr double mark_spacing = 4;   // of their own widths: closer ones look like one bar
 constexpr double missing_line = 1.9; // lines that a legend with `missing` is higher
 constexpr const char* missing_text = "no value";
 
@@ -38,10 +39,10 @@ std::vector<Mark> end_marks(const ColorScale& scale) {
     return {{0, label_on(scale, scale.range[0])}, {1, label_on(scale, scale.range[1])}};
 }
 
-std::vector<Mark> inner_marks(const ColorScale& scale, int most) {
+std::vector<Mark> inner_marks(const ColorScale& scale, int most, int most_marks = most_color_steps + 1) {
     std::vector<Mark> marks;
     if (!has_width(scale)) return marks;
-    for (const ColorTick& tick : color_ticks(scale, most)) marks.push_back({tick.at, tick.label});
+    for (const ColorTick& tick : color_ticks(scale, most, most_marks)) marks.push_back({tick.at, tick.label});
     return marks;
 }
 
@@ -159,7 +160,8 @@ void draw_entry(Page& page, const Entry& entry, int left, double top, double bar
     page.take(bar);
     draw_marks(page, entry.ends, bar); // first: where there is no room for both, the inner mark goes
     const int most = std::clamp(static_cast<int>(bar.height() / (tick_spacing * size.line())), 1, most_ticks);
-    draw_marks(page, inner_marks(entry.legend.scale, most), bar);
+    const int most_marks = 1 + static_cast<int>(bar.height() / (mark_spacing * page.stroke_width()));
+    draw_marks(page, inner_marks(entry.legend.scale, most, most_marks), bar);
     const double end =
         entry.legend.missing ? draw_missing(page, entry.legend.scale, bar) : bar.bottom + 0.5 * size.line();
     const Box all{left - frame_width(page), std::round(top), left + entry.width, end};

@@ -51,12 +51,15 @@ const LINE_PIXELS = 14;
 const USUAL_HEIGHT = 120;
 const LINES_APART = 1.7;
 const MOST_TICKS = 6;
+/** Closer ones look like one bar. */
+const MARKS_APART = 4;
 
 /** Of those between the two ends, the ones whose labels stand clear of the labels below and above them. */
 function spacedTicks(scale: ColorScale, height: number): ColorTick[] {
   const gap = LINE_PIXELS / height;
   let last = 0;
-  return colorTicks(scale, clamp(Math.floor(height / (LINES_APART * LINE_PIXELS)), 1, MOST_TICKS)).filter((tick) => {
+  const most = clamp(Math.floor(height / (LINES_APART * LINE_PIXELS)), 1, MOST_TICKS);
+  return colorTicks(scale, most, 1 + Math.floor(height / MARKS_APART)).filter((tick) => {
     if (tick.label === "") return true;
     if (tick.at - last < gap || tick.at > 1 - gap) return false;
     last = tick.at;

@@ -31,12 +31,24 @@ function tick(scale: ColorScale, value: number, label: string): ColorTick {
   return { value, at: clamp(placeOf(scale, value), 0, 1), label };
 }
 
-function stepTicks(scale: ColorScale): ColorTick[] {
-  const stride = Math.ceil(scale.steps / MOST_LABELS);
-  return Array.from({ length: scale.steps + 1 }, (_, k) => {
+/** Of the bounds of steps every so manyth: as many as may be, and the same number between any two labels. */
+function strideOfMarks(steps: number, strideOfLabels: number, most: number): number {
+  for (let stride = 1; stride < strideOfLabels; stride += 1)
+    if (strideOfLabels % stride === 0 && Math.floor(steps / stride) < most) return stride;
+  return strideOfLabels;
+}
+
+function stepTicks(scale: ColorScale, most: number): ColorTick[] {
+  const ofLabels = Math.ceil(scale.steps / MOST_LABELS);
+  const stride = strideOfMarks(scale.steps, ofLabels, most);
+  const found: ColorTick[] = [];
+  for (let k = 0; k <= scale.steps; k += stride) {
+    const toTheEnd = scale.steps - k;
+    if (toTheEnd > 0 && toTheEnd * most < scale.steps) continue; // which has a mark of its own
     const value = valueAtPlace(scale, k / scale.steps);
-    return tick(scale, value, k % stride === 0 ? labelOn(scale, value) : "");
-  });
+    found.push(tick(scale, value, k % ofLabels === 0 ? labelOn(scale, value) : ""));
+  }
+  return found;
 }
 
 const roundTicks = (scale: ColorScale, most: number): ColorTick[] =>
@@ -70,10 +82,13 @@ function logTicks(scale: ColorScale, most: number): ColorTick[] {
   return roundTicks(scale, most);
 }
 
-/** In ascending order, inside the range; one for a range without width. */
-export function colorTicks(scale: ColorScale, most = 6): ColorTick[] {
+/**
+ * In ascending order, inside the range; one for a range without width. Of the bounds of more than `mostMarks` steps only
+ * some have marks.
+ */
+export function colorTicks(scale: ColorScale, most = 6, mostMarks = Infinity): ColorTick[] {
   const [low] = scale.range;
   if (!hasWidth(scale)) return [tick(scale, low, labelOn(scale, low))];
-  if (scale.steps > 1) return stepTicks(scale);
+  if (scale.steps > 1) return stepTicks(scale, mostMarks);
   return scale.log ? logTicks(scale, most) : roundTicks(scale, most);
 }
