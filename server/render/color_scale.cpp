@@ -61,23 +61,21 @@ std::vector<Rgb8> color_row(const ColorScale& scale, int smooth_count) {
 }
 
 bool has_width(const ColorScale& scale) {
-    const float width = scale.range[1] - scale.range[0];
+    const float width = static_cast<float>(scale.range[1]) - static_cast<float>(scale.range[0]);
     return std::isfinite(width) && width > 0;
 }
 
 double place_of(const ColorScale& scale, double value) {
     if (std::isnan(value)) return value;
     if (!has_width(scale)) return 0.5;
-    const double low = scale.range[0];
-    const double high = scale.range[1];
+    const auto [low, high] = scale.range;
     if (!scale.log) return (value - low) / (high - low);
     if (value <= 0) return -std::numeric_limits<double>::infinity();
     return std::log(value / low) / std::log(high / low);
 }
 
 double value_at(const ColorScale& scale, double place) {
-    const double low = scale.range[0];
-    const double high = scale.range[1];
+    const auto [low, high] = scale.range;
     if (!has_width(scale)) return low;
     if (place == 1) return high; // exactly
     return scale.log ? low * std::pow(high / low, place) : low + place * (high - low);
@@ -85,8 +83,7 @@ double value_at(const ColorScale& scale, double place) {
 
 ColorLimits limits_of(const ColorScale& scale) {
     if (!has_width(scale)) return {-std::numeric_limits<float>::infinity(), std::numeric_limits<float>::infinity()};
-    const double low = scale.range[0];
-    const double high = scale.range[1];
+    const auto [low, high] = scale.range;
     const double rounding = 2.5e-7 * std::max(std::abs(low), std::abs(high)); // two units in a float's last place
     const double slack = 1e-6 * (high - low) + rounding;
     if (scale.log) return {static_cast<float>(low * (1 - 1e-6)), static_cast<float>(high * (1 + 1e-6))};

@@ -27,8 +27,10 @@ struct ColorPoint {
 
 struct ColorScale {
     std::string map = "viridis";
-    std::vector<ColorPoint> points;   // two or more in ascending order, instead of the map; linear in sRGB between them
-    std::array<float, 2> range{0, 1}; // above zero when `log`
+    std::vector<ColorPoint> points; // two or more in ascending order, instead of the map; linear in sRGB between them
+    // As whoever chose it wrote it, for that is what a legend shows; pixels have the floats next to it. Above zero when
+    // `log`.
+    std::array<double, 2> range{0, 1};
     bool reverse = false, log = false; // log: equal factors are equally long
     int steps = 0;                     // 0: smooth; else 2 to most_color_steps
     Rgb8 nan{128, 128, 128};
@@ -56,7 +58,8 @@ struct ColorLimits {
     float low = 0, high = 0;
 };
 [[nodiscard]] ColorLimits limits_of(const ColorScale& scale);
-// Whether values differ in colour at all: a range without width, or too wide for a float, is one colour, the middle.
+// Whether values differ in colour at all: a range without width as floats, or too wide for one, is one colour, the
+// middle.
 [[nodiscard]] bool has_width(const ColorScale& scale);
 
 } // namespace ciel::render

@@ -42,7 +42,7 @@ void append_rule(std::vector<float>& rules, const ColorScale& scale) {
     double width = 0;
     if (has_width(scale)) {
         if (scale.log) low = std::log2(low);
-        width = (scale.log ? std::log2(static_cast<double>(scale.range[1])) : scale.range[1]) - low;
+        width = (scale.log ? std::log2(scale.range[1]) : scale.range[1]) - low;
     }
     const auto ends = color_row(scale, 2);
     rules.insert(rules.end(),

@@ -26,7 +26,7 @@ std::vector<std::vector<std::uint8_t>> geometry_messages(wire::FrameHeader& head
         mesh.points = drawable.points();
         mesh.line_width = drawable.line_width * static_cast<float>(pixel_ratio);
         mesh.map = drawable.scale.map;
-        mesh.range = drawable.scale.range;
+        mesh.range = {static_cast<float>(drawable.scale.range[0]), static_cast<float>(drawable.scale.range[1])};
         mesh.color = drawable.color;
         mesh.lit = drawable.lit;
         mesh.scale = json_of(drawable.scale).dump();

@@ -7,18 +7,16 @@
 namespace ciel::session {
 namespace {
 
-constexpr float largest_of_range = 4e37F; // the inverse of twice as much is no subnormal float
-constexpr float smallest_of_log = 1e-37F; // smaller ones lose digits as floats, or are zero to a graphics card
+constexpr double largest_of_range = 4e37; // the inverse of twice as much is no subnormal float
+constexpr double smallest_of_log = 1e-37; // smaller ones lose digits as floats, or are zero to a graphics card
 
 // A range may be wider than a float: of its end what a graphics card can still divide by the width of.
-float within_floats(double end) {
-    return static_cast<float>(std::clamp<double>(end, -largest_of_range, largest_of_range));
-}
+double within_floats(double end) { return std::clamp(end, -largest_of_range, largest_of_range); }
 
-std::array<float, 2> range_above_zero(std::array<float, 2> range) {
+std::array<double, 2> range_above_zero(std::array<double, 2> range) {
     auto [low, high] = range;
     if (!(high > 0)) return {1, 10}; // nothing is on it: is_shown_by
-    if (!(low > 0)) low = static_cast<float>(high * std::pow(10, -log_decades));
+    if (!(low > 0)) low = high * std::pow(10, -log_decades);
     return {std::max(low, smallest_of_log), std::max(high, smallest_of_log)};
 }
 
@@ -40,7 +38,7 @@ render::ColorScale color_scale_of(const scene::Coloring& coloring, std::array<fl
     else
         scale.range = {within_floats(data_range[0]), within_floats(data_range[1])};
     if (coloring.symmetric) {
-        const float reach = std::max(std::abs(scale.range[0]), std::abs(scale.range[1]));
+        const double reach = std::max(std::abs(scale.range[0]), std::abs(scale.range[1]));
         scale.range = {-reach, reach};
     }
     if (coloring.log) scale.range = range_above_zero(scale.range);

@@ -101,8 +101,7 @@ TEST_F(Layout, IsLawfulForAnyText) {
     for (Legend& legend : frame.annotations.legends) legend.name = "an array with a name that is far too long";
     frame.annotations.legends.resize(64, {"n", "", scale_of("magma", {1e30F, 1e38F})});
     expect_lawful(frame, "long");
-    for (const auto& range :
-         {std::array{0.0F, 0.0F}, {NAN, NAN}, {-INFINITY, INFINITY}, {2.0F, 1.0F}, {-1e38F, 1e38F}}) {
+    for (const auto& range : {std::array{0.0, 0.0}, {NAN, NAN}, {-INFINITY, INFINITY}, {2.0, 1.0}, {-1e38, 1e38}}) {
         frame.annotations.legends = {{"q", "", scale_of("magma", range)}};
         expect_lawful(frame, "range");
     }

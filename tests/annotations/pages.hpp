@@ -5,7 +5,7 @@
 
 namespace ciel::render {
 
-inline ColorScale scale_of(const std::string& map, const std::array<float, 2>& range) {
+inline ColorScale scale_of(const std::string& map, const std::array<double, 2>& range) {
     ColorScale scale;
     scale.map = map;
     scale.range = range;

@@ -61,7 +61,7 @@ protected:
 INSTANTIATE_TEST_SUITE_P(Backends, ColorScalePicture, testing::ValuesIn(available_backends()), name_of_test);
 GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(ColorScalePicture);
 
-ColorScale scale_of(const char* map, std::array<float, 2> range) {
+ColorScale scale_of(const char* map, std::array<double, 2> range) {
     ColorScale scale;
     scale.map = map;
     scale.range = range;

@@ -45,7 +45,7 @@ TEST_F(SceneAnnotations, HaveOneLegendForEachArrayMapAndRange) {
     EXPECT_EQ(written.legends[0].name, "p");
     EXPECT_EQ(written.legends[0].scale.map, "viridis");
     EXPECT_EQ(written.legends[1].scale.map, "magma");
-    EXPECT_EQ(written.legends[2].scale.range, (std::array<float, 2>{1, 2}));
+    EXPECT_EQ(written.legends[2].scale.range, (std::array<double, 2>{1, 2}));
     EXPECT_EQ(written.legends[3].name, "U:x");
 }
 

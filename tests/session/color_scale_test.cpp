@@ -7,6 +7,7 @@
 #include <fstream>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
+#include <numeric>
 
 namespace ciel::session {
 namespace {
@@ -124,7 +125,7 @@ TEST(ColorScale, NoLabelOfALogarithmicScaleHasTenBeforeItsPower) {
 TEST(ColorScale, TicksStayInsideAndInOrderWhateverTheRange) {
     for (const bool log : {false, true})
         for (const int steps : {0, 2, 7, 256})
-            for (const auto& range : std::vector<std::array<float, 2>>{
+            for (const auto& range : std::vector<std::array<double, 2>>{
                      {1, 1.0000001F}, {1e-30F, 1e30F}, {1e-37F, 1}, {99999, 100001}, {3, 3e12F}, {1e35F, 3e38F}}) {
                 render::ColorScale scale;
                 scale.log = log;
@@ -160,7 +161,8 @@ TEST(ColorScale, AnyRangeHasEndsThatAreWrittenAndAFiniteWidth) {
         coloring.array = "p";
         coloring.range = range;
         const render::ColorScale scale = color_scale_of(coloring, {0, 1});
-        const double width = static_cast<double>(scale.range[1]) - scale.range[0];
+        const double width =
+            static_cast<double>(static_cast<float>(scale.range[1])) - static_cast<float>(scale.range[0]);
         ASSERT_TRUE(std::isfinite(scale.range[0]) && std::isfinite(scale.range[1]) && width >= 0) << range[0];
         EXPECT_EQ(render::has_width(scale), width > 0);
         if (width > 0) {
@@ -178,10 +180,20 @@ TEST(ColorScale, AnyRangeHasEndsThatAreWrittenAndAFiniteWidth) {
             EXPECT_NE(tick.label, "n/a");
             before = tick.value;
         }
-        const float middle = static_cast<float>(scale.range[0] + width / 2);
+        const double middle = std::midpoint(scale.range[0], scale.range[1]);
         if (width > 1e-30) {
             EXPECT_NEAR(render::place_of(scale, middle), 0.5, 1e-3);
         }
+    }
+}
+
+// Its legend has the numbers that whoever chose it wrote, not the floats next to them.
+TEST(ColorScale, ARangeThatWasGivenIsWrittenAsItWas) {
+    for (const json& row : cases()["ends"]) {
+        const auto scale = color_scale_of(coloring_of(row[0]), {0, 1});
+        std::vector<std::string> labels{label_on(scale, scale.range[0]), label_on(scale, scale.range[1])};
+        for (const render::ColorTick& tick : render::color_ticks(scale)) labels.push_back(tick.label);
+        EXPECT_EQ(labels, row[1].get<std::vector<std::string>>()) << row;
     }
 }
 

@@ -82,7 +82,7 @@ TEST_P(scene_geometry, iso_surface_has_the_value_and_the_interpolated_colours) {
             EXPECT_NEAR(test::pressure(at, time), 7.5, 1e-4);
             EXPECT_NEAR((*drawable.scalars)[i], test::velocity(at)[0], 1e-4);
         }
-        EXPECT_EQ(drawable.scale.range, (std::array<float, 2>{0, 6}));
+        EXPECT_EQ(drawable.scale.range, (std::array<double, 2>{0, 6}));
     }
 }
 
@@ -108,7 +108,7 @@ TEST_P(scene_geometry, what_a_scene_says_of_colours_arrives_at_the_renderer) {
     EXPECT_TRUE(scale.log && scale.reverse);
     EXPECT_EQ(scale.steps, 6);
     EXPECT_EQ(scale.above, (render::Rgb8{255, 0, 0}));
-    EXPECT_EQ(scale.range, (std::array<float, 2>{36e-6F, 36})) << "p reaches down to zero: six decades are shown";
+    EXPECT_EQ(scale.range, (std::array<double, 2>{36e-6, 36})) << "p reaches down to zero: six decades are shown";
     EXPECT_EQ(frame_of(*shown, scene::parse(document), 32, 32, 1).meshes.at(0).scale, scale);
     EXPECT_TRUE(shown->lacking.empty());
 }

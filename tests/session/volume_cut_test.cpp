@@ -186,7 +186,7 @@ TEST_F(volume_cut, range_and_unit_length_are_the_scenes_or_the_arrays_and_the_bo
     layer["color"] = {{"range", {1, 2}}, {"map", "inferno"}};
     const VolumeDrawable chosen = show(layer);
     EXPECT_EQ(chosen.unit_length, 2);
-    EXPECT_EQ(chosen.scale.range, (std::array<float, 2>{1, 2}));
+    EXPECT_EQ(chosen.scale.range, (std::array<double, 2>{1, 2}));
     EXPECT_EQ(chosen.scale.map, "inferno");
 }
 

@@ -39,7 +39,7 @@ describe("the colour scale", () => {
 
   test.each(cases.cases as unknown as Case[])("$name", ({ coloring, data, range, colors, ticks }) => {
     const scale = scaleOf(coloring, data);
-    expect(scale.range).toEqual(range.map(Math.fround));
+    expect(scale.range.map(Math.fround)).toEqual(range.map(Math.fround));
     for (const [value, color] of colors) expect([value, hexOf(colorOf(scale, value ?? NaN))]).toEqual([value, color]);
     if (ticks === undefined) return;
     const found = colorTicks(scale);
@@ -48,6 +48,12 @@ describe("the colour scale", () => {
       expect(value).toBeCloseTo(ticks[i]?.[0] ?? NaN, 6);
       expect(at).toBeCloseTo(ticks[i]?.[1] ?? NaN, 6);
     });
+  });
+
+  test.each(cases.ends as unknown as [Coloring, string[]][])("%j is written as it was given", (coloring, labels) => {
+    const scale = scaleOf(coloring, [0, 1]);
+    const ends = scale.range.map((end) => labelOn(scale, end));
+    expect([...ends, ...colorTicks(scale).map(({ label }) => label)]).toEqual(labels);
   });
 
   test("a row has a colour for each step, or as many as are asked for", () => {

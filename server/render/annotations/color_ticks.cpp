@@ -62,8 +62,7 @@ int labels_of(const std::vector<ColorTick>& ticks) {
 }
 
 void add_log(Marks& marks, int most) {
-    const double low = marks.scale.range[0];
-    const double high = marks.scale.range[1];
+    const auto [low, high] = marks.scale.range;
     const int decades = static_cast<int>(std::floor(std::log10(high / low)));
     const int stride = std::max(1, (decades + most_labels - 1) / most_labels);
     for (const std::vector<int>& with : {std::vector<int>{1}, std::vector<int>{1, 2, 5}}) {
@@ -82,7 +81,7 @@ int exponent_of(const ColorScale& scale) { return scale.log ? 0 : common_exponen
 std::string label_on(const ColorScale& scale, double value) {
     // Over a power of ten and more the eye reads no more digits off a logarithmic bar.
     if (scale.log) return number_label(value, scale.range[1] >= 10 * scale.range[0] ? 3 : 6);
-    return number_label(value, static_cast<double>(scale.range[1]) - scale.range[0], exponent_of(scale));
+    return number_label(value, has_width(scale) ? scale.range[1] - scale.range[0] : 0, exponent_of(scale));
 }
 
 std::vector<ColorTick> color_ticks(const ColorScale& scale, int most, int most_marks) {

@@ -18,7 +18,7 @@ std::vector<Rgb8> colors_of(const ColorScale& scale) {
     std::vector<Rgb8> colors;
     for (int i = 0; i < color_entries; ++i) {
         const double share = static_cast<double>(i) / (color_entries - 1);
-        colors.push_back(color_of(scale, std::lerp(double{scale.range[0]}, double{scale.range[1]}, share)));
+        colors.push_back(color_of(scale, std::lerp(scale.range[0], scale.range[1], share)));
     }
     return colors;
 }
@@ -77,9 +77,8 @@ double opacity_at(std::span<const std::array<double, 2>> points, double place) {
     return std::lerp(low, high, (place - from) / (to - from));
 }
 
-std::array<double, 2> TableExtent::values(const std::array<float, 2>& range) const {
-    return {std::lerp(double{range[0]}, double{range[1]}, share_at(0)),
-            std::lerp(double{range[0]}, double{range[1]}, share_at(1))};
+std::array<double, 2> TableExtent::values(const std::array<double, 2>& range) const {
+    return {std::lerp(range[0], range[1], share_at(0)), std::lerp(range[0], range[1], share_at(1))};
 }
 
 TableExtent table_extent(const ColorScale& scale) { return {scale.below ? 1 : 0, scale.above ? 1 : 0}; }

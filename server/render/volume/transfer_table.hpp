@@ -20,7 +20,7 @@ struct TableExtent {
     int halves_below = 0, halves_above = 0;
     [[nodiscard]] double width() const { return 1 + 0.5 * (halves_below + halves_above); }             // in ranges
     [[nodiscard]] double share_at(double place) const { return place * width() - 0.5 * halves_below; } // of the range
-    [[nodiscard]] std::array<double, 2> values(const std::array<float, 2>& range) const;               // at its ends
+    [[nodiscard]] std::array<double, 2> values(const std::array<double, 2>& range) const;              // at its ends
     bool operator==(const TableExtent&) const = default;
 };
 [[nodiscard]] TableExtent table_extent(const ColorScale& scale);

@@ -41,7 +41,7 @@ vtkSmartPointer<vtkVolumeProperty> look_of(const render::Volume& volume) {
     vtkNew<vtkColorTransferFunction> color;
     vtkNew<vtkPiecewiseFunction> extinction;
     for (std::size_t i = 0; i < entries; ++i) {
-        const double share = static_cast<double>(i) / (entries - 1), at = low + (double{high} - low) * share;
+        const double share = static_cast<double>(i) / (entries - 1), at = low + (high - low) * share;
         color->AddRGBPoint(at, colors[i][0] / 255.0, colors[i][1] / 255.0, colors[i][2] / 255.0);
         const auto [from, to] = std::pair(volume.opacity_points.front(), volume.opacity_points.back());
         const double opacity = from[1] + (to[1] - from[1]) * share;

@@ -9,7 +9,7 @@ export interface ColorScale {
   map: string;
   /** Two or more instead of the map; empty: the map. */
   points: readonly ColorPoint[];
-  /** Of 32-bit floats, as the scalars are; above zero when logarithmic. */
+  /** As whoever chose it wrote it; pixels have the 32-bit floats next to it. Above zero when logarithmic. */
   range: Range;
   reverse: boolean;
   log: boolean;
@@ -69,7 +69,7 @@ export const colorRow = (scale: ColorScale, smoothCount: number): Rgb8[] =>
   colorsAlong({ ...scale, steps: 0 }, scale.steps > 1 ? scale.steps : smoothCount);
 
 export function hasWidth({ range: [low, high] }: ColorScale): boolean {
-  const width = Math.fround(high - low);
+  const width = Math.fround(Math.fround(high) - Math.fround(low));
   return Number.isFinite(width) && width > 0;
 }
 

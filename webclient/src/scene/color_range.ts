@@ -18,7 +18,6 @@ export function rangeAboveZero([low, high]: Range): Range {
   return [Math.max(start, SMALLEST_OF_LOG), Math.max(high, SMALLEST_OF_LOG)];
 }
 
-/** What a person reads: not yet rounded to what is drawn. */
 export function rangeOf(coloring: Coloring, data: Range): Range {
   let range = (coloring.range ?? data).map((end) => clamp(end, -LARGEST, LARGEST)) as Range;
   if (coloring.symmetric === true) {
@@ -33,7 +32,7 @@ export function rangeOf(coloring: Coloring, data: Range): Range {
 export const scaleOf = (coloring: Coloring, data: Range): ColorScale => ({
   map: coloring.map ?? DEFAULT_MAP,
   points: coloring.points ?? [],
-  range: rangeOf(coloring, data).map(Math.fround) as Range,
+  range: rangeOf(coloring, data),
   reverse: coloring.reverse === true,
   log: coloring.log === true,
   steps: coloring.steps ?? 0,

@@ -25,7 +25,7 @@ export const exponentOf = (scale: ColorScale): number => (scale.log ? 0 : common
 export const labelOn = (scale: ColorScale, value: number): string =>
   scale.log
     ? numberAlone(value, scale.range[1] >= 10 * scale.range[0] ? 3 : 6)
-    : numberLabel(value, scale.range[1] - scale.range[0], exponentOf(scale));
+    : numberLabel(value, hasWidth(scale) ? scale.range[1] - scale.range[0] : 0, exponentOf(scale));
 
 function tick(scale: ColorScale, value: number, label: string): ColorTick {
   return { value, at: clamp(placeOf(scale, value), 0, 1), label };
