@@ -15,6 +15,11 @@ std::array<float, 2> range_of(const store::Dataset& dataset, const std::string& 
     return {static_cast<float>(range[0]), static_cast<float>(range[1])};
 }
 
+std::string full_name(const store::Dataset& dataset, const std::string& scalar) {
+    const store::ScalarName name = store::parse_scalar(dataset, scalar);
+    return name.magnitude ? name.array + ":magnitude" : scalar;
+}
+
 std::string bits_of(double number) { return {reinterpret_cast<const char*>(&number), sizeof number}; }
 
 std::string plane_name(const std::array<double, 3>& normal, const store::Step& step) {
@@ -67,8 +72,8 @@ void LayerUpdate::add(Painted& painted, const std::shared_ptr<const Shape>& shap
 
 void LayerUpdate::colour(Drawable& drawable, const scene::Coloring& coloring, const scene::Layer& layer) const {
     drawable.color = {coloring.solid[0], coloring.solid[1], coloring.solid[2], layer.opacity};
-    drawable.array = coloring.array;
     if (coloring.array.empty()) return;
+    drawable.array = full_name(*dataset, coloring.array);
     const std::array<float, 2> range = range_of(*dataset, coloring.array, out.step);
     drawable.units = dataset->find(store::parse_scalar(*dataset, coloring.array).array)->units;
     drawable.scale = color_scale_of(coloring, range);

@@ -81,5 +81,7 @@ private:
 [[nodiscard]] std::string plane_name(const std::array<double, 3>& normal, const store::Step& step);
 
 [[nodiscard]] std::array<float, 2> range_of(const store::Dataset& dataset, const std::string& scalar, std::size_t step);
+// A vector's bare name with what it stands for, "U:magnitude"; other names as they are.
+[[nodiscard]] std::string full_name(const store::Dataset& dataset, const std::string& scalar);
 
 } // namespace ciel::session

@@ -1,5 +1,7 @@
 // Layers that cut the mesh: iso-surfaces and slices.
 #include "session/layer_update.hpp"
+
+#include "render/annotations/ticks.hpp"
 #include "session/mesh_side.hpp"
 
 #include <algorithm>
@@ -32,7 +34,8 @@ bool LayerUpdate::operator()(const scene::Layer& layer, const scene::IsoLayer& i
             return true;
         }
         if (!cut.extract(iso.values[i], iso.smooth, stop)) return false;
-        const bool by_itself = iso.color.array == iso.array;
+        const bool by_itself =
+            !iso.color.array.empty() && full_name(*dataset, iso.color.array) == full_name(*dataset, iso.array);
         add(cut.painted, cut.shape, iso.color, layer, true, by_itself ? std::optional(iso.values[i]) : std::nullopt);
         add_edges(cut.outlined, cut.shape, iso.edges, layer);
         count(before, cut.memory_bytes());
@@ -89,6 +92,10 @@ void LayerUpdate::add_contours(Contoured& contoured, const std::shared_ptr<const
     } catch (const store::NotWritten& missing) {
         return lack(layer, "has no contour lines", missing);
     }
+    if (contoured.lines->indices.empty() && !shape->indices.empty())
+        out.remarks.push_back("layer " + layer.id + " has no contour lines: " + contours->array +
+                              " has none of their values on it, and goes from " + render::number_label(own[0]) +
+                              " to " + render::number_label(own[1]) + " in all of the data at this time");
     Drawable& lines = add_lines(contoured.lines, contours->line, layer, contoured.identity, contoured.revision);
     lines.contours = true;
     if (!contours->coloring) return;

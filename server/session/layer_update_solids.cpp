@@ -132,6 +132,10 @@ bool LayerUpdate::operator()(const scene::Layer& layer, const scene::OutlineLaye
     if (!kept.shape) kept.shape = outline_shape(out.bounds_min, out.bounds_max, out.origin);
     scene::Coloring solid = outline.color;
     solid.array.clear(); // a box has no values
+    if (!outline.color.array.empty())
+        out.remarks.push_back("layer " + layer.id + " has no colours of " + outline.color.array +
+                              ": an outline is a box without values; leave its color.array out, or colour another "
+                              "layer by it");
     add(kept.painted, kept.shape, solid, layer, false);
     return true;
 }

@@ -41,7 +41,7 @@ VolumeDrawable LayerUpdate::drawable_of(const scene::Layer& layer, const scene::
     drawable.layer = layer.id;
     drawable.slabs = kept.slabs;
     drawable.stride = stride;
-    drawable.array = volume.array;
+    drawable.array = full_name(*dataset, volume.array);
     drawable.units = dataset->find(store::parse_scalar(*dataset, volume.array).array)->units;
     drawable.scale = color_scale_of(volume.color, range_of(*dataset, volume.array, out.step));
     drawable.opacity_points = volume.opacity_points;

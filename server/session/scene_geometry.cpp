@@ -1,9 +1,11 @@
 #include "session/scene_geometry.hpp"
 
+#include "render/annotations/ticks.hpp"
 #include "session/clip.hpp"
 #include "session/empty_layers.hpp"
 #include "session/layer_update.hpp"
 
+#include <cmath>
 #include <set>
 
 namespace ciel::session {
@@ -11,6 +13,14 @@ namespace {
 
 Vec3d low(const store::MeshInfo& mesh) { return {mesh.bounds[0], mesh.bounds[2], mesh.bounds[4]}; }
 Vec3d high(const store::MeshInfo& mesh) { return {mesh.bounds[1], mesh.bounds[3], mesh.bounds[5]}; }
+
+// A scene that says no time has 0, and means the first step.
+void remark_on_time(double wanted, Geometry& geometry) {
+    const double off = std::abs(geometry.time - wanted);
+    if (wanted == 0 || off <= 1e-6 * std::max(std::abs(geometry.time), std::abs(wanted))) return;
+    geometry.remarks.push_back("there is no step at time " + render::number_label(wanted) + "; the nearest, " +
+                               render::number_label(geometry.time) + ", is shown");
+}
 
 } // namespace
 
@@ -41,6 +51,7 @@ std::shared_ptr<const Geometry> SceneGeometry::update(const scene::Scene& scene,
     geometry->step = dataset->step_at(scene.time);
     const store::Step& step = dataset->steps()[geometry->step];
     geometry->time = step.time;
+    remark_on_time(scene.time, *geometry);
     geometry->length_units = dataset->info().length_units;
     geometry->origin = dataset->mesh(step.mesh, step.coordinates).origin;
     geometry->bounds_min = low(dataset->info().meshes[step.mesh]);

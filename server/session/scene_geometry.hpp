@@ -88,7 +88,7 @@ struct Geometry {
     std::size_t triangles = 0, bytes = 0;
     // A sentence for each layer that is left out, or left uncoloured, because its array was not written at this step.
     std::vector<std::string> lacking;
-    std::vector<std::string> remarks; // likewise what is not shown in full, because it is too much
+    std::vector<std::string> remarks; // likewise what is shown in another way than was asked for, or in part
     std::vector<EmptyLayer> empty;    // those have no legend either
 };
 [[nodiscard]] bool is_empty(const Geometry& geometry, const std::string& layer);

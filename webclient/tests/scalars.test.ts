@@ -93,11 +93,11 @@ describe("scalars", () => {
   });
 
   test("one legend for layers that share their colours, in their order, none for what is hidden or of one colour", () => {
-    expect(legendsOf(scene).map(({ coloring, of }) => [coloring.array, coloring.range, of.layers])).toEqual([
+    expect(legendsOf(scene, null).map(({ coloring, of }) => [coloring.array, coloring.range, of.layers])).toEqual([
       ["p", [0, 1], ["c"]],
       ["p", undefined, ["b", "a"]],
     ]);
-    expect(legendsOf(null)).toEqual([]);
+    expect(legendsOf(null, null)).toEqual([]);
   });
 
   test("contour lines in the colours of their values have a legend, with a layer's where the scales are the same", () => {
@@ -115,7 +115,7 @@ describe("scalars", () => {
       d: slice({}, { array: "U:y", coloring: {}, visible: false }),
       e: slice({}, { array: "U:z" }), // in one colour
     };
-    expect(legendsOf({ dataset: "d", layers }).map(({ coloring, of }) => [coloring.array, of])).toEqual([
+    expect(legendsOf({ dataset: "d", layers }, null).map(({ coloring, of }) => [coloring.array, of])).toEqual([
       ["p", { layers: ["a", "b"], contours: ["a"] }],
       ["U:x", { layers: [], contours: ["b", "c"] }],
     ]);

@@ -34,8 +34,9 @@ export function openingScene(description: DatasetDescription, size: CanvasSize, 
 async function withCamera(call: Caller, scene: Scene, size: CanvasSize): Promise<Scene> {
   if (scene.camera) return scene;
   try {
-    const { bounds } = await call("dataset.describe", { dataset: scene.dataset });
-    if (scene.annotations?.legend !== false) size.expectLegends(legendsOf(scene).length);
+    const description = await call("dataset.describe", { dataset: scene.dataset });
+    if (scene.annotations?.legend !== false) size.expectLegends(legendsOf(scene, description).length);
+    const { bounds } = description;
     return { ...scene, camera: size.clearOfCorner(defaultView(bounds, size.aspect), bounds) };
   } catch (error) {
     if (!(error instanceof RpcError)) throw error;

@@ -209,7 +209,8 @@ export function Legends(): JSX.Element | null {
   const { size } = useApp();
   const scene = useAppState((state) => state.scene);
   const empty = useAppState((state) => state.empty);
-  const entries = scene?.annotations?.legend === false ? [] : legendsOf(scene, empty);
+  const description = useAppState((state) => state.description);
+  const entries = scene?.annotations?.legend === false ? [] : legendsOf(scene, description, empty);
   const root = useRef<HTMLDivElement>(null);
   useEffect(() => {
     const element = root.current;

@@ -35,6 +35,12 @@ export function firstScalar(description: DatasetDescription | null): string | un
   return scalarsOf(description)[0]?.name;
 }
 
+/** A vector's bare name with what it stands for, "U:magnitude"; other names as they are. */
+export function fullName(description: Pick<DatasetDescription, "arrays"> | null, scalar: string): string {
+  const isVector = description?.arrays.some(({ name, components }) => name === scalar && components > 1);
+  return isVector === true ? `${scalar}:magnitude` : scalar;
+}
+
 /** The array that the scalar is made from. */
 export const arrayOf = (description: DatasetDescription | null, scalar: string): ArrayInfo | undefined =>
   thresholdScalarsOf(description).find(({ name }) => name === scalar)?.array;
@@ -131,11 +137,16 @@ export interface LegendOf {
 
 /** The colourings that the visible layers use, each once, in the order of the layers, with those that share it; of
  * layers that show nothing there is none. */
-export function legendsOf(scene: Scene | null, empty: readonly EmptyLayer[] = []): LegendOf[] {
+export function legendsOf(
+  scene: Scene | null,
+  description: Pick<DatasetDescription, "arrays"> | null,
+  empty: readonly EmptyLayer[] = [],
+): LegendOf[] {
   const found = new Map<string, Omit<LegendOf, "name"> & { names: string[] }>();
   for (const [id, layer] of layersInOrder(scene)) {
     if (layer.visible === false || empty.some((one) => one.layer === id)) continue;
-    for (const { part, coloring } of scalesOf(layer)) {
+    for (const { part, coloring: own } of scalesOf(layer)) {
+      const coloring = { ...own, array: fullName(description, own.array) };
       const { array, range, symmetric } = coloring;
       const key = JSON.stringify([array, range ?? null, symmetric === true, scaleOf(coloring, [0, 1])]);
       const legend = found.get(key) ?? { coloring, of: { layers: [], contours: [] }, names: [] };
