@@ -5,6 +5,7 @@
 #include "app/layer_options.hpp"
 #include "app/lighting_options.hpp"
 #include "app/scene_options.hpp"
+#include "ciel/printable.hpp"
 #include "scene/read_json.hpp"
 #include "session/default_scene.hpp"
 #include "session/errors.hpp"
@@ -173,7 +174,8 @@ int run_command(const RenderCommand& render) {
     render::Image image;
     render::Renderer renderer(backend);
     renderer.draw(session::picture_of(*geometry, scene, size), image);
-    for (const std::string& remark : session::remarks_on(*geometry, renderer)) std::cerr << "ciel: " << remark << '\n';
+    for (const std::string& remark : session::remarks_on(*geometry, renderer))
+        std::cerr << "ciel: " << printable(remark) << '\n';
     std::vector<std::uint8_t> png;
     wire::encode_png(image.width, image.height, image.rgb, png);
     store::replace_file(std::filesystem::absolute(render.output), std::as_bytes(std::span(png)));

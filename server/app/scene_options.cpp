@@ -1,6 +1,7 @@
 #include "app/scene_options.hpp"
 
 #include "app/commands.hpp"
+#include "ciel/printable.hpp"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -125,7 +126,8 @@ scene::Scene parse_scene(const nlohmann::json& document) {
         return scene::parse(document);
     } catch (const scene::Invalid& error) {
         const std::string reason = error.what(); // that of the schema names the path itself
-        throw Error("the scene cannot be shown: " + (reason.starts_with(error.path) ? "" : error.path + ": ") + reason);
+        const std::string path = printable(error.path);
+        throw Error("the scene cannot be shown: " + (reason.starts_with(path) ? "" : path + ": ") + reason);
     }
 }
 
@@ -136,7 +138,7 @@ make_geometry(const scene::Scene& scene, const std::shared_ptr<store::LoadedData
         session::require_complete(*made);
         return made;
     } catch (const scene::Invalid& error) {
-        throw Error(error.path + ": " + error.what());
+        throw Error(printable(error.path) + ": " + error.what());
     }
 }
 

@@ -1,3 +1,4 @@
+#include "ciel/printable.hpp"
 #include "scene/scene.hpp"
 #include "scene/schema.hpp"
 
@@ -141,9 +142,9 @@ std::optional<Contours> contours_of(const json& layer, const std::string& path) 
     if (std::string& array = contours.coloring->array; array.empty())
         array = contours.array;
     else if (array != contours.array)
-        throw Invalid(path + "/contours/coloring/array", "contour lines of " + contours.array +
-                                                             " have the colours of its values, not of " + array +
-                                                             "; leave out the array of the colours");
+        throw Invalid(path + "/contours/coloring/array", "contour lines of " + printable(contours.array) +
+                                                             " have the colours of its values, not of " +
+                                                             printable(array) + "; leave out the array of the colours");
     return contours;
 }
 
@@ -318,7 +319,7 @@ VolumeLayer volume_of(const json& object, const std::string& path) {
         volume.direction = directions.at(direction->get<std::string>());
     read(object, "shaded", volume.shaded);
     if (!volume.color.array.empty() && volume.color.array != volume.array)
-        throw Invalid(path + "/color/array", "a volume has the colours of its own array, " + volume.array);
+        throw Invalid(path + "/color/array", "a volume has the colours of its own array, " + printable(volume.array));
     return volume;
 }
 
@@ -366,7 +367,7 @@ Scene parse(const json& document) {
     refuse_old_legend(document);
     if (const auto violation = check_schema(schema, document))
         throw Invalid(violation->path,
-                      (violation->path.empty() ? "the scene" : violation->path) + " " + violation->reason);
+                      (violation->path.empty() ? "the scene" : printable(violation->path)) + " " + violation->reason);
 
     Scene scene;
     read(document, "dataset", scene.dataset);

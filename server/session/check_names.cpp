@@ -1,3 +1,4 @@
+#include "ciel/printable.hpp"
 #include "render/color_map.hpp"
 #include "scene/schema.hpp"
 #include "session/scene_geometry.hpp"
@@ -15,7 +16,7 @@ struct Check {
         try {
             const store::ScalarName parsed = store::parse_scalar(dataset, name);
             if (!of_cells_too && dataset.find(parsed.array)->association != store::Association::point)
-                throw Error(name + " belongs to the cells; layers need point values");
+                throw Error(printable(name) + " belongs to the cells; layers need point values");
         } catch (const Error& error) {
             throw scene::Invalid(path + place, error.what());
         }
@@ -27,7 +28,8 @@ struct Check {
         if (std::find(maps.begin(), maps.end(), color.map) != maps.end()) return;
         std::string known;
         for (const auto& name : maps) known += (known.empty() ? "" : ", ") + name;
-        throw scene::Invalid(path + place + "/map", "there is no colour map " + color.map + "; there are " + known);
+        throw scene::Invalid(path + place + "/map",
+                             "there is no colour map " + printable(color.map) + "; there are " + known);
     }
 
     void operator()(const scene::IsoLayer& iso) const {
@@ -66,7 +68,7 @@ struct Check {
                 known += (known.empty() ? "" : ", ") + group.name;
             }
         throw scene::Invalid(path + "/groups/" + std::to_string(index),
-                             "there is no patch " + name +
+                             "there is no patch " + printable(name) +
                                  (known.empty() ? "; the dataset has none" : "; there are " + known));
     }
 };

@@ -1,5 +1,6 @@
 #include "session/scene_geometry.hpp"
 
+#include "ciel/printable.hpp"
 #include "render/annotations/ticks.hpp"
 #include "session/clip.hpp"
 #include "session/empty_layers.hpp"
@@ -25,7 +26,7 @@ void remark_on_time(double wanted, Geometry& geometry) {
 } // namespace
 
 void require_complete(const Geometry& geometry) {
-    if (!geometry.lacking.empty()) throw store::NotWritten(geometry.lacking.front());
+    if (!geometry.lacking.empty()) throw store::NotWritten(printable(geometry.lacking.front()));
 }
 
 SceneGeometry::SceneGeometry(Extraction extraction) : extraction_(extraction) {}

@@ -1,5 +1,6 @@
 #include "store/catalog.hpp"
 
+#include "ciel/printable.hpp"
 #include "store/documents.hpp"
 #include "store/files.hpp"
 #include "store/layout.hpp"
@@ -160,7 +161,7 @@ std::shared_ptr<LoadedDataset> Catalog::open(const std::string& name) {
         if (state_->known.count(name) == 0) state_->scan();
         const auto found = state_->known.find(name);
         if (found == state_->known.end())
-            throw Error("there is no dataset '" + name + "'; there are: " + state_->names());
+            throw Error("there is no dataset '" + printable(name) + "'; there are: " + state_->names());
         found->second.used = Clock::now();
         if (found->second.loaded) return found->second.loaded;
         State::examine(found->second);

@@ -1,4 +1,5 @@
 // Names of scalars: an array, or one component or the magnitude of a vector.
+#include "ciel/printable.hpp"
 #include "store/dataset.hpp"
 
 #include <algorithm>
@@ -38,7 +39,7 @@ ScalarName parse_scalar(const Dataset& dataset, const std::string& name) {
         if (array.association == Association::cell) continue;
         for (const std::string& each : scalar_names(array)) names += (names.empty() ? "" : ", ") + each;
     }
-    throw Error("dataset '" + dataset.info().name + "' has no scalar '" + name + "'; it has " +
+    throw Error("dataset '" + dataset.info().name + "' has no scalar '" + printable(name) + "'; it has " +
                 (names.empty() ? std::string("none") : names));
 }
 
