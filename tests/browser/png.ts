@@ -74,6 +74,15 @@ export const distance = (a: Color, b: Color): number =>
 export const difference = (a: Picture, b: Picture): number =>
   share(a, (color, x, y) => distance(color, b.at(x, y)) > 12);
 
+/** Of all pixels, in shades of 256. */
+export function meanDistance(a: Picture, b: Picture): number {
+  let sum = 0;
+  for (let y = 0; y < a.height; y += 1) {
+    for (let x = 0; x < a.width; x += 1) sum += distance(a.at(x, y), b.at(x, y));
+  }
+  return sum / (a.width * a.height);
+}
+
 /** Degrees: 0 red, 120 green, 240 blue; null for greys. */
 export function hue([r, g, b]: Color): number | null {
   const most = Math.max(r, g, b);

@@ -4,7 +4,7 @@ import { decodeImage } from "../decoders/image";
 import { ShownCameras } from "../camera/shown_cameras";
 import { lightsOf } from "../display/lights";
 import { backgroundColors } from "../display/background";
-import type { Look } from "../display/geometry_canvas";
+import type { Look } from "../display/look";
 import { Presenter } from "../display/presenter";
 import { Viewport } from "../display/viewport";
 import type { Coloring } from "../generated/protocol";

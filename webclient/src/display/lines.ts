@@ -1,7 +1,11 @@
-// Lines of any width: each one an instance of a rectangle, for WebGL draws no line wider than a pixel.
+// Lines of any width: each one a rectangle, for WebGL draws no line wider than a pixel. The vertex shader fetches the
+// ends from a texture: six vertices a line, where instances of four would leave most of a graphics card idle.
 import type { GeometryBatch } from "../decoders/geometry";
 
 const FLOATS_PER_END = 4;
+/** Every WebGL2 has textures of as many columns and rows. LINE_VERTEX has it too. */
+export const ENDS_PER_ROW = 2048;
+export const VERTICES_PER_LINE = 6;
 
 /** x, y, z and value of both ends, line after line. */
 export function lineEnds({ positions, scalars, indices }: GeometryBatch): Float32Array {
@@ -13,15 +17,13 @@ export function lineEnds({ positions, scalars, indices }: GeometryBatch): Float3
   return ends;
 }
 
-/** Attributes 0 and 1 of the bound vertex array: the ends of each instance. */
-export function uploadLines(gl: WebGL2RenderingContext, batch: GeometryBatch): WebGLBuffer[] {
-  const buffer = gl.createBuffer();
-  gl.bindBuffer(gl.ARRAY_BUFFER, buffer);
-  gl.bufferData(gl.ARRAY_BUFFER, lineEnds(batch), gl.STATIC_DRAW);
-  for (const end of [0, 1]) {
-    gl.enableVertexAttribArray(end);
-    gl.vertexAttribPointer(end, FLOATS_PER_END, gl.FLOAT, false, 2 * FLOATS_PER_END * 4, end * FLOATS_PER_END * 4);
-    gl.vertexAttribDivisor(end, 1);
-  }
-  return [buffer];
+export function uploadLines(gl: WebGL2RenderingContext, batch: GeometryBatch): WebGLTexture {
+  const rows = Math.max(Math.ceil(batch.indices.length / ENDS_PER_ROW), 1);
+  const ends = new Float32Array(FLOATS_PER_END * ENDS_PER_ROW * rows);
+  ends.set(lineEnds(batch));
+  const texture = gl.createTexture();
+  gl.bindTexture(gl.TEXTURE_2D, texture);
+  gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA32F, ENDS_PER_ROW, rows, 0, gl.RGBA, gl.FLOAT, ends);
+  for (const name of [gl.TEXTURE_MIN_FILTER, gl.TEXTURE_MAG_FILTER]) gl.texParameteri(gl.TEXTURE_2D, name, gl.NEAREST);
+  return texture;
 }

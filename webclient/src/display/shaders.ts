@@ -1,5 +1,8 @@
-// The server's shading (render/) in GLSL ES 3.00, so that both streams show the same picture.
+// The server's shading (render/) in GLSL ES 3.00, so that both streams show the same picture. With PEELED defined they
+// are the programs of the layers (peeling_shaders.ts).
 import LIGHTING from "../../../protocol/lighting.glsl?raw";
+import { ENDS_PER_ROW, VERTICES_PER_LINE } from "./lines";
+import { LAYERS, LINE_LAYERS } from "./peeling_shaders";
 
 export const SURFACE_VERTEX = `#version 300 es
 layout(location = 0) in vec3 position;
@@ -13,6 +16,10 @@ out vec3 place; // in units of the bounds' radius: derivatives of small scenes m
 out vec3 eye_normal;
 out float value;
 out vec3 offset;
+#ifdef POINTS
+// Discs of a plane that faces the viewer are as deep as each other: parted by less than is seen, each counts.
+float own_depth(int number) { return float((uint(number) * 2654435769u) >> 24) * 1e-8; }
+#endif
 void main() {
   offset = position;
   vec4 at = view * vec4(position, 1.0);
@@ -21,6 +28,9 @@ void main() {
   value = scalar;
   gl_PointSize = point_size + 1.0; // room for a soft edge; counts for points only
   gl_Position = projection * at;
+#ifdef POINTS
+  gl_Position.z -= 2.0 * gl_Position.w * own_depth(gl_VertexID);
+#endif
 }`;
 
 const COLORED = `#version 300 es
@@ -37,7 +47,7 @@ uniform vec3 above;
 uniform vec3 missing;
 uniform vec4 color;
 uniform bool mapped;
-out vec4 result;
+layout(location = 0) out vec4 result;
 
 void leave_out_what_is_clipped() {
   for (int i = 0; i < clip_planes; ++i)
@@ -55,7 +65,7 @@ vec3 base_color() {
   float width = float(textureSize(scale_colors, 0).x);
   return texture(scale_colors, vec2((at * (width - 1.0) + 0.5) / width, 0.5)).rgb;
 }
-`;
+${LAYERS}`;
 
 const LIT = `
 uniform bool lit;
@@ -77,7 +87,13 @@ vec3 facing_normal(vec3 viewer) {
 }
 
 void main() {
+#ifdef PEELED
+  float depth = depth_under_lines();
+#endif
   leave_out_what_is_clipped();
+#ifdef PEELED
+  leave_out_what_is_seen(depth);
+#endif
   vec3 base = base_color();
   if (lit) {
     vec3 viewer = parallel ? vec3(0.0, 0.0, 1.0) : normalize(-place);
@@ -92,8 +108,16 @@ uniform float point_size;
 void main() {
   leave_out_what_is_clipped();
   vec2 from_center = (gl_PointCoord - 0.5) * (point_size + 1.0);
-  float cover = clamp(point_size * 0.5 + 0.5 - length(from_center), 0.0, 1.0);
+  float inside = point_size * 0.5 - length(from_center);
+#ifdef PEELED
+  float cover = color.a < 1.0 ? clamp(inside + 0.5, 0.0, 1.0) : step(0.0, inside); // else each rim would be a layer
+#else
+  float cover = clamp(inside + 0.5, 0.0, 1.0);
+#endif
   if (cover < 0.02) discard;
+#ifdef PEELED
+  leave_out_what_is_seen(depth_in_order());
+#endif
   vec3 base = base_color();
   if (lit) base = lit_ball(base, from_center / (point_size * 0.5 + 0.5));
   result = vec4(base, color.a * cover);
@@ -101,8 +125,7 @@ void main() {
 
 // A line as a rectangle of its width in pixels with soft edges, cut at the nearest plane: behind the eye is no pixel.
 export const LINE_VERTEX = `#version 300 es
-layout(location = 0) in vec4 from; // x, y, z, value
-layout(location = 1) in vec4 to;
+uniform highp sampler2D ends; // x, y, z, value (lines.ts)
 uniform mat4 view;
 uniform mat4 projection;
 uniform vec2 viewport;
@@ -111,7 +134,14 @@ out float value;
 out vec3 offset;
 out float across;
 out float weight;
+flat out float joint; // depth within which it meets others
+vec4 end_at(int number) { return texelFetch(ends, ivec2(number % ${ENDS_PER_ROW}, number / ${ENDS_PER_ROW}), 0); }
 void main() {
+  int line = gl_VertexID / ${VERTICES_PER_LINE};
+  int corner = gl_VertexID % ${VERTICES_PER_LINE}; // 0 1 2, 3 2 1
+  if (corner > 3) corner = ${VERTICES_PER_LINE} - corner;
+  vec4 from = end_at(2 * line);
+  vec4 to = end_at(2 * line + 1);
   vec4 a = projection * (view * vec4(from.xyz, 1.0));
   vec4 b = projection * (view * vec4(to.xyz, 1.0));
   float in_a = a.z + a.w;
@@ -121,9 +151,11 @@ void main() {
   vec4 first = mix(a, b, start);
   vec4 last = mix(a, b, end);
   vec2 along = (last.xy / last.w - first.xy / first.w) * viewport * 0.5;
-  along = length(along) > 1e-6 ? normalize(along) : vec2(1.0, 0.0);
-  bool at_end = (gl_VertexID & 1) == 1;
-  float side = (gl_VertexID & 2) == 2 ? 1.0 : -1.0;
+  float pixels = length(along);
+  joint = abs(last.z / last.w - first.z / first.w) * 0.5 * min(1.0, (half_width + 1.0) / max(pixels, 1e-6));
+  along = pixels > 1e-6 ? along / pixels : vec2(1.0, 0.0);
+  bool at_end = (corner & 1) == 1;
+  float side = (corner & 2) == 2 ? 1.0 : -1.0;
   float t = at_end ? end : start;
   across = side * (half_width + 0.5);
   vec2 moved = vec2(-along.y, along.x) * across + along * half_width * (at_end ? 0.5 : -0.5);
@@ -139,10 +171,14 @@ export const LINE_FRAGMENT = `${COLORED}
 in float across;
 in float weight;
 uniform float half_width;
+${LINE_LAYERS}
 void main() {
   leave_out_what_is_clipped();
   float cover = clamp(half_width + 0.5 - abs(across / weight), 0.0, 1.0);
   if (cover < 0.02) discard; // else an unseen edge would still hide what is behind it
+#ifdef PEELED
+  leave_out_the_same_line(depth_in_order());
+#endif
   result = vec4(base_color(), color.a * cover);
 }`;
 

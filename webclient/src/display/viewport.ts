@@ -1,13 +1,20 @@
 // The two canvases, of which the one that the newest frame is for is seen.
 import type { GeometryBatch } from "../decoders/geometry";
-import { GeometryCanvas, type Look } from "./geometry_canvas";
+import { GeometryCanvas } from "./geometry_canvas";
 import { ImageCanvas } from "./image_canvas";
+import type { Look } from "./look";
 import type { Screen } from "./presenter";
+
+/** What has not changed for so long is at rest. */
+const REST_MS = 150;
+/** Between questions what the newest picture lacks. */
+const ASK_AGAIN_MS = 30;
 
 export class Viewport implements Screen {
   private readonly images: ImageCanvas;
   private geometry: GeometryCanvas | null = null;
   private redrawRequested = false;
+  private settling = 0;
   shown: "none" | "image" | "geometry" = "none";
 
   constructor(
@@ -30,7 +37,7 @@ export class Viewport implements Screen {
   showGeometry(batches: GeometryBatch[]): void {
     this.geometry ??= new GeometryCanvas(this.geometryCanvas, () => this.redraw());
     this.geometry.setBatches(batches);
-    this.drawGeometry();
+    this.drawGeometry(true);
     this.switchTo("geometry");
   }
 
@@ -45,14 +52,26 @@ export class Viewport implements Screen {
     this.redrawRequested = true;
     requestAnimationFrame(() => {
       this.redrawRequested = false;
-      if (this.shown === "geometry") this.drawGeometry();
+      if (this.shown === "geometry") this.drawGeometry(true);
     });
   }
 
-  private drawGeometry(): void {
+  private drawGeometry(moving: boolean): void {
+    const { geometry } = this;
     const look = this.look();
     const { width, height } = this.size();
-    if (look !== null) this.geometry?.draw(look, width, height);
+    if (look === null || geometry === null) return;
+    geometry.draw(look, width, height, moving);
+    window.clearTimeout(this.settling);
+    if (geometry.isPeeled)
+      this.settling = window.setTimeout(() => this.settle(moving), moving ? REST_MS : ASK_AGAIN_MS);
+  }
+
+  private settle(moved: boolean): void {
+    if (this.shown !== "geometry" || this.geometry === null) return;
+    const lacks = this.geometry.lacksLayers();
+    if (lacks === null) this.settling = window.setTimeout(() => this.settle(moved), ASK_AGAIN_MS);
+    else if (moved || lacks) this.drawGeometry(false);
   }
 
   private switchTo(kind: "none" | "image" | "geometry"): void {
