@@ -227,9 +227,11 @@ describe("session", () => {
     expect([views.at(-1), editor.isConnected]).toEqual([0, false]);
   });
 
-  test("a person is told the reason and the place", () => {
+  test("a person is told the reason and the place, which is named once", () => {
     const error = (data: unknown): string => wordsFor(new RpcError(-32002, "Invalid scene", data));
     expect(error({ reason: "must be a number", path: "/time" })).toBe("Must be a number (/time)");
+    const named = { reason: "/layers/b/value must be a number", path: "/layers/b/value" };
+    expect(error(named)).toBe("/layers/b/value must be a number");
     expect(error({ path: "" })).toBe("Invalid scene");
     expect(error(null)).toBe("Invalid scene");
     expect(wordsFor(new Error("plain"))).toBe("plain");

@@ -192,5 +192,6 @@ export function wordsFor(error: Error): string {
   const { reason, path } = error.data as { reason?: unknown; path?: unknown };
   const words = typeof reason === "string" && reason !== "" ? reason : error.message;
   const sentence = words.charAt(0).toUpperCase() + words.slice(1);
-  return typeof path === "string" && path !== "" ? `${sentence} (${path})` : sentence;
+  // A violation of the schema begins with the place itself.
+  return typeof path === "string" && !words.startsWith(path) ? `${sentence} (${path})` : sentence;
 }
