@@ -67,6 +67,23 @@ describe("company", { skip }, () => {
     }
   });
 
+  test("what is typed for a slice that another window removes is not sent, and the page says why", async () => {
+    const layers = { a: { type: "slice", axis: "x", value: 2 }, b: { type: "slice", axis: "x", value: 8 } };
+    const one = await stage.fresh({}, fragmentOf({ dataset, layers }));
+    const session = await one.page.evaluate(() => sessionStorage.getItem("ciel.session"));
+    const two = await stage.fresh({ before: `sessionStorage.setItem("ciel.session", "${session ?? ""}")` });
+    const card = two.page.getByRole("article", { name: "Slice at x = 8" });
+    await card.getByRole("textbox", { name: "Position on x" }).fill("7");
+    await one.button("Remove this slice").last().click();
+    await card.waitFor({ state: "detached" });
+    await two.page.keyboard.press("Enter");
+    await two.toast("Slice at x = 8 is gone: another window or a script has removed it").waitFor();
+    await two.settled();
+    assert.equal(await two.page.locator(".toast").count(), 1);
+    assert.deepEqual(two.patches, []);
+    for (const client of [one, two]) await client.close();
+  });
+
   test("a step that a simulation appends arrives while the page is open", async () => {
     const folder = mkdtempSync(join(tmpdir(), "ciel-browser-"));
     const growing = join(folder, "growing.ciel");

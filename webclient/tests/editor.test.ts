@@ -1,5 +1,5 @@
 import { beforeEach, describe, expect, test } from "vitest";
-import type { Revision, Scene } from "../src/generated/protocol";
+import type { Layer, Revision, Scene } from "../src/generated/protocol";
 import { Disconnected, RpcError } from "../src/protocol/rpc";
 import { SceneEditor } from "../src/scene/editor";
 import { settled } from "./fake_socket";
@@ -21,6 +21,7 @@ const taken = (revision: number): Revision => ({ revision, can_undo: true, can_r
 let sent: Sent[] = [];
 let frames: (() => void)[] = [];
 let refused: Error[] = [];
+let gone: string[] = [];
 let stuck: string[] = [];
 let editor: SceneEditor;
 let held = scene; // what the server has
@@ -43,11 +44,12 @@ const setValue = (value: number, gesture?: string): void =>
   editor.change({ layers: { iso: { values: [value] } } }, gesture);
 
 beforeEach(() => {
-  [sent, frames, refused, stuck, held, canUndo, lost] = [[], [], [], [], scene, false, null];
+  [sent, frames, refused, gone, stuck, held, canUndo, lost] = [[], [], [], [], [], scene, false, null];
   const events = {
     changed: () => undefined,
     accepted: () => undefined,
     refused: (error: Error) => void refused.push(error),
+    gone: (layer: Layer) => void gone.push(layer.type),
     stuck: (step: string, { message }: Error) => void stuck.push(`${step}: ${message}`),
   };
   editor = new SceneEditor(events, { now: () => 0, requestFrame: (callback) => void frames.push(callback) }, "g");
@@ -200,6 +202,40 @@ describe("scene editor", () => {
     await editor.propose({ dataset: "other" });
     expect(refused.length).toBe(2);
     expect(editor.scene).toEqual(scene);
+  });
+});
+
+describe("a layer that another client removes", () => {
+  const without: Scene = { dataset: "d", layers: { outline: { type: "outline" } } };
+
+  test("is not changed any more: that is said, and nothing is sent", () => {
+    editor.overheard(without);
+    setValue(5);
+    editor.change({ background: "light", layers: { iso: { smooth: false }, outline: { visible: false } } });
+    runFrame();
+    expect(gone).toEqual(["iso", "iso"]);
+    expect(sent.map(({ patch }) => patch)).toEqual([{ background: "light", layers: { outline: { visible: false } } }]);
+    expect(editor.scene?.layers).toEqual({ outline: { type: "outline", visible: false } });
+  });
+
+  test("is no more for what is not sent yet, and what is on its way is refused without another word", async () => {
+    setValue(5);
+    runFrame();
+    setValue(6);
+    editor.overheard((held = without));
+    expect(gone).toEqual(["iso", "iso"]);
+    expect(editor.scene).toEqual(without);
+    sent[0]?.refuse(new RpcError(-32002, "Invalid scene", {}));
+    await settled();
+    runFrame();
+    expect([sent.length, refused.length, editor.isPending]).toEqual([1, 0, false]);
+  });
+
+  test("may be added again, and is changed then", () => {
+    editor.overheard(without);
+    editor.change({ layers: { iso: { type: "iso", array: "p", values: [1] } } });
+    setValue(2);
+    expect([gone, values()]).toEqual([[], [2]]);
   });
 });
 

@@ -42,6 +42,7 @@ beforeEach(() => {
       changed: () => undefined,
       accepted: () => undefined,
       refused: (error) => void failures.push(error.message),
+      gone: () => undefined,
       stuck: () => undefined,
     },
     { now: () => clock.now(), requestFrame: (callback) => void frames.push(callback) },

@@ -11,6 +11,7 @@ import type { Coloring } from "../generated/protocol";
 import type { FrameHeader } from "../protocol/frame_header";
 import { Disconnected } from "../protocol/rpc";
 import { SceneEditor } from "../scene/editor";
+import { layerName } from "../scene/layer_names";
 import { openSocket, socketAddress } from "../session/browser_socket";
 import { Latency } from "../session/latency";
 import { Player } from "../session/player";
@@ -72,6 +73,11 @@ export class App {
           void this.seenFrom.reconsider();
         },
         refused: (error) => this.fail(error),
+        gone: (layer) =>
+          this.toasts.show(
+            `${layerName(layer)} is gone: another window or a script has removed it. Nothing was changed`,
+            "error",
+          ),
         stuck: (step, error) =>
           this.toasts.show(`This cannot be ${step === "undo" ? "undone" : "redone"}. ${wordsFor(error)}`, "error"),
       },

@@ -1,7 +1,8 @@
 // The scene as this page sees it: changed at once, sent at most once per animation frame, agreed with the server's.
-import type { Revision, Scene, SessionState } from "../generated/protocol";
+import type { Layer, Revision, Scene, SessionState } from "../generated/protocol";
 import { applyPatch, composePatches, diff, equal, type Json, type JsonObject } from "../protocol/merge_patch";
 import { Disconnected } from "../protocol/rpc";
+import { removedBetween, strayLayers, withoutLayers } from "./stray_layers";
 
 export interface SceneServer {
   patch(patch: JsonObject, gesture: string): Promise<Revision>;
@@ -19,6 +20,8 @@ export interface EditorEvents {
    * revision. */
   accepted(revision: number, since: number, scene: Scene): void;
   refused(error: Error): void;
+  /** A change was for this layer, which others have removed; it has not been made. */
+  gone(layer: Layer): void;
   /** The server cannot show what that step leads to. */
   stuck(step: Step, error: Error): void;
 }
@@ -34,6 +37,8 @@ interface Change {
   since: number;
   /** After it. */
   scene: Scene;
+  /** Of a layer that is gone, which has been said: the server's refusal tells nothing more. */
+  isVain?: boolean;
 }
 
 /** More would queue on the server; newer changes are merged here meanwhile. */
@@ -52,6 +57,8 @@ export class SceneEditor {
   private travelling = 0;
   private frameRequested = false;
   private gestures = 0;
+  /** As they were last, layers that others have removed. */
+  private readonly lost = new Map<string, Layer>();
   canUndo = false;
   canRedo = false;
 
@@ -81,7 +88,7 @@ export class SceneEditor {
 
   change(patch: object, gesture = this.newGesture()): void {
     if (this.document === null) return;
-    const part = patch as JsonObject;
+    const part = this.withoutLost(patch as JsonObject, this.document);
     const changed = applyPatch(this.document as unknown as Json, part);
     if (equal(changed, this.document as unknown as Json)) return;
     this.document = changed as unknown as Scene;
@@ -166,12 +173,23 @@ export class SceneEditor {
   private adopt(state: { scene: Scene; can_undo?: boolean; can_redo?: boolean }, onTheWay: Change[]): void {
     this.canUndo = state.can_undo ?? this.canUndo;
     this.canRedo = state.can_redo ?? this.canRedo;
+    for (const [id, layer] of removedBetween(this.document, state.scene)) this.lost.set(id, layer);
     this.document = state.scene;
-    for (const { patch } of [...onTheWay, ...this.queue]) {
+    for (const change of [...onTheWay, ...this.queue]) {
+      const patch = this.withoutLost(change.patch, this.document);
+      if (patch !== change.patch) Object.assign(change, { patch, isVain: true });
       this.document = applyPatch(this.document as unknown as Json, patch) as unknown as Scene;
     }
+    this.queue = this.queue.filter(({ patch }) => Object.keys(patch).length > 0);
     this.differsFromServer = this.queue.length > 0 || this.unanswered.length > 0;
     this.events.changed();
+  }
+
+  /** A part of a layer that is no more would be sent as a whole layer, which it is not. */
+  private withoutLost(patch: JsonObject, scene: Scene): JsonObject {
+    const stray = strayLayers(patch, scene).filter((id) => this.lost.has(id));
+    for (const id of stray) this.events.gone(this.lost.get(id) as Layer);
+    return withoutLayers(patch, stray);
   }
 
   private async travel(
@@ -235,7 +253,7 @@ export class SceneEditor {
       },
       (error: unknown) => {
         if (this.server !== server || error instanceof Disconnected) return;
-        this.events.refused(error as Error);
+        if (change.isVain !== true) this.events.refused(error as Error);
         this.doubtful = true; // a refused change stands in the local scene only
         this.answered(change);
       },
