@@ -79,6 +79,16 @@ describe("typing", { skip }, () => {
     await type("Position on z", "2.4");
   });
 
+  test("an empty field is asked for a number by Enter, and is as it was when it is left", async () => {
+    await type("Position on z", "");
+    assert.equal(await field("Position on z").inputValue(), "2.4");
+    assert.equal(await client.toast("A number is expected").count(), 0);
+    await field("Position on z").fill("");
+    await field("Position on z").press("Enter");
+    await client.toast("A number is expected here; it stays 2.4").waitFor();
+    assert.equal(await field("Position on z").inputValue(), "2.4");
+  });
+
   test("a hidden slice is moved by typing and stays hidden, as other layers do", async () => {
     await type("Position on y", "2");
     const card = client.page.getByRole("article", { name: "Slice at y = 2" });

@@ -49,7 +49,7 @@ interface NumberFieldProps {
   onChange: (value: number) => void;
 }
 
-/** Commits on Enter and when it loses the focus; Escape takes the typing back. */
+/** Commits on Enter and when it loses the focus; Escape takes the typing back, as leaving it empty does. */
 export function NumberField(props: NumberFieldProps): JSX.Element {
   const { value, label, span, placeholder, step, limits, onChange } = props;
   const shown = value === null ? "" : formatNumber(value, span === undefined ? undefined : span / 10);
@@ -58,10 +58,11 @@ export function NumberField(props: NumberFieldProps): JSX.Element {
   const text = typed ?? (value === null || props.shown === undefined ? shown : props.shown(value));
   const wrong = typed !== null && typed !== "" && parseNumber(typed) === null;
   const within = (number: number): number => (limits === undefined ? number : clamp(number, ...limits));
-  const commit = (): void => {
+  const commit = (entered: boolean): void => {
     const parsed = typed === null || typed === shown ? null : parseNumber(typed);
     setTyped(null);
-    if (wrong) toasts.show(`${whyNoNumber(typed)}; it stays ${shown || "empty"}`, "error");
+    if (wrong || (entered && typed === "" && shown !== ""))
+      toasts.show(`${whyNoNumber(typed)}; it stays ${shown || "empty"}`, "error");
     if (parsed === null) return;
     const kept = within(parsed);
     if (kept !== parsed && limits !== undefined) {
@@ -71,7 +72,7 @@ export function NumberField(props: NumberFieldProps): JSX.Element {
     if (kept !== value) onChange(kept);
   };
   const onKeyDown = (event: KeyboardEvent): void => {
-    if (event.key === "Enter") commit();
+    if (event.key === "Enter") commit(true);
     else if (event.key === "Escape") setTyped(null);
     else if ((event.key === "ArrowUp" || event.key === "ArrowDown") && step !== undefined && value !== null) {
       event.preventDefault();
@@ -97,7 +98,7 @@ export function NumberField(props: NumberFieldProps): JSX.Element {
         if (props.shown !== undefined) setTyped((event.currentTarget.value = shown));
         event.currentTarget.select();
       }}
-      onBlur={commit}
+      onBlur={() => commit(false)}
       onKeyDown={onKeyDown}
     />
   );

@@ -42,6 +42,7 @@ export function parseNumber(text: string): number | null {
 /** Why parseNumber takes no number from the text: one comma before three digits may stand for thousands or for a point. */
 export function whyNoNumber(text: string): string {
   const typed = withHyphen(text);
+  if (typed === "") return "A number is expected here";
   if (!EITHER.test(typed)) return `"${text}" is not a number that can be used`;
   return `"${text}" can be read in two ways; write ${typed.replace(",", "")} or ${typed.replace(",", ".")}`;
 }
