@@ -7,6 +7,7 @@ import { IconButton, Section } from "./controls";
 import { useApp, useAppState } from "./context";
 import { EdgesFields } from "./line_fields";
 import { PatchChecks } from "./patch_checks";
+import { RemoveButton } from "./remove_button";
 import { ThresholdFields } from "./threshold_fields";
 
 function LookFields({ id, layer }: { id: string; layer: SurfaceLayer }): JSX.Element {
@@ -33,7 +34,7 @@ function FurtherCard({ id, layer, number }: { id: string; layer: SurfaceLayer; n
           onClick={() => actions.setLayer(id, { visible: !visible })}
         />
         <span class="card-title">Boundary {number}</span>
-        <IconButton icon="close" label={`Remove boundary ${number}`} onClick={() => actions.removeLayer(id)} />
+        <RemoveButton label={`Remove boundary ${number}`} onClick={() => actions.removeLayer(id)} />
       </div>
       <PatchChecks
         groups={layer.groups ?? []}

@@ -9,6 +9,7 @@ import { Check, IconButton, Section } from "./controls";
 import { useApp, useAppState } from "./context";
 import { PlaneFields } from "./plane_fields";
 import { PositionRow } from "./position_row";
+import { RemoveButton } from "./remove_button";
 
 const MOST_SHOWN = 6;
 
@@ -26,7 +27,7 @@ function ClipCard({ id, layer }: { id: string; layer: ClipLayer }): JSX.Element 
           onClick={() => actions.setLayer(id, { visible: !visible })}
         />
         <span class="card-title">{name}</span>
-        <IconButton icon="close" label="Remove this clip" onClick={() => actions.removeLayer(id)} />
+        <RemoveButton label="Remove this clip" onClick={() => actions.removeLayer(id)} />
       </div>
       {layer.axis === undefined ? (
         <PlaneFields id={id} origin={layer.origin ?? [0, 0, 0]} normal={layer.normal ?? [1, 0, 0]} />

@@ -8,6 +8,7 @@ import { gradientOf } from "./color_swatch";
 import { IconButton, NumberField } from "./controls";
 import { useApp } from "./context";
 import { useHandleDrag } from "./handle_drag";
+import { RemoveButton } from "./remove_button";
 
 const KEY_STEPS: Record<string, number> = {
   ArrowRight: 0.01,
@@ -86,7 +87,7 @@ export function PointsEditor({ scale, onChange }: Props): JSX.Element {
   const unturned = { ...scale, reverse: false, steps: 0 };
   const colorAt = (place: number): string => hexOf(colorOf(unturned, valueAtPlace(scale, place)));
   return (
-    <div class="points-editor">
+    <div class="points-editor" data-list="">
       <PointsBar scale={scale} onChange={onChange} />
       {points.map(({ at, color }, index) => (
         <div class="point-row" key={index}>
@@ -108,8 +109,7 @@ export function PointsEditor({ scale, onChange }: Props): JSX.Element {
               onChange(movedPoint(points, index, turned(scale, rounded(clamp(placeOf(scale, value), 0, 1)))))
             }
           />
-          <IconButton
-            icon="close"
+          <RemoveButton
             label={`Remove colour ${index + 1}`}
             disabled={points.length <= 2}
             onClick={() => onChange(points.filter((_, i) => i !== index))}

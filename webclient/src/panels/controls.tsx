@@ -24,6 +24,7 @@ export function IconButton({ icon, label, onClick, disabled, pressed, text, keys
       aria-label={label}
       aria-pressed={pressed}
       aria-keyshortcuts={keys?.replaceAll("Ctrl-", "Control+").replaceAll("Shift-", "Shift+")}
+      data-icon={icon}
       disabled={disabled}
       onClick={onClick}
     >
@@ -220,7 +221,7 @@ interface SectionProps {
 export function Section({ title, children, action, open = true }: SectionProps): JSX.Element {
   const [isOpen, setOpen] = useState(open);
   return (
-    <section class="section">
+    <section class="section" data-list="">
       <header>
         <button type="button" class="section-title" aria-expanded={isOpen} onClick={() => setOpen(!isOpen)}>
           <Icon name="chevron" />

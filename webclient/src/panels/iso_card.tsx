@@ -9,6 +9,7 @@ import { Check, IconButton, SelectField } from "./controls";
 import { useApp, useAppState } from "./context";
 import { HistogramSlider } from "./histogram_slider";
 import { EdgesFields } from "./line_fields";
+import { RemoveButton } from "./remove_button";
 import { replaced, ValueRow } from "./value_row";
 
 interface Scales {
@@ -95,7 +96,7 @@ export function IsoCard({ id, layer }: { id: string; layer: IsoLayer }): JSX.Ele
           options={scalarsOf(description).map(({ name }) => ({ value: name, text: name }))}
           onChange={changeArray}
         />
-        <IconButton icon="close" label="Remove this iso-surface" onClick={() => actions.removeLayer(id)} />
+        <RemoveButton label="Remove this iso-surface" onClick={() => actions.removeLayer(id)} />
       </div>
       <HistogramSlider
         name={layer.array}

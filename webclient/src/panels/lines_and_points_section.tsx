@@ -7,6 +7,7 @@ import { ColoringFields, OpacityField } from "./coloring";
 import { IconButton, NumberField, Section, SelectField } from "./controls";
 import { useApp, useAppState } from "./context";
 import { PatchChecks } from "./patch_checks";
+import { RemoveButton } from "./remove_button";
 import { ThresholdFields } from "./threshold_fields";
 
 const USUAL_ANGLE = 30;
@@ -35,7 +36,7 @@ function Card({ id, layer, children }: CardProps): JSX.Element {
           onClick={() => actions.setLayer(id, { visible: !visible })}
         />
         <span class="card-title">{title}</span>
-        <IconButton icon="close" label={`Remove these ${layer.type}`} onClick={() => actions.removeLayer(id)} />
+        <RemoveButton label={`Remove these ${layer.type}`} onClick={() => actions.removeLayer(id)} />
       </div>
       <div class="fields">{children}</div>
       {hasPatches && !(layer.type === "points" && layer.of === "all") && (

@@ -13,6 +13,7 @@ import { Icon } from "./icons";
 import { EdgesFields } from "./line_fields";
 import { PlaneFields } from "./plane_fields";
 import { PositionRow } from "./position_row";
+import { RemoveButton } from "./remove_button";
 
 const PLANES = [
   { value: "x", text: "Across x" },
@@ -104,7 +105,7 @@ export function SliceCard({ id, layer, name, slices, isOpen, fold, takesFocus }:
           options={PLANES}
           onChange={layAcross}
         />
-        <IconButton icon="close" label="Remove this slice" onClick={() => actions.removeLayer(id)} />
+        <RemoveButton label="Remove this slice" onClick={() => actions.removeLayer(id)} />
       </div>
       {axis !== undefined && (
         <PositionRow

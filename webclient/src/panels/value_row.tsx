@@ -3,6 +3,7 @@ import type { JSX } from "preact";
 import type { Range } from "../generated/protocol";
 import { niceStep, widestGap } from "../scene/numbers";
 import { IconButton, NumberField } from "./controls";
+import { RemoveButton } from "./remove_button";
 
 const MOST_VALUES = 64;
 
@@ -23,7 +24,7 @@ interface ValueRowProps {
 export function ValueRow({ values, range, setValues, alone, numbered, children }: ValueRowProps): JSX.Element {
   const span = range[1] - range[0];
   return (
-    <div class="values">
+    <div class="values" data-list="">
       {values.map((value, index) => (
         <span class="value" key={index}>
           <NumberField
@@ -34,8 +35,7 @@ export function ValueRow({ values, range, setValues, alone, numbered, children }
             onChange={(typed) => setValues(replaced(values, index, typed))}
           />
           {values.length > 1 && (
-            <IconButton
-              icon="close"
+            <RemoveButton
               label={`Remove ${numbered.toLowerCase()} ${index + 1}`}
               onClick={() => setValues(values.filter((_, i) => i !== index))}
             />

@@ -8,6 +8,7 @@ import { ColoringFields, OpacityField } from "./coloring";
 import { Check, IconButton, NumberField, Section, SelectField } from "./controls";
 import { useApp, useAppState } from "./context";
 import { OpacityEditor } from "./opacity_editor";
+import { RemoveButton } from "./remove_button";
 
 const MOST_SLICES = 1000;
 const DIRECTIONS = [
@@ -92,7 +93,7 @@ function VolumeCard({ id, layer }: { id: string; layer: VolumeLayer }): JSX.Elem
           label="Add an opacity point"
           onClick={() => setPoints(inserted(points, middleOfGap(points))[0])}
         />
-        <IconButton icon="close" label="Remove this volume" onClick={() => actions.removeLayer(id)} />
+        <RemoveButton label="Remove this volume" onClick={() => actions.removeLayer(id)} />
       </div>
       <OpacityEditor
         name={layer.array}
