@@ -23,11 +23,18 @@ describe("writing", { skip }, () => {
     ["light", "#101030", false],
   ] as const) {
     test(`is legible on ${background} with the ${scheme} theme`, async () => {
-      const client = await stage.fresh({ scheme }, linked({ background, annotations }));
+      const layers = { s: { type: "surface", color: { array: "tracer" } } };
+      const client = await stage.fresh({ scheme }, linked({ background, annotations, layers }));
       const title = client.page.locator(".captions h2");
       const color = await title.evaluate((element) => getComputedStyle(element).color);
       const stroke = await client.page.locator(".box-axes").evaluate((element) => getComputedStyle(element).stroke);
-      for (const css of [color, stroke]) assert.ok(dark ? luma(css) < 0.3 : luma(css) > 0.7, `${css} on ${background}`);
+      const legend = client.page.locator(".legend").first();
+      const number = legend.getByRole("textbox").first();
+      const inks = await Promise.all(
+        [legend, number].map((one) => one.evaluate((element) => getComputedStyle(element).color)),
+      );
+      for (const css of [color, stroke, ...inks])
+        assert.ok(dark ? luma(css) < 0.3 : luma(css) > 0.7, `${css} on ${background}`);
       await client.keep(`writing-${background.replace("#", "")}-${scheme}`);
       await client.close();
     });
@@ -85,6 +92,31 @@ describe("writing", { skip }, () => {
     assert.deepEqual(client.problems, []);
     await client.close();
   });
+
+  for (const [width, height, most, share] of [
+    [1280, 800, 90, 0.07],
+    [700, 420, 70, 0.16],
+    [360, 640, 70, 0.2],
+  ] as const)
+    test(`of two legends takes no more of ${width} x ${height} than it needs`, async () => {
+      const of = (axis: string, array: string): object => ({ type: "slice", axis, value: 2, color: { array } });
+      const layers = { a: of("x", "tracer"), b: of("y", "U:magnitude") };
+      const client = await stage.fresh({ width, height }, linked({ layers, background: "light" }));
+      const area = await client.canvas.boundingBox();
+      const boxes = await client.page
+        .locator(".legend:not([data-crowded])")
+        .evaluateAll((all) => all.map((element) => element.getBoundingClientRect().toJSON() as DOMRect));
+      await client.keep(`legends-${width}`);
+      const taken = boxes.reduce((sum, box) => sum + box.width * box.height, 0);
+      assert.equal(boxes.length, 2);
+      assert.ok(Math.max(...boxes.map((box) => box.width)) <= most, JSON.stringify(boxes));
+      assert.ok(taken <= share * (area?.width ?? 0) * (area?.height ?? 0), JSON.stringify(boxes));
+      const cut = await client.page
+        .locator(".legend input")
+        .evaluateAll((all) => all.filter((field) => field.scrollWidth > field.clientWidth).length);
+      assert.equal(cut, 0, "all of each number is seen");
+      await client.close();
+    });
 
   test("of a legend shows the number itself while it is typed", async () => {
     const layers = { s: { type: "surface", color: { array: "tracer", range: [0, 0.123456] } } };

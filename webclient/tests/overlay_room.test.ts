@@ -1,5 +1,5 @@
 import { describe, expect, test } from "vitest";
-import { roomFor, type Box } from "../src/display/overlay_room";
+import { barHeight, legendText, roomFor, type Box } from "../src/display/overlay_room";
 
 const stage = { width: 320, height: 300 };
 const box = (left: number, top: number, width: number, height: number): Box => ({
@@ -45,5 +45,18 @@ describe("room over the canvas", () => {
 
   test("the triad gives way to captions", () => {
     expect(roomFor({ captions: [box(14, 10, 140, 240)], legends: [], triad }, stage).triad).toBe(false);
+  });
+});
+
+describe("legends", () => {
+  test("have smaller text in small pictures, down to what can be read", () => {
+    const text = (width: number, height: number): number => legendText({ width, height });
+    expect([text(1600, 900), text(956, 690), text(420, 310), text(360, 210)]).toEqual([12, 12, 9, 9]);
+    expect(text(600, 900)).toBeCloseTo(9.64, 2);
+  });
+
+  test("have bars that share the height, and are never shorter than what has a beginning and an end", () => {
+    const bar = (height: number, count: number): number => barHeight({ width: 600, height }, count, 10);
+    expect([bar(900, 1), bar(400, 1), bar(400, 2), bar(400, 3), bar(200, 4)]).toEqual([140, 104, 104, 50, 50]);
   });
 });

@@ -5,7 +5,7 @@ export const SMALLEST = 16; // of a view, by the contract
 export const LARGEST = 8192;
 
 /** About, with the room around it. */
-const LEGEND: Size = { width: 132, height: 260 };
+const LEGEND: Size = { width: 110, height: 260 };
 
 export class CanvasSize {
   css: Size = { width: 960, height: 640 };

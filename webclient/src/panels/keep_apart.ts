@@ -24,7 +24,12 @@ function arrange(stage: HTMLElement): Box[] {
       height: stage.clientHeight,
     },
   );
-  legendElements.forEach((element, i) => element.toggleAttribute(HIDDEN, room.legends[i] !== true));
+  legendElements.forEach((element, i) => {
+    element.toggleAttribute(HIDDEN, room.legends[i] !== true);
+    const { top = 0, bottom = 0 } = legends[i] ?? {};
+    element.style.setProperty("--from", `${(100 * top) / stage.clientHeight}%`); // its part of the background
+    element.style.setProperty("--to", `${(100 * bottom) / stage.clientHeight}%`);
+  });
   for (const element of triadElements) element.toggleAttribute(HIDDEN, !room.triad);
   return room.taken;
 }

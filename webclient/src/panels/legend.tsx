@@ -2,6 +2,7 @@
 import type { JSX } from "preact";
 import { useEffect, useRef, useState } from "preact/hooks";
 import { colorsAlong, hasWidth, type ColorScale } from "../display/color_scale";
+import { barHeight, legendText } from "../display/overlay_room";
 import type { Range } from "../generated/protocol";
 import type { Size } from "../camera/camera";
 import { withRangeEnd } from "../scene/color_edit";
@@ -72,7 +73,18 @@ interface Entry {
   of: Colored;
 }
 
-function LegendScale({ coloring, of, scale, range }: Entry & { scale: ColorScale; range: Range }): JSX.Element {
+/** Pixels of a legend's text where its numbers have lines of LINE_PIXELS. */
+const USUAL_TEXT = 12;
+/** A minus is wider than a digit. */
+const BESIDE_DIGITS = 0.5;
+
+interface ScaleProps extends Entry {
+  scale: ColorScale;
+  range: Range;
+  text: number;
+}
+
+function LegendScale({ coloring, of, scale, range, text }: ScaleProps): JSX.Element {
   const { actions, toasts } = useApp();
   const along = useRef<HTMLDivElement>(null);
   const [height, setHeight] = useState(USUAL_HEIGHT);
@@ -90,8 +102,10 @@ function LegendScale({ coloring, of, scale, range }: Entry & { scale: ColorScale
     if (typeof change === "string") toasts.show(change, "error");
     else actions.setColoring(of, change);
   };
+  const ticks = spacedTicks(scale, (height * USUAL_TEXT) / text);
+  const digits = Math.max(...[...range.map(shown), ...ticks.map(({ label }) => label)].map(({ length }) => length));
   return (
-    <div class="color-scale">
+    <div class="color-scale" style={{ "--digits": `${digits + BESIDE_DIGITS}ch` }}>
       <NumberField
         label={`Highest value of the ${coloring.array} colours`}
         value={range[1]}
@@ -100,7 +114,7 @@ function LegendScale({ coloring, of, scale, range }: Entry & { scale: ColorScale
         onChange={(high) => setEnd(1, high)}
       />
       <div class="ticks" ref={along} aria-hidden="true">
-        {spacedTicks(scale, height).map(({ value, at, label }) => (
+        {ticks.map(({ value, at, label }) => (
           <span key={value} class={label === "" ? "mark" : ""} style={{ bottom: `${at * 100}%` }}>
             {label}
           </span>
@@ -156,7 +170,7 @@ function RangeButtons({ coloring, of, range }: Entry & { range: Range }): JSX.El
   );
 }
 
-function LegendEntry({ coloring, of, name }: LegendOf): JSX.Element {
+function LegendEntry({ coloring, of, name, text }: LegendOf & { text: number }): JSX.Element {
   const description = useAppState((state) => state.description);
   const missing = useAppState((state) => state.missing);
   const units = unitsOf(description, coloring.array);
@@ -181,7 +195,7 @@ function LegendEntry({ coloring, of, name }: LegendOf): JSX.Element {
           (constant ? (
             <OneValue value={range[0]} />
           ) : (
-            <LegendScale coloring={coloring} of={of} scale={scale} range={range} />
+            <LegendScale coloring={coloring} of={of} scale={scale} range={range} text={text} />
           ))}
       </div>
       {of.layers.some((layer) => missing.includes(layer)) && (
@@ -211,6 +225,10 @@ export function Legends(): JSX.Element | null {
   const empty = useAppState((state) => state.empty);
   const description = useAppState((state) => state.description);
   const entries = scene?.annotations?.legend === false ? [] : legendsOf(scene, description, empty);
+  const stage = useAppState((state) => state.canvasSize);
+  const zoom = scene?.annotations?.scale ?? 1;
+  const text = legendText(stage);
+  const bar = barHeight({ width: stage.width / zoom, height: stage.height / zoom }, entries.length, text);
   const root = useRef<HTMLDivElement>(null);
   useEffect(() => {
     const element = root.current;
@@ -221,9 +239,9 @@ export function Legends(): JSX.Element | null {
     return () => observer.disconnect();
   }, [size]);
   return (
-    <div class="legends" ref={root} style={{ zoom: scene?.annotations?.scale ?? 1 }}>
+    <div class="legends" ref={root} style={{ zoom, fontSize: `${text}px`, "--bar": `${bar}px` }}>
       {entries.map((entry) => (
-        <LegendEntry key={JSON.stringify([entry.coloring.array, entry.of])} {...entry} />
+        <LegendEntry key={JSON.stringify([entry.coloring.array, entry.of])} {...entry} text={text} />
       ))}
     </div>
   );

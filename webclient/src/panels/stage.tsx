@@ -2,7 +2,7 @@
 import type { JSX } from "preact";
 import { useEffect, useRef } from "preact/hooks";
 import { listenToGestures } from "../camera/gestures";
-import { isBright } from "../display/background";
+import { isBright, paperAt } from "../display/background";
 import { AxesTriad } from "./axes_triad";
 import { BoxAxes } from "./box_axes";
 import { Captions } from "./captions";
@@ -19,7 +19,10 @@ export function Stage(): JSX.Element {
   const geometry = useRef<HTMLCanvasElement>(null);
   const live = useAppState((state) => state.connection.kind === "open");
   const nothing = useAppState((state) => state.fatal !== null);
-  const bright = useAppState((state) => isBright(state.scene?.background));
+  const background = useAppState(({ scene, fatal }) =>
+    scene === null || fatal !== null ? null : (scene.background ?? "dark"),
+  );
+  const under = background === null ? "" : isBright(background) ? "on-light" : "on-dark"; // without a picture as the page
   useEffect(() => {
     const element = root.current;
     if (element === null || images.current === null || geometry.current === null) return;
@@ -44,7 +47,12 @@ export function Stage(): JSX.Element {
     };
   }, [app]);
   return (
-    <main class={`stage ${bright ? "on-light" : "on-dark"} ${live ? "" : "stale"}`}>
+    <main
+      class={`stage ${under} ${live ? "" : "stale"}`}
+      style={
+        background === null ? {} : { "--paper-top": paperAt(background, 0), "--paper-bottom": paperAt(background, 1) }
+      }
+    >
       <div
         class="canvases"
         ref={root}
