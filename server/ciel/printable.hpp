@@ -1,4 +1,4 @@
-// Names from outside, as a sentence can hold them.
+// Not in the paper: names from outside, as a sentence can hold them.
 #pragma once
 
 #include <string>
