@@ -18,6 +18,8 @@ public:
     // Cuts the slices anew, across a direction of unit length; returns their triangles.
     std::uint64_t cut(const Vec3d& normal);
     std::uint64_t cut_across_view() { return cut(view_direction()); }
+    // Slabs of the next pictures are added up in bytes, as render::Volume has it.
+    void add_up_in_bytes(bool in_bytes) { volume_.in_bytes = in_bytes; }
     // stride: one slice in so many; more than 1 as a preview, which has half the resolution. Returns the triangles of
     // those that are drawn. The picture is multisampled where others in it would be.
     std::uint64_t draw(bool shaded, std::size_t stride = 1);

@@ -41,6 +41,12 @@ Table volume_table(const Case& data) {
             [&] { pictures.turn(turn_degrees); }));
     }
     add_figures(table, pictures, "box-aligned");
+    pictures.turn_back();
+    pictures.add_up_in_bytes(true);
+    table.rows.push_back(measure(
+        "box-aligned, unshaded, in bytes, draw", [&] { return pictures.draw(false); },
+        [&] { pictures.turn(turn_degrees); }));
+    pictures.add_up_in_bytes(false);
     for (const bool shaded : {true, false}) {
         pictures.turn_back();
         table.rows.push_back(measure(

@@ -12,7 +12,7 @@ Sheet::Sheet(const Gl& gl) : gl_(&gl) {
 }
 
 void Sheet::size(GLint format, int width, int height) {
-    if (width_ == width && height_ == height) return;
+    if (width_ == width && height_ == height && format_ == format) return;
     gl_->BindTexture(GL_TEXTURE_2D, texture_);
     gl_->TexImage2D(GL_TEXTURE_2D, 0, format, width, height, 0, GL_RGBA, GL_FLOAT, nullptr);
     filter(*gl_, GL_NEAREST);
@@ -21,7 +21,8 @@ void Sheet::size(GLint format, int width, int height) {
     width_ = 0; // not usable until it is known to be complete
     if (gl_->CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
         throw Error("the GL driver cannot draw a volume to " + std::to_string(width) + " x " + std::to_string(height) +
-                    " pixels of floats; ask for a smaller picture");
+                    " pixels; ask for a smaller picture");
+    format_ = format;
     width_ = width;
     height_ = height;
 }

@@ -1,4 +1,4 @@
-// A texture of floats to draw to and to read from.
+// A texture to draw to and to read from.
 #pragma once
 
 #include "render/gl.hpp"
@@ -10,7 +10,7 @@ class Sheet {
 public:
     explicit Sheet(const Gl& gl);
 
-    // Anew behind the same names where the size changes. Throws Error when it is more than the GL can do.
+    // Anew behind the same names where the size or format changes. Throws Error when it is more than the GL can do.
     void size(GLint format, int width, int height);
     void begin() const; // binds it for drawing, the whole of it
     [[nodiscard]] GLuint texture() const { return texture_; }
@@ -19,6 +19,7 @@ private:
     const Gl* gl_;
     GLuint texture_ = 0, framebuffer_ = 0;
     int width_ = 0, height_ = 0;
+    GLint format_ = 0;
 };
 
 // Of the texture that is bound.

@@ -115,6 +115,25 @@ TEST_P(ConstantVolumes, FollowsBeerAndLambertFromAnywhere) {
             }
 }
 
+// Why volumes are added up in floats: a slab here loses 0.33 of 255.
+TEST(ConstantVolume, IsLostInBytesWhereSlabsAreThinAndBackInFloats) {
+    VolumeScene scene(test::hexahedra(Box{{4, 4, 4}, 0, 1, 0.25}), [](const Vec3d&) { return 1.0; });
+    Frame frame = frame_of(views[0]);
+    frame.volumes.push_back(scene.volume({0, 1, 0}, 400));
+    frame.volumes[0].scale.range = {0, 1};
+    frame.volumes[0].opacity_points = {{0, 0.4}};
+    const auto brightest = [&](bool in_bytes) {
+        frame.volumes[0].in_bytes = in_bytes;
+        Image image;
+        renderer().draw(frame, image);
+        return static_cast<int>(*std::ranges::max_element(image.rgb));
+    };
+    const int in_floats = brightest(false);
+    EXPECT_NEAR(in_floats, 0.4 * 255, 2);
+    EXPECT_EQ(brightest(true), 0);
+    EXPECT_EQ(brightest(false), in_floats);
+}
+
 // Slices behind the eighth part of a ray are whole: what is lost at both ends of the later parts is all that is wrong.
 TEST(ConstantVolume, IsAlmostRightWhereARayIsInItMoreThanEightTimes) {
     constexpr int rows = 31;

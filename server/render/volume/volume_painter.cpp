@@ -43,6 +43,11 @@ int coarseness_of(const Frame& frame) {
     return coarseness;
 }
 
+GLint format_of_picture(const Frame& frame) {
+    const bool in_bytes = std::ranges::all_of(frame.volumes, [](const Volume& volume) { return volume.in_bytes; });
+    return in_bytes && !frame.volumes.empty() ? GL_RGBA8 : GL_RGBA32F;
+}
+
 void check_directions(const Frame& frame) {
     for (const Volume& volume : frame.volumes) {
         if (volume.normal != frame.volumes[0].normal)
@@ -221,7 +226,7 @@ void VolumePainter::find_coverage(const Frame& frame) {
 }
 
 void VolumePainter::begin_picture(const Frame& frame, const LayerInVolumes& layer) {
-    picture_.size(GL_RGBA32F, view_.width, view_.height);
+    picture_.size(format_of_picture(frame), view_.width, view_.height);
     if (layer.depth != 0) {
         double thickest = 0;
         for (const Volume& volume : frame.volumes) thickest = std::max(thickest, thickness_of(volume));

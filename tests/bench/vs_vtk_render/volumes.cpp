@@ -139,8 +139,21 @@ void volumes(const bench::Case& data, vtkUnstructuredGrid* grid, session::FrameW
             check_samples(*pictures);
             compare_covered(pictures->covered_share(), floats.covered_share());
         };
+        const auto duel_in_bytes = [&] {
+            pictures->turn_back();
+            pictures->add_up_in_bytes(true);
+            const Contender ciel{"CIEL, bytes, pre-integrated",
+                                 [&] { return draw_there([&] { return pictures->draw(false); }); },
+                                 [&] { pictures->turn(turn_degrees); }};
+            compare(duel("100 box-aligned slices, unshaded, in bytes on both sides, the camera turned, to pixels", ciel,
+                         {projected("vtkProjectedTetrahedraMapper, bytes", bytes)}),
+                    asked);
+            compare_covered(pictures->covered_share(), bytes.covered_share());
+            pictures->add_up_in_bytes(false);
+        };
         for (const bool shaded : {true, false}) duel_of(shaded, false);
         duel_of(true, true);
+        duel_in_bytes();
     }
     draw_there([&] {
         pictures.reset(); // its GL lives on that thread
