@@ -84,6 +84,21 @@ float rise_along(ivec2 pixel, ivec2 axis) {
     float behind = smaller(own - last, last - opaque_at(pixel - 2 * axis));
     return abs(ahead) > abs(behind) ? ahead : behind;
 }
+// Of the pixels beside as well: a sheet that ends within the pixel may have missed its middle. Without the three steepest:
+// where an outline runs along a face that is seen from its edge, that fills a pixel now and then, or a row of them, and
+// its slope is that of nothing else.
+float slope_around(ivec2 pixel) {
+    vec4 steepest = vec4(0.0);
+    for (int i = 0; i < 9; ++i) {
+        float slope = texelFetch(sheet_slopes, clamp(pixel + ivec2(i % 3, i / 3) - 1, ivec2(0),
+                                                     textureSize(sheet_slopes, 0) - 1), 0).r;
+        if (slope > steepest.x) steepest = vec4(slope, steepest.xyz);
+        else if (slope > steepest.y) steepest.yzw = vec3(slope, steepest.yz);
+        else if (slope > steepest.z) steepest.zw = vec2(slope, steepest.z);
+        else steepest.w = max(steepest.w, slope);
+    }
+    return steepest.w;
+}
 // `beside`: the place, from that of the line or point, at most `reach` away; `slack`: by how much that is unsure. Pixels.
 // `most`: of these; farther off it would come before what is well before it.
 // `back`: whether it may go back, so that all lines on one surface are as deep. `give`: by how much they may yet differ.
@@ -98,12 +113,9 @@ float depth_on_surface(vec2 beside, float reach, float slack, float most, bool b
     if (depth > opaque_at(pixel)) return depth; // hidden, whatever sheets are there
     vec2 sheets = vec2(textureSize(sheet_slopes, 0)) / viewport;
     pixel = ivec2(gl_FragCoord.xy * sheets);
-    float slope = 0.0; // of those beside as well: one that ends within the pixel may have missed its middle
-    for (int i = 0; i < 9; ++i)
-        slope = max(slope, texelFetch(sheet_slopes, clamp(pixel + ivec2(i % 3, i / 3) - 1, ivec2(0),
-                                                          textureSize(sheet_slopes, 0) - 1), 0).r);
-    give = min(reach, most) * slope * sheets.x;
-    return min(depth, gl_FragCoord.z - min(reach + slack, most) * slope * sheets.x - least);
+    float slope = slope_around(pixel) * sheets.x;
+    give = min(reach, most) * slope;
+    return min(depth, gl_FragCoord.z - min(reach + slack, most) * slope - least);
 }
 )";
 

@@ -156,6 +156,68 @@ TEST_P(TransparentLines, AreEvenOnASurface) {
         }
 }
 
+struct Tube {
+    double tilt = 0;
+    double turn = 0;  // of a side; half: one lies along the view
+    double aside = 0; // of where its axis is, in x
+
+    [[nodiscard]] Shape shape() const {
+        constexpr Index columns = 24;
+        return grid(columns, 10, [this](double u, double v) {
+            const double angle = 2 * std::numbers::pi * (u + turn / columns), z = 1.6 * v - 0.8;
+            return Vec3f{static_cast<float>(0.5 * std::cos(angle) + tilt * z + aside),
+                         static_cast<float>(0.5 * std::sin(angle)), static_cast<float>(z)};
+        });
+    }
+};
+
+// Along two sides of each quadrilateral of a grid.
+Lines sides_of(const Shape& shape) {
+    Lines lines{shape.positions, {}};
+    for (std::size_t i = 0; i < shape.indices.size(); i += 6)
+        for (const std::size_t other : {i + 1, i + 5})
+            lines.indices.insert(lines.indices.end(), {shape.indices[i], shape.indices[other]});
+    return lines;
+}
+
+std::vector<Tube> steep_tubes() {
+    std::vector<Tube> tubes;
+    for (const double tilt : {0.0, 0.05, 0.15, 0.4})
+        for (const double turn : {0.5, 0.495, 0.48, 0.0})
+            for (const double aside : {0.0, -0.003, -0.006, -0.009}) tubes.push_back({tilt, turn, aside});
+    return tubes;
+}
+
+// Where a sheet is steep its lines come far before it, but not before what is well before it.
+TEST_P(TransparentLines, OnSteepSheetsStayBehindAPane) {
+    const Shape in_front = square(-1.2);
+    Mesh pane = in_front.mesh();
+    pane.scalars = {};
+    pane.lit = false;
+    pane.color = {0, 0, 1, 0.5F};
+    for (const Tube& tube : steep_tubes()) {
+        const Shape shape = tube.shape();
+        const Lines lines = sides_of(shape);
+        Mesh sheet = shape.mesh();
+        sheet.lit = false;
+        sheet.color = {0, 1, 0, 0.5F};
+        frame.meshes = {sheet, lines.mesh(3, {1, 0, 0, 1})};
+        draw();
+        const Image without = image;
+        frame.meshes.push_back(pane);
+        draw();
+        int seen = 0, off = 0;
+        for (int y = 45; y < 195; ++y)
+            for (int x = 85; x < 235; ++x) {
+                const std::size_t red = 3 * static_cast<std::size_t>(y * image.width + x);
+                seen += without.rgb[red] > 100 ? 1 : 0;
+                off += std::abs(image.rgb[red] - without.rgb[red] / 2) > 3 ? 1 : 0;
+            }
+        EXPECT_GT(seen, 3000);
+        EXPECT_EQ(off, 0) << "tilted by " << tube.tilt << ", turned by " << tube.turn << ", " << tube.aside << " aside";
+    }
+}
+
 // Two layers in any order in the document; the nearer is red.
 TEST_P(TransparentLines, OfTwoLayersAreMixedInTheirOrder) {
     const Lines near{{{-1, -0.5F, 0}, {1, -0.5F, 0}}, {0, 1}}, far{{{0, 0.5F, -1}, {0, 0.5F, 1}}, {0, 1}};
