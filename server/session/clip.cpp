@@ -1,5 +1,8 @@
 #include "session/clip.hpp"
 
+#include "session/cut_box.hpp"
+#include "session/cutter.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -18,19 +21,31 @@ void for_planes(const scene::Scene& scene, F&& f) {
         if (const auto* clip = std::get_if<scene::ClipLayer>(&layer.kind); clip != nullptr && layer.visible) f(*clip);
 }
 
+// Nothing is in a sheet, but the caps that close both of its sides would be seen.
+bool leave_a_sheet_at_most(const std::vector<HalfSpace>& planes, const Geometry& geometry) {
+    if (planes.empty()) return false;
+    const double slack = clip_slack(geometry);
+    const std::vector<Vec3d> corners = corners_of_cut_box(geometry, planes);
+    return std::any_of(planes.begin(), planes.end(), [&](const HalfSpace& plane) {
+        return std::all_of(corners.begin(), corners.end(),
+                           [&](const Vec3d& corner) { return distance(plane, corner) <= slack; });
+    });
+}
+
 } // namespace
 
-std::vector<HalfSpace> clip_planes(const scene::Scene& scene, const Vec3d& origin) {
+std::vector<HalfSpace> clip_planes(const scene::Scene& scene, const Geometry& geometry) {
     std::vector<HalfSpace> planes;
     for_planes(scene, [&](const scene::ClipLayer& clip) {
         HalfSpace kept;
         for (std::size_t axis = 0; axis < 3; ++axis) {
             kept.normal[axis] = -clip.normal[axis];
-            kept.offset += clip.normal[axis] * (clip.origin[axis] - origin[axis]);
+            kept.offset += clip.normal[axis] * (clip.origin[axis] - geometry.origin[axis]);
         }
         kept.offset = std::clamp(kept.offset, -farthest, farthest);
         planes.push_back(kept);
     });
+    if (leave_a_sheet_at_most(planes, geometry)) return {{{1, 0, 0}, -farthest}};
     return planes;
 }
 

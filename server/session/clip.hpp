@@ -6,8 +6,9 @@
 
 namespace ciel::session {
 
-// Of the visible clip layers, in drawing order; `origin` is that of positions.
-[[nodiscard]] std::vector<HalfSpace> clip_planes(const scene::Scene& scene, const Vec3d& origin);
+// Of the visible clip layers, in drawing order, for positions and bounds of `geometry`. One that keeps nothing where
+// they leave no more than a sheet of the box, within clip_slack.
+[[nodiscard]] std::vector<HalfSpace> clip_planes(const scene::Scene& scene, const Geometry& geometry);
 // Those of them that close what they cut open.
 [[nodiscard]] std::vector<const scene::ClipLayer*> capping(const scene::Scene& scene);
 

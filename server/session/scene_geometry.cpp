@@ -58,7 +58,7 @@ std::shared_ptr<const Geometry> SceneGeometry::update(const scene::Scene& scene,
     geometry->bounds_min = low(dataset->info().meshes[step.mesh]);
     geometry->bounds_max = high(dataset->info().meshes[step.mesh]);
 
-    geometry->clip = clip_planes(scene, geometry->origin);
+    geometry->clip = clip_planes(scene, *geometry);
     forget_all_but(scene); // first, for what comes needs the room
     // Any aspect: the default camera looks the same way.
     LayerUpdate run{extraction_,

@@ -1,10 +1,10 @@
 #include "session/shown_bounds.hpp"
 
+#include "session/cut_box.hpp"
 #include "session/cutter.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 namespace ciel::session {
 namespace {
@@ -30,54 +30,6 @@ public:
 private:
     Vec3d low_{INFINITY, INFINITY, INFINITY}, high_{-INFINITY, -INFINITY, -INFINITY};
 };
-
-std::optional<Vec3d> meet(const HalfSpace& a, const HalfSpace& b, const HalfSpace& c) {
-    const auto cross = [](const Vec3d& u, const Vec3d& v) {
-        return Vec3d{u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
-    };
-    const Vec3d bc = cross(b.normal, c.normal);
-    const Vec3d ca = cross(c.normal, a.normal);
-    const Vec3d ab = cross(a.normal, b.normal);
-    const double volume = a.normal[0] * bc[0] + a.normal[1] * bc[1] + a.normal[2] * bc[2];
-    if (!(std::abs(volume) > 1e-9)) return {};
-    Vec3d point{};
-    for (std::size_t k = 0; k < 3; ++k) point[k] = -(a.offset * bc[k] + b.offset * ca[k] + c.offset * ab[k]) / volume;
-    return point;
-}
-
-std::vector<HalfSpace> unit_length(std::vector<HalfSpace> planes) {
-    for (HalfSpace& plane : planes) {
-        const double length = std::hypot(plane.normal[0], plane.normal[1], plane.normal[2]);
-        for (double& component : plane.normal) component /= length;
-        plane.offset /= length;
-    }
-    return planes;
-}
-
-// The mesh's box as the planes cut it: the corners of a convex body are where three of its planes meet inside all.
-void add_box(Box& box, const Geometry& geometry) {
-    std::vector<HalfSpace> planes = unit_length(geometry.clip);
-    double size = 0;
-    for (std::size_t k = 0; k < 3; ++k) {
-        const double low = geometry.bounds_min[k] - geometry.origin[k];
-        const double high = geometry.bounds_max[k] - geometry.origin[k];
-        size = std::max({size, std::abs(low), std::abs(high)});
-        Vec3d inward{};
-        inward[k] = 1;
-        planes.push_back({inward, -low});
-        inward[k] = -1;
-        planes.push_back({inward, high});
-    }
-    const double rounding = 1e-9 * size;
-    for (std::size_t i = 0; i < planes.size(); ++i)
-        for (std::size_t j = 0; j < i; ++j)
-            for (std::size_t k = 0; k < j; ++k)
-                if (const auto corner = meet(planes[i], planes[j], planes[k]);
-                    corner && std::all_of(planes.begin(), planes.end(), [&](const HalfSpace& plane) {
-                        return distance(plane, *corner) >= -rounding;
-                    }))
-                    box.add(*corner);
-}
 
 void add_drawable(Box& box, const Drawable& drawable, const Cutter& cutter) {
     const std::span<const Index> indices = drawable.indices();
@@ -129,7 +81,7 @@ BoundingBox shown_bounds(const Geometry& geometry, const scene::Scene& scene) {
             if (std::any_of(shown.begin(), shown.end(), [&](const auto* layer) { return layer->id == drawable.layer; }))
                 add_drawable(box, drawable, cutter);
     } else {
-        add_box(box, geometry);
+        for (const Vec3d& corner : corners_of_cut_box(geometry, geometry.clip)) box.add(corner);
     }
     return box.is_empty() ? whole : box.from(geometry.origin);
 }

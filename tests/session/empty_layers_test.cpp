@@ -121,6 +121,27 @@ TEST_F(EmptyLayers, AreThoseThatPlanesCutAwayWhole) {
     EXPECT_EQ(show(beyond).empty.size(), 1U);
 }
 
+// Caps would close both sides of what has no inside.
+TEST_F(EmptyLayers, AreAllWherePlanesLeaveNoMoreThanASheet) {
+    const json slice = coloured({{"type", "slice"}, {"axis", "x"}, {"value", test::box_origin[0] + 2.3}});
+    json oblique{{"type", "clip"}, {"origin", test::box_origin}, {"normal", {1, 1, 1}}, {"invert", false}};
+    const std::vector<json> planes{
+        {{"c", clip("x", 2.3)}, {"d", clip("x", 2.3, true)}},
+        {{"c", clip("x", 2.3)}, {"d", clip("x", 2.3 - 1e-5, true)}},
+        {{"c", clip("z", 0)}},
+        {{"c", oblique}}, // a corner
+        {{"b", clip("y", 1)}, {"c", clip("x", 2.3)}, {"d", clip("x", 2.3, true)}},
+    };
+    for (json layers : planes)
+        for (const json& layer : {surface, volume, slice, coloured({{"type", "points"}})}) {
+            layers["a"] = layer;
+            const Geometry& now = show(layers);
+            ASSERT_EQ(now.empty.size(), 1U) << layers;
+            EXPECT_EQ(now.empty[0].reason, "All of it is clipped away.");
+        }
+    EXPECT_TRUE(show({{"a", surface}, {"c", clip("x", 2.301)}, {"d", clip("x", 2.3, true)}}).empty.empty());
+}
+
 TEST_F(EmptyLayers, AreThoseWhoseArrayWasNotWritten) {
     const Geometry& now = show({{"a", {{"type", "iso"}, {"array", "late"}, {"values", {1}}}}});
     ASSERT_EQ(now.empty.size(), 1U);
