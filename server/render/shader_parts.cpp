@@ -108,9 +108,11 @@ float depth_on_surface(vec2 beside, float reach, float slack, float most, bool b
     ivec2 pixel = ivec2(gl_FragCoord.xy / viewport * size);
     vec2 rise = vec2(rise_along(pixel, ivec2(1, 0)), rise_along(pixel, ivec2(0, 1))) * size / viewport;
     float shift = dot(rise, beside);
-    float depth = gl_FragCoord.z + (back ? shift : min(shift, 0.0)) - slack * length(rise) - least;
+    float off = slack * length(rise) + least;
+    float depth = gl_FragCoord.z + (back ? shift : min(shift, 0.0)) - off;
     give = 0.0;
-    if (depth > opaque_at(pixel)) return depth; // hidden, whatever sheets are there
+    // Hidden, whatever sheets are there, or on what is opaque: then on none of them.
+    if (depth > opaque_at(pixel) - 3.0 * off) return depth;
     vec2 sheets = vec2(textureSize(sheet_slopes, 0)) / viewport;
     pixel = ivec2(gl_FragCoord.xy * sheets);
     float slope = slope_around(pixel) * sheets.x;

@@ -218,6 +218,43 @@ TEST_P(TransparentLines, OnSteepSheetsStayBehindAPane) {
     }
 }
 
+// Whatever the slope of a sheet just in front, lines on what is opaque are not the sheet's: they look as through a
+// pane.
+TEST_P(TransparentLines, OnOpaqueSurfacesStayBehindSteepSheets) {
+    const auto wall_at = [](double x, double) { return 0.3 * x; };
+    const Lines lines = wires(wall_at);
+    const auto sheet_at = [](const auto& depth) {
+        return grid(2, 8, [&](double u, double v) {
+            const double x = 2.4 * u - 1.2, z = 2 * v - 1;
+            return Vec3f{static_cast<float>(x), static_cast<float>(depth(x, z)), static_cast<float>(z)};
+        });
+    };
+    const Shape wall = sheet_at(wall_at), pane = sheet_at([](double, double) { return -3.0; });
+    Mesh opaque = wall.mesh();
+    opaque.lit = false;
+    opaque.color = {0, 1, 0, 1};
+    const auto seen_through = [&](const Shape& shape) {
+        Mesh sheet = shape.mesh();
+        sheet.lit = false;
+        sheet.color = {0, 0, 1, 0.5F};
+        frame.meshes = {opaque, lines.mesh(3, {1, 0, 0, 1}), sheet};
+        draw();
+        return image;
+    };
+    for (const int samples : {1, 4}) {
+        frame.samples = samples;
+        const Image expected = seen_through(pane);
+        for (const double steep : {0.5, 2.0, 4.0}) {
+            const Image found =
+                seen_through(sheet_at([&](double x, double z) { return wall_at(x, z) - 0.02 - steep * std::abs(x); }));
+            int off = 0;
+            for (std::size_t i = 0; i < found.rgb.size(); ++i)
+                off += std::abs(found.rgb[i] - expected.rgb[i]) > 2 ? 1 : 0;
+            EXPECT_EQ(off, 0) << "a slope of " << steep << ", " << samples << " samples";
+        }
+    }
+}
+
 // Two layers in any order in the document; the nearer is red.
 TEST_P(TransparentLines, OfTwoLayersAreMixedInTheirOrder) {
     const Lines near{{{-1, -0.5F, 0}, {1, -0.5F, 0}}, {0, 1}}, far{{{0, 0.5F, -1}, {0, 0.5F, 1}}, {0, 1}};
