@@ -2,9 +2,10 @@
 
 namespace ciel::render {
 
-// A row of scale_rules: (low, 1 / width, steps, logarithmic), (lowest inside, highest inside), below, above, NaN; `low`
-// and `width` are of the logarithms to base 2 where the scale is logarithmic.
-// Missing values are told by their bits: compilers may assume that x != x never holds.
+// Values are less the scale's origin (ScaleRow), and so are the numbers of a row of scale_rules: (low, 1 / width,
+// steps, logarithmic), (lowest inside, highest inside), below, above, NaN; `low` and `width` are of the logarithms to
+// base 2 where the scale is logarithmic. Missing values are told by their bits: compilers may assume that x != x never
+// holds.
 const char* const color_scale_glsl = R"(
 uniform sampler2D scale_colors;
 uniform sampler2D scale_rules;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace ciel::render {
 namespace {
@@ -36,8 +37,19 @@ void append_color(std::vector<float>& rules, const Rgb8& color) {
 
 constexpr double largest_factor = 3e38; // of a range of subnormal numbers it would be infinite, and 0 times it nothing
 
+float origin_of(const ColorScale& scale) {
+    constexpr double farthest = 1e37; // beyond it, a value less the origin may be more than a float holds
+    return scale.log || std::abs(scale.range[0]) > farthest ? 0 : static_cast<float>(scale.range[0]);
+}
+
+float less(float limit, double origin) {
+    constexpr double largest = std::numeric_limits<float>::max();
+    return std::isfinite(limit) ? static_cast<float>(std::clamp(limit - origin, -largest, largest)) : limit;
+}
+
 void append_rule(std::vector<float>& rules, const ColorScale& scale) {
     const ColorLimits inside = limits_of(scale);
+    const double origin = origin_of(scale);
     double low = scale.range[0];
     double width = 0;
     if (has_width(scale)) {
@@ -45,10 +57,10 @@ void append_rule(std::vector<float>& rules, const ColorScale& scale) {
         width = (scale.log ? std::log2(scale.range[1]) : scale.range[1]) - low;
     }
     const auto ends = color_row(scale, 2);
-    rules.insert(rules.end(),
-                 {static_cast<float>(low), width > 0 ? static_cast<float>(std::min(1 / width, largest_factor)) : 0.0F,
-                  static_cast<float>(scale.steps), scale.log ? 1.0F : 0.0F});
-    rules.insert(rules.end(), {inside.low, inside.high, 0, 0});
+    rules.insert(rules.end(), {static_cast<float>(low - origin),
+                               width > 0 ? static_cast<float>(std::min(1 / width, largest_factor)) : 0.0F,
+                               static_cast<float>(scale.steps), scale.log ? 1.0F : 0.0F});
+    rules.insert(rules.end(), {less(inside.low, origin), less(inside.high, origin), 0, 0});
     append_color(rules, scale.below.value_or(ends.front()));
     append_color(rules, scale.above.value_or(ends.back()));
     append_color(rules, scale.nan);
@@ -59,12 +71,12 @@ void append_rule(std::vector<float>& rules, const ColorScale& scale) {
 ColorScales::ColorScales(const Gl& gl)
     : gl_(gl), colors_(make_texture(gl, GL_LINEAR)), rules_(make_texture(gl, GL_NEAREST)) {}
 
-float ColorScales::row_of(const ColorScale& scale) {
+ScaleRow ColorScales::row_of(const ColorScale& scale) {
     const auto found = std::find(next_.begin(), next_.end(), scale);
-    if (found != next_.end()) return static_cast<float>(found - next_.begin());
+    if (found != next_.end()) return {static_cast<float>(found - next_.begin()), origin_of(scale)};
     static_cast<void>(color_map_index(scale.map)); // an unknown one is refused before anything is drawn
     next_.push_back(scale);
-    return static_cast<float>(next_.size() - 1);
+    return {static_cast<float>(next_.size() - 1), origin_of(scale)};
 }
 
 void ColorScales::upload() {

@@ -8,6 +8,14 @@
 
 namespace ciel::render {
 
+// What a mesh's values are looked up by. They are carried to the pixels less `origin`, or those of a small range beside
+// them, such as 101,325 and a little, would lose their digits on the way.
+struct ScaleRow {
+    float row = -1; // of the frame's ColorScales; -1: a solid mesh
+    float origin = 0;
+    bool operator==(const ScaleRow&) const = default;
+};
+
 class ColorScales {
 public:
     explicit ColorScales(const Gl& gl); // the context is current, here and in every other call
@@ -15,8 +23,8 @@ public:
     ColorScales& operator=(const ColorScales&) = delete;
 
     void begin() { next_.clear(); }
-    // The scale's row. Equal scales share one. Throws Error when there is no such colour map.
-    [[nodiscard]] float row_of(const ColorScale& scale);
+    // Equal scales share one. Throws Error when there is no such colour map.
+    [[nodiscard]] ScaleRow row_of(const ColorScale& scale);
     // After the last row_of: uploads the rows unless they are there from the frame before.
     void upload();
     // To texture units 0 and 1, for the samplers scale_colors and scale_rules.

@@ -85,7 +85,6 @@ namespace ciel::render {
     X(UniformMatrix4fv, PFNGLUNIFORMMATRIX4FVPROC)                                                                     \
     X(UseProgram, PFNGLUSEPROGRAMPROC)                                                                                 \
     X(VertexAttrib1f, PFNGLVERTEXATTRIB1FPROC)                                                                         \
-    X(VertexAttrib2f, PFNGLVERTEXATTRIB2FPROC)                                                                         \
     X(VertexAttrib3f, PFNGLVERTEXATTRIB3FPROC)                                                                         \
     X(VertexAttrib4f, PFNGLVERTEXATTRIB4FPROC)                                                                         \
     X(VertexAttribPointer, PFNGLVERTEXATTRIBPOINTERPROC)                                                               \

@@ -53,13 +53,13 @@ void MeshBuffers::load(const Mesh& mesh) {
     count_ = static_cast<GLsizei>(mesh.indices.size());
 }
 
-void MeshBuffers::draw(const Mesh& mesh, float scale_row) const {
+void MeshBuffers::draw(const Mesh& mesh, const ScaleRow& scale) const {
     gl_.BindVertexArray(array_);
     gl_.VertexAttrib3f(attribute_normal, 0, 0, 0);
     gl_.VertexAttrib1f(attribute_scalar, 0);
     gl_.VertexAttrib1f(attribute_size, mesh.point_size);
     gl_.VertexAttrib4f(attribute_color, mesh.color[0], mesh.color[1], mesh.color[2], mesh.color[3]);
-    gl_.VertexAttrib2f(attribute_style, scale_row, mesh.lit ? 1.0F : 0.0F);
+    gl_.VertexAttrib3f(attribute_style, scale.row, mesh.lit ? 1.0F : 0.0F, scale.origin);
     gl_.DrawElements(primitive_, count_, GL_UNSIGNED_INT, nullptr);
 }
 

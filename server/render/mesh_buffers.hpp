@@ -1,6 +1,7 @@
 // The vertex buffers of one mesh on the GL's side, used again from frame to frame.
 #pragma once
 
+#include "render/color_scales.hpp"
 #include "render/gl.hpp"
 #include "render/renderer.hpp"
 
@@ -18,9 +19,8 @@ public:
     explicit MeshBuffers(const Gl& gl);
     // Uploads the mesh unless the buffers hold this identity and revision already.
     void load(const Mesh& mesh);
-    // `mesh` is what was loaded, perhaps in other colours. `scale_row`: of these in the frame's ColorScales, -1 for a
-    // solid mesh.
-    void draw(const Mesh& mesh, float scale_row) const;
+    // `mesh` is what was loaded, perhaps in other colours.
+    void draw(const Mesh& mesh, const ScaleRow& scale) const;
     [[nodiscard]] std::uint64_t identity() const {
         return identity_;
     } // of the mesh that was loaded; 0 before the first

@@ -86,7 +86,8 @@ void Painter::enable_clip_planes(bool on) {
 void Painter::load_scales(const Frame& frame) {
     scales_.begin();
     scale_rows_.clear();
-    for (const Mesh& mesh : frame.meshes) scale_rows_.push_back(mesh.scalars.empty() ? -1 : scales_.row_of(mesh.scale));
+    for (const Mesh& mesh : frame.meshes)
+        scale_rows_.push_back(mesh.scalars.empty() ? ScaleRow{} : scales_.row_of(mesh.scale));
     scales_.upload();
 }
 

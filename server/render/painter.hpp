@@ -67,7 +67,7 @@ private:
     std::vector<std::string> remarks_;
     Program triangles_, plain_, normals_, occluded_, lines_, points_;
     ColorScales scales_;
-    std::vector<float> scale_rows_; // of the frame's meshes
+    std::vector<ScaleRow> scale_rows_; // of the frame's meshes
     Target target_;
     KeptPicture picture_;
     OpaqueDepth opaque_depth_;

@@ -9,7 +9,7 @@ layout(location = 0) in vec3 position;
 layout(location = 2) in float scalar;
 layout(location = 3) in float size;
 layout(location = 4) in vec4 color;
-layout(location = 5) in vec2 style;
+layout(location = 5) in vec3 style;
 uniform mat4 view;
 uniform mat4 projection;
 uniform float point_pixels; // of what is drawn to one of the picture
@@ -24,10 +24,10 @@ out Disc {
 void main() {
     gl_Position = projection * (view * vec4(position, 1.0));
     for (int i = 0; i < 6; ++i) gl_ClipDistance[i] = dot(clip[i].xyz, position) + clip[i].w;
-    disc.value = scalar;
+    disc.value = scalar - style.z;
     disc.size = max(size, 1.0) * point_pixels; // a thinner one would miss most pixels
     disc.color = color;
-    disc.style = style;
+    disc.style = style.xy;
     gl_PointSize = disc.size + 1.0; // room for a soft edge
 }
 )";

@@ -39,7 +39,7 @@ layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
 layout(location = 2) in float scalar;
 layout(location = 4) in vec4 color;
-layout(location = 5) in vec2 style;
+layout(location = 5) in vec3 style;
 uniform mat4 view;
 uniform mat4 projection;
 uniform float scale;
@@ -53,9 +53,9 @@ void main() {
     for (int i = 0; i < 6; ++i) gl_ClipDistance[i] = dot(clip[i].xyz, position) + clip[i].w;
     surface.place = place.xyz * scale;
     surface.normal = mat3(view) * normal;
-    surface.value = scalar;
+    surface.value = scalar - style.z;
     surface.color = color;
-    surface.style = style;
+    surface.style = style.xy;
     surface.position = position;
 }
 )";
@@ -72,7 +72,7 @@ bool is_seen(float depth) { return depth > texelFetch(nearer, ivec2(gl_FragCoord
 const char* const on_surface_glsl = R"(
 uniform vec2 viewport;
 uniform sampler2D opaque_depth; // of the window, of what is opaque, in the picture's pixels
-uniform sampler2D sheet_slopes; // depth a pixel of the steepest transparent surface
+uniform sampler2D sheet_slopes; // depth a pixel of the steepest transparent surface, and as far as its triangle rises
 const float least = 5e-7;       // of 24 bits the last few, and what rounding takes
 float opaque_at(ivec2 pixel) {
     return texelFetch(opaque_depth, clamp(pixel, ivec2(0), textureSize(opaque_depth, 0) - 1), 0).r;
@@ -84,20 +84,23 @@ float rise_along(ivec2 pixel, ivec2 axis) {
     float behind = smaller(own - last, last - opaque_at(pixel - 2 * axis));
     return abs(ahead) > abs(behind) ? ahead : behind;
 }
-// Of the pixels beside as well: a sheet that ends within the pixel may have missed its middle. Without the three steepest:
-// where an outline runs along a face that is seen from its edge, that fills a pixel now and then, or a row of them, and
-// its slope is that of nothing else.
+// Of the pixels beside as well: a sheet that ends within the pixel may have missed its middle. Where an outline runs along
+// a face that is seen from its edge, that fills a pixel now and then, or a row of them, with a slope that is nothing
+// else's: so slopes count that more than three of nine have, and any other no further than its triangle rises in all.
 float slope_around(ivec2 pixel) {
     vec4 steepest = vec4(0.0);
+    float most = 0.0;
     for (int i = 0; i < 9; ++i) {
-        float slope = texelFetch(sheet_slopes, clamp(pixel + ivec2(i % 3, i / 3) - 1, ivec2(0),
-                                                     textureSize(sheet_slopes, 0) - 1), 0).r;
+        vec2 found = texelFetch(sheet_slopes, clamp(pixel + ivec2(i % 3, i / 3) - 1, ivec2(0),
+                                                    textureSize(sheet_slopes, 0) - 1), 0).rg;
+        float slope = found.x;
+        most = max(most, found.y);
         if (slope > steepest.x) steepest = vec4(slope, steepest.xyz);
         else if (slope > steepest.y) steepest.yzw = vec3(slope, steepest.yz);
         else if (slope > steepest.z) steepest.zw = vec2(slope, steepest.z);
         else steepest.w = max(steepest.w, slope);
     }
-    return steepest.w;
+    return max(steepest.w, most);
 }
 // `beside`: the place, from that of the line or point, at most `reach` away; `slack`: by how much that is unsure. Pixels.
 // `most`: of these; farther off it would come before what is well before it.

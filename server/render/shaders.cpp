@@ -79,10 +79,6 @@ void main() {
 #ifdef PEELED
     if (!is_seen(gl_FragCoord.z)) discard;
 #endif
-#ifdef SLOPES
-    picture = vec4(length(vec2(dFdx(gl_FragCoord.z), dFdy(gl_FragCoord.z))));
-    return;
-#endif
     vec3 viewer = mix(normalize(-surface.place), vec3(0.0, 0.0, 1.0), parallel);
 #ifdef NORMALS
     picture = vec4(facing_normal(viewer), 1.0);
@@ -96,6 +92,43 @@ void main() {
 #endif
     }
     picture = vec4(base, surface.color.a);
+}
+)";
+
+// (slope, no more of it than the triangle rises in all), in depth a pixel.
+const std::string slopes_geometry = R"(#version 330 core
+layout(triangles) in;
+layout(triangle_strip, max_vertices = 3) out;
+uniform vec4 clip[6];
+out float gl_ClipDistance[6];
+in)" + std::string(surface_block) +
+                                    R"([];
+flat out float extent;
+void main() {
+    float low = 1.0;
+    float high = -1.0;
+    for (int i = 0; i < 3; ++i) {
+        vec4 place = gl_in[i].gl_Position;
+        float depth = place.w > 0.0 ? place.z / place.w : -1.0; // behind the eye
+        low = min(low, depth);
+        high = max(high, depth);
+    }
+    for (int i = 0; i < 3; ++i) {
+        gl_Position = gl_in[i].gl_Position;
+        for (int k = 0; k < 6; ++k) gl_ClipDistance[k] = dot(clip[k].xyz, surface[i].position) + clip[k].w;
+        extent = 0.5 * (high - low);
+        EmitVertex();
+    }
+    EndPrimitive();
+}
+)";
+
+const std::string slopes_fragment = R"(#version 330 core
+flat in float extent;
+out vec4 picture;
+void main() {
+    float slope = length(vec2(dFdx(gl_FragCoord.z), dFdy(gl_FragCoord.z)));
+    picture = vec4(slope, min(slope, extent), 0.0, 0.0);
 }
 )";
 
@@ -248,7 +281,8 @@ Program make_normals_program(const Gl& gl) {
 
 Program make_slopes_program(const Gl& gl) {
     return link(gl, {{GL_VERTEX_SHADER, surface_vertex},
-                     {GL_FRAGMENT_SHADER, with_color_scale(triangle_fragment, "#define SLOPES\n")}});
+                     {GL_GEOMETRY_SHADER, slopes_geometry},
+                     {GL_FRAGMENT_SHADER, slopes_fragment}});
 }
 
 Program make_occluded_program(const Gl& gl) {

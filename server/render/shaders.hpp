@@ -17,7 +17,7 @@ enum Attribute : GLuint {
     attribute_scalar = 2,
     attribute_size = 3,  // of a point, in pixels
     attribute_color = 4, // RGB of a solid mesh, and the opacity
-    attribute_style = 5, // (row of the frame's ColorScales, or -1 for solid; 1 when lit)
+    attribute_style = 5, // (row of the frame's ColorScales, or -1 for solid; 1 when lit; what values are carried less)
 };
 
 inline constexpr std::size_t most_clip_planes = 6;

@@ -45,7 +45,7 @@ void SurfaceSlopes::copy_opaque(Target& target, int width, int height) {
 }
 
 void SurfaceSlopes::find_sheets(int width, int height, const std::function<void()>& draw) {
-    sheets_.size(GL_R32F, width, height);
+    sheets_.size(GL_RG32F, width, height);
     sheets_.begin();
     gl_.ClearColor(0, 0, 0, 0);
     gl_.Clear(GL_COLOR_BUFFER_BIT);

@@ -17,9 +17,9 @@ TransparentTriangles::TransparentTriangles(const Gl& gl)
 void TransparentTriangles::load(const std::vector<Part>& parts, const glm::vec4& depth_row, bool sorted) {
     std::vector<Held> wanted;
     bool same = true;
-    for (const auto& [mesh, scale_row] : parts) {
+    for (const auto& [mesh, scale] : parts) {
         same = same && mesh->revision != 0;
-        wanted.push_back({mesh->identity, mesh->revision, mesh->color, scale_row, mesh->lit});
+        wanted.push_back({mesh->identity, mesh->revision, mesh->color, scale, mesh->lit});
     }
     same = same && wanted == held_;
     if (same && sorted == is_sorted_ && (!sorted || depth_row == depth_row_)) return;
@@ -43,12 +43,12 @@ void TransparentTriangles::load(const std::vector<Part>& parts, const glm::vec4&
 void TransparentTriangles::add(const Part& part) {
     const Mesh& mesh = *part.mesh;
     const auto first = static_cast<Index>(vertices_.size());
-    Vertex vertex{{}, {}, 0, mesh.color, {part.scale_row, mesh.lit ? 1.0F : 0.0F}};
+    Vertex vertex{{}, {}, 0, mesh.color, {part.scale.row, mesh.lit ? 1.0F : 0.0F}};
     vertices_.reserve(vertices_.size() + mesh.positions.size());
     for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
         vertex.position = mesh.positions[i];
         if (!mesh.normals.empty()) vertex.normal = mesh.normals[i];
-        if (!mesh.scalars.empty()) vertex.scalar = mesh.scalars[i];
+        if (!mesh.scalars.empty()) vertex.scalar = mesh.scalars[i] - part.scale.origin;
         vertices_.push_back(vertex);
     }
     triangles_.reserve(triangles_.size() + mesh.indices.size() / 3);

@@ -3,6 +3,7 @@
 // layers may cross as they like.
 #pragma once
 
+#include "render/color_scales.hpp"
 #include "render/gl.hpp"
 #include "render/renderer.hpp"
 #include "render/vertex_arrays.hpp"
@@ -18,7 +19,7 @@ public:
 
     struct Part {
         const Mesh* mesh;
-        float scale_row; // of its colours in the frame's ColorScales, -1 for a solid mesh
+        ScaleRow scale;
     };
     // depth_row: the row of the view matrix that gives -depth, so that more is nearer. `sorted`: from far to near, by
     // it. Vertices are uploaded where a part has changed, and their order where that or what it follows has.
@@ -40,7 +41,7 @@ private:
     struct Held { // of a part: what its vertices depend on
         std::uint64_t identity, revision;
         std::array<float, 4> color;
-        float scale_row;
+        ScaleRow scale;
         bool lit;
         bool operator==(const Held&) const = default;
     };

@@ -17,9 +17,9 @@ TransparentPoints::TransparentPoints(const Gl& gl)
 void TransparentPoints::load(const std::vector<Part>& parts, const glm::vec4& depth_row) {
     std::vector<Held> wanted;
     bool same = true;
-    for (const auto& [mesh, scale_row] : parts) {
+    for (const auto& [mesh, scale] : parts) {
         same = same && mesh->revision != 0;
-        wanted.push_back({mesh->identity, mesh->revision, mesh->color, scale_row, mesh->point_size, mesh->lit});
+        wanted.push_back({mesh->identity, mesh->revision, mesh->color, scale, mesh->point_size, mesh->lit});
     }
     same = same && wanted == held_;
     if (same && depth_row == depth_row_) return;
@@ -37,11 +37,11 @@ void TransparentPoints::load(const std::vector<Part>& parts, const glm::vec4& de
 void TransparentPoints::add(const Part& part) {
     const Mesh& mesh = *part.mesh;
     check_mesh(mesh);
-    Vertex vertex{{}, 0, mesh.point_size, mesh.color, {part.scale_row, mesh.lit ? 1.0F : 0.0F}};
+    Vertex vertex{{}, 0, mesh.point_size, mesh.color, {part.scale.row, mesh.lit ? 1.0F : 0.0F}};
     vertices_.reserve(vertices_.size() + mesh.indices.size());
     for (const Index i : mesh.indices) {
         vertex.position = mesh.positions[i];
-        if (!mesh.scalars.empty()) vertex.scalar = mesh.scalars[i];
+        if (!mesh.scalars.empty()) vertex.scalar = mesh.scalars[i] - part.scale.origin;
         vertices_.push_back(vertex);
     }
 }

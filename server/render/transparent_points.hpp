@@ -2,6 +2,7 @@
 // deep as its centre all over, so this order is right at every pixel.
 #pragma once
 
+#include "render/color_scales.hpp"
 #include "render/gl.hpp"
 #include "render/renderer.hpp"
 #include "render/vertex_arrays.hpp"
@@ -18,7 +19,7 @@ public:
 
     struct Part {
         const Mesh* mesh;
-        float scale_row; // of its colours in the frame's ColorScales, -1 for a solid mesh
+        ScaleRow scale;
     };
     // depth_row: the row of the view matrix that gives -depth. Vertices are uploaded where a part has changed, and
     // their order where that or what it follows has. Throws Error when arrays of a mesh do not fit together.
@@ -40,7 +41,8 @@ private:
     struct Held { // of a part: what its vertices depend on
         std::uint64_t identity, revision;
         std::array<float, 4> color;
-        float scale_row, size;
+        ScaleRow scale;
+        float size;
         bool lit;
         bool operator==(const Held&) const = default;
     };

@@ -68,6 +68,18 @@ ColorScale scale_of(const char* map, std::array<double, 2> range) {
     return scale;
 }
 
+// Absolute pressure in a slow flow: 26 floats from end to end, and as many steps as these, with sharp bounds.
+TEST_P(ColorScalePicture, OfASmallRangeBesideItsValuesIsAsSmooth) {
+    const double low = 101325 - 13.0 / 128, high = 101325 + 13.0 / 128;
+    for (const int steps : {0, 13})
+        for (const float opacity : {1.0F, 0.999F}) { // the latter is peeled
+            ColorScale scale = scale_of("turbo", {low, high});
+            scale.steps = steps;
+            draw(band(static_cast<float>(low), static_cast<float>(high)), scale, opacity);
+            expect_rule(scale, low, high, 4);
+        }
+}
+
 TEST_P(ColorScalePicture, EveryMapIsTheTableBothWaysRound) {
     for (const std::string& name : color_map_names())
         for (const bool reverse : {false, true}) {

@@ -37,6 +37,18 @@ describe("the colour scale", () => {
     expect(scaleUniforms(scale).rule.map(Math.fround).every(Number.isFinite)).toBe(true);
   });
 
+  test("a range that is small beside its values keeps its digits in the shader", () => {
+    const [low, high] = [101325 - 0.1, 101325 + 0.1];
+    const { origin, rule, inside } = scaleUniforms(scaleOf({ array: "p", range: [low, high] }, [0, 1]));
+    expect(Math.fround(origin)).toBe(origin);
+    expect(origin + rule[0]).toBeCloseTo(low, 9);
+    expect(rule[0] + 1 / rule[1] + origin).toBeCloseTo(high, 9);
+    expect(Math.abs(rule[0])).toBeLessThan(0.01);
+    expect(inside[0]).toBeLessThanOrEqual(rule[0]);
+    expect(inside[1]).toBeLessThan(1);
+    expect(scaleUniforms(scaleOf({ array: "p", range: [1, 10], log: true }, [0, 1])).origin).toBe(0);
+  });
+
   test.each(cases.cases as unknown as Case[])("$name", ({ coloring, data, range, colors, ticks }) => {
     const scale = scaleOf(coloring, data);
     expect(scale.range.map(Math.fround)).toEqual(range.map(Math.fround));

@@ -146,7 +146,8 @@ export class GeometryParts {
 
   private useScale(program: Program, scale: ColorScale): void {
     const { gl } = this;
-    const { rule, inside, below, above, missing } = scaleUniforms(scale);
+    const { origin, rule, inside, below, above, missing } = scaleUniforms(scale);
+    gl.uniform1f(program.at("value_origin"), origin);
     gl.uniform4fv(program.at("rule"), rule);
     gl.uniform2fv(program.at("inside"), inside);
     gl.uniform3fv(program.at("below"), below);

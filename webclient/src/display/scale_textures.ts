@@ -8,6 +8,8 @@ const ROW_SIZE = 1024;
 const MOST_KEPT = 16;
 
 export interface ScaleUniforms {
+  /** What values, `rule` and `inside` are less, so that those of a small range beside them keep their digits. */
+  origin: number;
   /** low, 1 / width, steps, logarithmic. */
   rule: [number, number, number, number];
   inside: [number, number];
@@ -18,17 +20,25 @@ export interface ScaleUniforms {
 
 const unit = (color: Rgb8): Rgb => color.map((channel) => channel / 255) as Rgb;
 
+/** Beyond it, a value less the origin may be more than a float holds. */
+const FARTHEST_ORIGIN = 1e37;
+
+const originOf = ({ log, range: [low] }: ColorScale): number =>
+  log || Math.abs(low) > FARTHEST_ORIGIN ? 0 : Math.fround(low);
+
 /** The numbers are floats' in the shader. */
 export function scaleUniforms(scale: ColorScale): ScaleUniforms {
   const measure = (value: number): number => (scale.log ? Math.log2(value) : value);
   const low = hasWidth(scale) ? measure(scale.range[0]) : scale.range[0];
   const largest = 3e38; // shaders take no infinities
   const scaling = hasWidth(scale) ? Math.min(1 / (measure(scale.range[1]) - low), largest) : 0;
+  const origin = originOf(scale);
   const [first = [0, 0, 0], last = first] = colorRow({ ...scale, steps: 0 }, 2);
   const [lowest, highest] = limitsOf(scale);
   return {
-    rule: [low, scaling, scale.steps, scale.log ? 1 : 0],
-    inside: [Math.max(lowest, -largest), Math.min(highest, largest)],
+    origin,
+    rule: [low - origin, scaling, scale.steps, scale.log ? 1 : 0],
+    inside: [Math.max(lowest - origin, -largest), Math.min(highest - origin, largest)],
     below: unit(scale.below === null ? first : bytesOf(scale.below)),
     above: unit(scale.above === null ? last : bytesOf(scale.above)),
     missing: unit(bytesOf(scale.nan)),

@@ -12,6 +12,7 @@ uniform mat4 view;
 uniform mat4 projection;
 uniform float scale;
 uniform float point_size;
+uniform float value_origin; // values are carried less it, or those of a small range beside them would lose their digits
 out vec3 place; // in units of the bounds' radius: derivatives of small scenes must not underflow
 out vec3 eye_normal;
 out float value;
@@ -25,7 +26,7 @@ void main() {
   vec4 at = view * vec4(position, 1.0);
   place = at.xyz * scale;
   eye_normal = mat3(view) * normal;
-  value = scalar;
+  value = scalar - value_origin;
   gl_PointSize = point_size + 1.0; // room for a soft edge; counts for points only
   gl_Position = projection * at;
 #ifdef POINTS
@@ -40,6 +41,7 @@ in vec3 offset; // from the batch's origin
 uniform vec4 clip[6];
 uniform int clip_planes;
 uniform sampler2D scale_colors;
+// Less value_origin, as values are.
 uniform vec4 rule; // low, 1 / width, steps, logarithmic: low and width of logarithms to base 2 then
 uniform vec2 inside;
 uniform vec3 below;
@@ -126,6 +128,7 @@ void main() {
 // A line as a rectangle of its width in pixels with soft edges, cut at the nearest plane: behind the eye is no pixel.
 export const LINE_VERTEX = `#version 300 es
 uniform highp sampler2D ends; // x, y, z, value (lines.ts)
+uniform float value_origin;
 uniform mat4 view;
 uniform mat4 projection;
 uniform vec2 viewport;
@@ -161,7 +164,7 @@ void main() {
   vec2 moved = vec2(-along.y, along.x) * across + along * half_width * (at_end ? 0.5 : -0.5);
   offset = mix(from.xyz, to.xyz, t);
   vec4 here = at_end ? last : first;
-  value = mix(from.w, to.w, t);
+  value = mix(from.w - value_origin, to.w - value_origin, t);
   across *= here.w; // perspective takes it back: straight in the picture
   weight = here.w;
   gl_Position = here + vec4(moved / viewport * 2.0 * here.w, 0.0, 0.0);
