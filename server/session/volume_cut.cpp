@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 namespace ciel::session {
 namespace {
@@ -125,12 +126,18 @@ scene::VolumeLayer::Direction slab_direction(const scene::Scene& scene) {
 
 namespace {
 
-// In the corners of a picture that is not wider than 16 : 9. No view of 30 degrees does, whatever it looks at.
+// In the corners of a picture that is not wider than 16 : 9. No view of 30 degrees does along those across its nearest
+// axis, whatever it looks at.
 bool sees_along_slabs(const Vec3d& view, std::size_t axis, const render::Camera& camera) {
-    if (camera.parallel) return false;
     constexpr double degree = std::numbers::pi / 180, widest = 85 * degree;
-    const double corner = std::tan(camera.fov_degrees / 2 * degree) * std::hypot(1.0, 16.0 / 9.0);
+    const double corner = camera.parallel ? 0 : std::tan(camera.fov_degrees / 2 * degree) * std::hypot(1.0, 16.0 / 9.0);
     return std::acos(std::min(std::abs(unit_vector(view)[axis]), 1.0)) + std::atan(corner) > widest;
+}
+
+std::optional<std::size_t> axis_of(scene::VolumeLayer::Direction direction) {
+    using Direction = scene::VolumeLayer::Direction;
+    if (direction == Direction::automatic || direction == Direction::screen) return {};
+    return static_cast<std::size_t>(direction) - static_cast<std::size_t>(Direction::x);
 }
 
 } // namespace
@@ -142,13 +149,10 @@ Vec3d slab_normal(scene::VolumeLayer::Direction direction, const render::Camera&
     // Planes that turn with the camera would have to be cut anew for each picture of a turning camera.
     if (direction == Direction::screen && !moving) return unit_vector(view);
     std::size_t axis = 0;
-    if (direction == Direction::automatic || direction == Direction::screen) {
-        for (std::size_t other = 1; other < 3; ++other)
-            if (std::abs(view[other]) > std::abs(view[axis])) axis = other;
-        if (!moving && sees_along_slabs(view, axis, camera)) return unit_vector(view);
-    } else {
-        axis = static_cast<std::size_t>(direction) - static_cast<std::size_t>(Direction::x);
-    }
+    for (std::size_t other = 1; other < 3; ++other)
+        if (std::abs(view[other]) > std::abs(view[axis])) axis = other;
+    if (const auto asked = axis_of(direction); asked && !sees_along_slabs(view, *asked, camera)) axis = *asked;
+    if (!moving && sees_along_slabs(view, axis, camera)) return unit_vector(view);
     Vec3d normal{};
     normal[axis] = 1;
     return normal;

@@ -59,8 +59,9 @@ struct VolumeCut {
 // That of the first volume that is shown, for all of them: slabs across different directions cannot be mixed in their
 // order.
 [[nodiscard]] scene::VolumeLayer::Direction slab_direction(const scene::Scene& scene);
-// The axis nearest to the view, its sign left out; or the view's own direction, which is taken too for a still that
-// looks along slabs across that axis somewhere: of a ray in one slab only its end is known.
+// The axis that was asked for, unless the camera looks along slabs across it somewhere: of a ray in one slab only its
+// end is known. Then, and of itself, the axis nearest to the view, its sign left out; or the view's own direction,
+// which is taken too for a still that looks along slabs across that axis somewhere.
 [[nodiscard]] Vec3d slab_normal(scene::VolumeLayer::Direction direction, const render::Camera& camera, bool moving);
 
 } // namespace ciel::session

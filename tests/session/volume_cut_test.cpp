@@ -135,7 +135,7 @@ TEST_F(volume_cut, the_axis_is_the_one_nearest_to_the_view_or_the_one_that_is_as
     EXPECT_EQ(show(volume(3), false, {-8, 1, 2}).slabs->normal, (Vec3d{1, 0, 0}));
     json layer = volume(3);
     layer["direction"] = "z";
-    EXPECT_EQ(show(layer).slabs->normal, (Vec3d{0, 0, 1}));
+    EXPECT_EQ(show(layer, false, {1, 8, 6}).slabs->normal, (Vec3d{0, 0, 1}));
     layer["direction"] = "screen";
     EXPECT_EQ(show(layer, true).slabs->normal, (Vec3d{0, 1, 0})) << "while the camera moves";
     const Vec3d normal = show(layer, false, {0, 3, 4}).slabs->normal;
@@ -159,6 +159,24 @@ TEST_F(volume_cut, a_wide_still_has_no_slabs_that_it_looks_along) {
     EXPECT_EQ(normal(corner, 60, false, true), x) << "parallel";
     EXPECT_EQ(normal({2, 0.01, 0}, 75), x) << "straight at them";
     EXPECT_NE(normal({2, 0.01, 0}, 170), x);
+}
+
+TEST(slab_normal, is_across_the_axis_asked_for_unless_the_camera_looks_along_such_slabs) {
+    using Direction = scene::VolumeLayer::Direction;
+    const Vec3d x{1, 0, 0}, y{0, 1, 0};
+    render::Camera camera;
+    for (const bool moving : {false, true})
+        for (const bool parallel : {false, true}) {
+            camera.parallel = parallel;
+            camera.target = {3, 2.6, 0};
+            EXPECT_EQ(slab_normal(Direction::y, camera, moving), y) << "49 degrees from it, though x is nearer";
+            camera.target = {1, 0.02, 0};
+            EXPECT_EQ(slab_normal(Direction::y, camera, moving), x) << "along its slabs";
+        }
+    camera.parallel = false;
+    camera.fov_degrees = 75;
+    camera.target = {1, 1, 0.02};
+    EXPECT_NEAR(slab_normal(Direction::z, camera, false)[0], std::sqrt(0.5), 1e-3) << "wide: across the view";
 }
 
 TEST_F(volume_cut, all_volumes_have_slabs_across_the_direction_of_the_first_that_is_shown) {

@@ -172,7 +172,7 @@ class VolumeLayer(TypedDict):
     opacity_points: NotRequired[list[OpacityPoint]]  # by position; straight between two points, constant before the first and after the last. A position twice is a step.
     unit_length: NotRequired[float | None]  # the length, in the dataset's length units, after which a ray through a value has lost the share of its light that opacity_points say; null or absent: a tenth of the diagonal of the bounds
     slices: NotRequired[int | None]  # of a still; while something moves there are fewer, without a change of brightness. null or absent: from 200 on, more along a long axis, so that they are as far apart whatever they are across, and where opacity_points are steep
-    direction: NotRequired[Literal["auto", "x", "y", "z", "screen"]]  # normal of the slices: auto is the axis nearest the view, screen the view's own direction (the nearest axis while it moves). A still of so wide a view that it looks along slices somewhere has those of screen for auto. Of several volumes the first that is shown decides for all.
+    direction: NotRequired[Literal["auto", "x", "y", "z", "screen"]]  # normal of the slices: auto is the axis nearest the view, screen the view's own direction (the nearest axis while it moves). A view that looks along slices across an axis somewhere has those of auto instead, and a still of so wide a view that it looks along these, too, those of screen. Of several volumes the first that is shown decides for all.
     shaded: NotRequired[bool]  # by the array's gradient, with a light at the eye
 
 
