@@ -196,7 +196,7 @@ void Painter::draw_meshes(const Frame& frame, const Program& program, bool befor
         const Mesh& mesh = frame.meshes[i];
         const Program& own = mesh.lines ? lines_ : surfaces ? program : triangles_;
         if (&own != &program || mesh.points || is_transparent(mesh) || mesh.indices.empty()) continue;
-        if (mesh.lines) gl_.Uniform1f(program.half_width, mesh.line_width / 2);
+        if (mesh.lines) use_line(program, mesh, 1);
         if (const Program& fitting = &own == &triangles_ && is_plain(mesh, frame) ? plain_ : own; &fitting != in_use) {
             use(fitting, frame);
             in_use = &fitting;
@@ -204,6 +204,12 @@ void Painter::draw_meshes(const Frame& frame, const Program& program, bool befor
         if (in_use == &plain_) use_look(frame, mesh);
         buffers(i).draw(mesh, scale_rows_[i]);
     }
+}
+
+// `factor`: of what is drawn to a pixel of the picture.
+void Painter::use_line(const Program& program, const Mesh& mesh, float factor) const {
+    gl_.Uniform1f(program.half_width, factor * mesh.line_width / 2);
+    gl_.Uniform1f(program.on_opaque, mesh.on_opaque ? 1.0F : 0.0F);
 }
 
 // Under sorted transparent triangles, which are drawn later and only where no line is before them, soft edges would be

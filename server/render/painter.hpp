@@ -59,6 +59,7 @@ private:
     void peel_transparent(const Frame& frame);
     void use(const Program& program, const Frame& frame);
     void use_look(const Frame& frame, const Mesh& mesh);
+    void use_line(const Program& program, const Mesh& mesh, float factor) const;
     void assign_buffers(const Frame& frame);
     [[nodiscard]] MeshBuffers& buffers(std::size_t mesh) { return *slots_[mesh]; }
 

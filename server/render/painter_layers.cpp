@@ -152,7 +152,7 @@ void Painter::draw_lines_of_layer(const Frame& frame, bool joining) {
     for (std::size_t i = 0; i < frame.meshes.size(); ++i) {
         const Mesh& mesh = frame.meshes[i];
         if (!mesh.lines || mesh.indices.empty() || mesh.color[3] <= 0 || (joining && mesh.color[3] >= 1)) continue;
-        gl_.Uniform1f(program.half_width, factor * mesh.line_width / 2);
+        use_line(program, mesh, factor);
         gl_.Uniform1f(program.number, mesh.color[3] < 1 ? static_cast<float>(i + 1) : 0.0F);
         buffers(i).draw(mesh, scale_rows_[i]);
     }

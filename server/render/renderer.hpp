@@ -33,8 +33,9 @@ struct Mesh {
     std::span<const float> scalars;   // empty: solid colour
     std::span<const Index> indices;   // 3 per triangle, 2 per line, 1 per point
     bool lines = false, points = false;
-    float line_width = 1.5F, point_size = 4;         // pixels
-    ColorScale scale;                                // of the scalars
+    float line_width = 1.5F, point_size = 4; // pixels
+    bool on_opaque = false; // lines known to lie on an opaque surface, so on no transparent one in front of it
+    ColorScale scale;       // of the scalars
     std::array<float, 4> color{0.8F, 0.8F, 0.8F, 1}; // alpha is the opacity, also of mapped colours
     std::uint64_t revision = 0;                      // same non-zero revision: same buffers, may be kept on the GPU
     std::uint64_t identity = 0;                      // which layer the buffers belong to

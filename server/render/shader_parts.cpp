@@ -71,6 +71,7 @@ bool is_seen(float depth) { return depth > texelFetch(nearer, ivec2(gl_FragCoord
 // of all at their outlines. How a surface rises is what two steps to one side agree on, for one may be over an outline.
 const char* const on_surface_glsl = R"(
 uniform vec2 viewport;
+uniform float on_opaque; // 1: on no sheet
 uniform sampler2D opaque_depth; // of the window, of what is opaque, in the picture's pixels
 uniform sampler2D sheet_slopes; // depth a pixel of the steepest transparent surface, and as far as its triangle rises
 const float least = 5e-7;       // of 24 bits the last few, and what rounding takes
@@ -111,11 +112,9 @@ float depth_on_surface(vec2 beside, float reach, float slack, float most, bool b
     ivec2 pixel = ivec2(gl_FragCoord.xy / viewport * size);
     vec2 rise = vec2(rise_along(pixel, ivec2(1, 0)), rise_along(pixel, ivec2(0, 1))) * size / viewport;
     float shift = dot(rise, beside);
-    float off = slack * length(rise) + least;
-    float depth = gl_FragCoord.z + (back ? shift : min(shift, 0.0)) - off;
+    float depth = gl_FragCoord.z + (back ? shift : min(shift, 0.0)) - slack * length(rise) - least;
     give = 0.0;
-    // Hidden, whatever sheets are there, or on what is opaque: then on none of them.
-    if (depth > opaque_at(pixel) - 3.0 * off) return depth;
+    if (on_opaque > 0.5 || depth > opaque_at(pixel)) return depth; // hidden, whatever sheets are there
     vec2 sheets = vec2(textureSize(sheet_slopes, 0)) / viewport;
     pixel = ivec2(gl_FragCoord.xy * sheets);
     float slope = slope_around(pixel) * sheets.x;
@@ -182,6 +181,7 @@ Program link(const Gl& gl, const std::vector<Stage>& stages) {
     program.farther = uniform("farther");
     program.viewport = uniform("viewport");
     program.half_width = uniform("half_width");
+    program.on_opaque = uniform("on_opaque");
     program.opaque_depth = uniform("opaque_depth");
     program.sheet_slopes = uniform("sheet_slopes");
     program.before_volume = uniform("before_volume");

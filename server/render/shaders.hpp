@@ -36,7 +36,7 @@ struct Program {
     GLint viewport = -1;                                                    // lines and points
     GLint opaque_depth = -1, sheet_slopes = -1;                             // likewise (surface_slopes.hpp)
     GLint before_volume = -1, volume_limits = -1, cover_part = -1;          // lines
-    GLint half_width = -1;                                                  // likewise
+    GLint half_width = -1, on_opaque = -1;                                  // likewise
     GLint nearer = -1, nearer_lines = -1;                         // triangles, lines and points that are peeled
     GLint own_lines = -1, behind = -1, number = -1, joining = -1; // lines that are peeled
     GLint occlusion = -1, occlusion_stride = -1;                  // triangles with ambient occlusion

@@ -110,6 +110,7 @@ render::Frame frame_of(const Geometry& geometry, const scene::Scene& scene, int 
         mesh.lines = drawable.lines();
         mesh.points = drawable.points();
         mesh.line_width = mesh.point_size = drawable.line_width;
+        mesh.on_opaque = drawable.is_on_surface() && drawable.color[3] >= 1;
         mesh.scale = drawable.scale;
         mesh.color = drawable.color;
         mesh.revision = drawable.revision;

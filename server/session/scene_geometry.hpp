@@ -42,6 +42,7 @@ struct Drawable { // one iso-value, slice, boundary surface or outline of a laye
 
     [[nodiscard]] bool lines() const { return edges != nullptr || shape->lines; }
     [[nodiscard]] bool points() const { return edges == nullptr && shape->points; }
+    [[nodiscard]] bool is_on_surface() const { return edges != nullptr || contours; } // that of its own layer
     [[nodiscard]] bool polygons() const { return !lines() && !points(); }
     [[nodiscard]] std::span<const Index> indices() const { return edges ? *edges : shape->indices; }
 };

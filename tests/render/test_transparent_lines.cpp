@@ -238,6 +238,7 @@ TEST_P(TransparentLines, OnOpaqueSurfacesStayBehindSteepSheets) {
         sheet.lit = false;
         sheet.color = {0, 0, 1, 0.5F};
         frame.meshes = {opaque, lines.mesh(3, {1, 0, 0, 1}), sheet};
+        frame.meshes[1].on_opaque = true;
         draw();
         return image;
     };
