@@ -81,6 +81,7 @@ int run_command(const ExtractCommand& extract) {
     const auto loaded = load_dataset(extract.scene.dataset);
     const scene::Scene scene = parse_scene(extract.scene.document(*loaded->dataset()));
     const auto geometry = make_geometry(scene, loaded, extract.scene.extraction.chosen());
+    session::require_complete(*geometry);
     wire::JoinedSurface joined;
     for (const session::Drawable& drawable : geometry->drawables) {
         if (!drawable.polygons()) continue;

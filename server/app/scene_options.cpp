@@ -134,9 +134,7 @@ scene::Scene parse_scene(const nlohmann::json& document) {
 std::shared_ptr<const session::Geometry>
 make_geometry(const scene::Scene& scene, const std::shared_ptr<store::LoadedDataset>& loaded, Extraction extraction) {
     try {
-        auto made = session::SceneGeometry(extraction).update(scene, loaded);
-        session::require_complete(*made);
-        return made;
+        return session::SceneGeometry(extraction).update(scene, loaded);
     } catch (const scene::Invalid& error) {
         throw Error(printable(error.path) + ": " + error.what());
     }

@@ -22,7 +22,6 @@ std::shared_ptr<const session::Geometry> SceneSource::geometry() const {
                          : session::SceneGeometry(services.extraction)
                                .update(version_->scene, version_->loaded, stop, services.limits.session_memory_bytes);
     context_.check_wanted();
-    session::require_complete(*made);
     return made;
 }
 

@@ -64,6 +64,7 @@ struct File {
 File file_of(const Context& context, const SceneSource& source, const protocol::SurfaceExportParams& params) {
     const wire::SurfaceFormat format = wire::surface_format("." + params.format);
     const auto geometry = source.geometry();
+    session::require_complete(*geometry);
     const wire::JoinedSurface surface = joined(context, *geometry, params.layer, format, params.triangles);
     std::ostringstream out;
     const wire::ExportedCounts counts =

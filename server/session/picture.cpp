@@ -44,9 +44,12 @@ render::Frame picture_of(const Geometry& geometry, const scene::Scene& scene, Vi
 }
 
 std::vector<std::string> remarks_on(const Geometry& geometry, const render::Renderer& renderer) {
-    std::vector<std::string> remarks = geometry.remarks;
-    for (const EmptyLayer& empty : geometry.empty)
+    std::vector<std::string> remarks = geometry.lacking;
+    remarks.insert(remarks.end(), geometry.remarks.begin(), geometry.remarks.end());
+    for (const EmptyLayer& empty : geometry.empty) {
+        if (empty.why == EmptyLayer::Why::missing) continue; // is lacking, and named there
         remarks.push_back("layer " + empty.layer + " shows nothing. " + empty.reason);
+    }
     remarks.insert(remarks.end(), renderer.remarks().begin(), renderer.remarks().end());
     return remarks;
 }

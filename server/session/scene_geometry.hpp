@@ -94,7 +94,7 @@ struct Geometry {
 };
 [[nodiscard]] bool is_empty(const Geometry& geometry, const std::string& layer);
 
-// Throws store::NotWritten when something is lacking: for pictures and files, which nobody can add a word to.
+// Throws store::NotWritten when something is lacking: for files of surfaces, which have no place for a remark.
 void require_complete(const Geometry& geometry);
 
 struct Cut; // cut.hpp

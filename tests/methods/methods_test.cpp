@@ -252,10 +252,37 @@ TEST_F(Methods, what_a_frame_lacks_is_told_and_the_rest_is_shown) {
     const auto rest = client.frames_until_still(2).back().triangles;
     EXPECT_GT(rest, 0U);
     EXPECT_LT(rest, whole);
-    EXPECT_EQ(client.error_code("picture.render", in_session({{"width", 64}, {"height", 64}})), -32005);
+    const json picture = client.call("picture.render", in_session({{"width", 64}, {"height", 64}}));
+    EXPECT_EQ(picture["remarks"], lacking["params"]["sentences"]) << "the picture of the rest, which says the same";
     client.call("scene.patch", in_session({{"patch", {{"time", 2}}}}));
     EXPECT_EQ(client.next_text()["params"]["sentences"], json::array());
     EXPECT_EQ(client.frames_until_still(3).back().time, 2);
+}
+
+TEST_F(Methods, what_was_not_written_is_left_out_of_pictures_and_refused_in_files) {
+    json params{{"scene", iso_scene}, {"width", 64}, {"height", 64}};
+    json& layers = params["scene"]["layers"];
+    layers["plane"] = {{"type", "slice"}, {"axis", "x"}, {"value", 1001}, {"color", {{"array", "late"}}}};
+    json plain = params;
+    plain["scene"]["layers"]["plane"]["color"] = json::object();
+    const json grey = client.call("picture.render", params);
+    EXPECT_EQ(grey["remarks"],
+              json::array({"layer plane has no colours: 'late' was not written at time 0; it was at 2"}));
+    EXPECT_EQ(grey["data"], client.call("picture.render", plain)["data"]);
+    layers.erase("plane");
+    layers["iso"]["array"] = "late";
+    const json alone = client.call("picture.render", params);
+    EXPECT_EQ(alone["remarks"], json::array({"layer iso is not shown: 'late' was not written at time 0; it was at 2"}));
+    plain["scene"]["layers"] = json::object();
+    EXPECT_EQ(alone["data"], client.call("picture.render", plain)["data"]);
+
+    EXPECT_NE(client.call("scene.camera", params)["position"], nullptr);
+    EXPECT_EQ(client.call("scene.bounds", {{"scene", params["scene"]}})["bounds"].size(), 6U);
+    EXPECT_EQ(client.call("color.range", {{"scene", params["scene"]}, {"layers", {"iso"}}})["range"], nullptr);
+    params["pixel"] = {32, 32};
+    EXPECT_EQ(client.call("probe.point", params)["hit"], false);
+    EXPECT_EQ(client.error_code("surface.export", {{"scene", params["scene"]}, {"layer", "iso"}, {"format", "stl"}}),
+              -32005);
 }
 
 TEST_F(Methods, pictures_of_a_session_and_of_a_scene_in_place) {

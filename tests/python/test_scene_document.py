@@ -4,6 +4,7 @@ each pixel's ray meets. The box is [-1, 1]^3, r the distance from its middle; th
 import base64
 import copy
 import json
+import shutil
 
 import box_dataset
 import numpy as np
@@ -217,6 +218,33 @@ def test_a_picture_says_what_it_does_not_show(box, server, tmp_path):
     assert told.stderr.splitlines() == [f"ciel: {remark}" for remark in remarks]
     scene["layers"] = {"shells": {**shells, "values": shells["values"][:16]}}
     assert server.call("picture.render", scene=scene, width=SIZE, height=SIZE)["remarks"] == []
+
+
+def test_what_was_not_written_at_a_time_is_left_out_and_said(box, tmp_path):
+    """At time 9 there is no x: the surface by it is grey, the iso-surface of it is not there, that of r is."""
+    copy = shutil.copytree(box, tmp_path / "box.ciel")
+    np.save(tmp_path / "r.npy", np.linspace(0, 1, 25**3, dtype="f4"))
+    assert ciel("append", copy, "--time", 9, "--array", f"r={tmp_path}/r.npy").returncode == 0
+    by_r = {"type": "iso", "array": "r", "values": [0.5], "color": {"array": "r"}}
+    half = {"type": "surface", "opacity": 0.5, "color": {"array": "x"}}
+    iso = {"type": "iso", "array": "x", "values": [0]}
+    grey = {**half, "color": {}}
+
+    def drawn(**layers):
+        (tmp_path / "scene.json").write_text(json.dumps({**SCENE, "time": 9, "layers": layers}))
+        arguments = ("--size", f"{SIZE}x{SIZE}", "-o", tmp_path / "p.png")
+        result = ciel("render", copy, "--scene", tmp_path / "scene.json", *arguments)
+        assert result.returncode == 0, result.stderr
+        return (tmp_path / "p.png").read_bytes(), result.stderr.splitlines()
+
+    missing = "'x' was not written at time 9; it was at 0, 0.5, 1, 1.5"
+    picture, told = drawn(a=by_r, b=half, c=iso)
+    assert told == [f"ciel: layer b has no colours: {missing}", f"ciel: layer c is not shown: {missing}"]
+    assert (picture, []) == drawn(a=by_r, b=grey)
+    picture, told = drawn(c=iso)
+    assert told == [f"ciel: layer c is not shown: {missing}"] and (picture, []) == drawn()
+    refused = ciel("extract", copy, "--iso", "x=0", "--time", 9, "-o", tmp_path / "x.vtp")
+    assert refused.returncode == 1 and missing in refused.stderr and not (tmp_path / "x.vtp").exists()
 
 
 def contoured(**contours):

@@ -300,7 +300,7 @@ class Picture(TypedDict):
     height: int
     revision: int
     time: float
-    remarks: list[str]  # what the picture does not show, or not in full, a sentence each: points that are too many, more transparent layers behind each other than can be drawn, layers of which nothing is seen
+    remarks: list[str]  # what the picture does not show, or not in full, a sentence each: points that are too many, more transparent layers behind each other than can be drawn, layers of which nothing is seen, values that were not written at its time
     data: str  # base64 (RFC 4648)
 
 
