@@ -150,6 +150,24 @@ describe("nothing", { skip }, () => {
     await cube.stop();
   });
 
+  test("edges and points alone are something that is seen; a surface beside the data is not", async () => {
+    const cube = await Server.started([cubeIn(mkdtempSync(join(folder, "cube-")))]);
+    const outside = { type: "iso", array: "x", values: [7] };
+    for (const [layers, sentences] of [
+      [{ edges: { type: "edges" } }, 0],
+      [{ points: { type: "points" } }, 0],
+      [{ outside, points: { type: "points" } }, 0],
+      [{ outside }, 2],
+    ] as const) {
+      const client = await stage.open(cube.address + fragmentOf({ dataset: "cube", layers }));
+      await client.settled();
+      assert.equal(await client.page.locator(".lacking p").count(), sentences, JSON.stringify(layers));
+      assert.deepEqual(client.problems, []);
+      await client.close();
+    }
+    await cube.stop();
+  });
+
   test("layers that show nothing have no legend, and each says why in its row; the view stays", async () => {
     const cube = await Server.started([cubeIn(mkdtempSync(join(folder, "cube-")))]);
     const color = { array: "x" };

@@ -10,7 +10,6 @@ import {
   thresholdScalarsOf,
   topOrder,
   unitsOf,
-  wantsSurfaces,
 } from "../src/scene/scalars";
 
 const array = (name: string, components: number, scalars: string[]): ArrayInfo => ({
@@ -66,19 +65,6 @@ describe("scalars", () => {
     expect(rangeOfAllSteps(description, "U:magnitude")).toEqual([-1, 5]);
     expect(rangeOfAllSteps(description, "U:x")).toBeNull();
     expect(rangeOfAllSteps(null, "p")).toBeNull();
-  });
-
-  test("something should be seen of a layer that is switched on and has a value", () => {
-    const of = (layers: Record<string, Layer>): boolean => wantsSurfaces({ dataset: "d", layers });
-    expect(wantsSurfaces(scene)).toBe(true);
-    expect(of({ outline: { type: "outline" }, off: { type: "surface", visible: false } })).toBe(false);
-    expect(of({ iso: { type: "iso", array: "p", values: [] } })).toBe(false);
-    expect(of({ clip: { type: "clip", axis: "x", value: 1 } })).toBe(false);
-    expect(of({ points: { type: "points" } })).toBe(true);
-    const volume: Layer = { type: "volume", array: "p" };
-    expect(of({ volume, iso: { type: "iso", array: "p", values: [9] } })).toBe(false); // it has no triangles to miss
-    expect(of({ volume: { ...volume, visible: false }, points: { type: "points" } })).toBe(true);
-    expect([of({}), wantsSurfaces(null)]).toEqual([false, false]);
   });
 
   test("the nearest step", () => {

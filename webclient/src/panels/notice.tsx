@@ -5,7 +5,6 @@ import type { AppState } from "../app/state";
 import { formatCount } from "../scene/numbers";
 import { layerNames } from "../scene/layer_names";
 import { layersInOrder } from "../scene/layer_order";
-import { wantsSurfaces } from "../scene/scalars";
 import { useLasting } from "./lasting";
 import { TokenForm } from "./token_form";
 import { useApp, useAppState } from "./context";
@@ -116,12 +115,6 @@ export function FatalNotice(): JSX.Element | null {
 const UNSEEN = "Nothing is seen of the layers that are switched on.";
 const EMPTY = "None of the surfaces that are switched on meets the data at this time.";
 
-/** Whether the picture of this scene is here, and no surface is in it. */
-function isEmpty({ scene, readout, pending, revision }: AppState): boolean {
-  const current = readout.stream === "geometry" || (readout.stream === "image" && readout.revision >= revision);
-  return current && !pending && readout.triangles === 0 && wantsSurfaces(scene);
-}
-
 const MOST_REASONS = 3;
 
 /** Of a picture in which there is nothing at all: what each layer says of it. */
@@ -139,10 +132,8 @@ function reasonsOf({ scene, empty }: AppState): string[] {
 export function LackingNotice(): JSX.Element | null {
   const lacking = useAppState((state) => state.lacking);
   const reasons = useAppState((state) => reasonsOf(state).join("\n"));
-  const empty = useAppState(isEmpty);
   const connected = useAppState((state) => state.connection.kind === "open");
-  const explained = reasons === "" && empty ? EMPTY : reasons;
-  const sentences = lacking.length === 0 && explained !== "" ? explained.split("\n") : lacking;
+  const sentences = lacking.length === 0 && reasons !== "" ? reasons.split("\n") : lacking;
   if (sentences.length === 0 || !connected) return null;
   return (
     <div class="lacking" role="status">

@@ -79,15 +79,6 @@ export function layersOf<T extends Layer["type"]>(scene: Scene | null, type: T):
   return layersInOrder(scene).filter((entry): entry is [string, LayerOf<T>] => entry[1].type === type);
 }
 
-/** Whether triangles should be seen of the scene: of volumes, which are always seen, there are none. */
-export function wantsSurfaces(scene: Scene | null): boolean {
-  const shown = Object.values(scene?.layers ?? {}).filter((layer) => layer.visible !== false);
-  if (shown.some(({ type }) => type === "volume")) return false;
-  return shown.some(
-    (layer) => !["outline", "clip"].includes(layer.type) && (layer.type !== "iso" || layer.values.length > 0),
-  );
-}
-
 /** Whether some of the mesh may be taken away: by clip planes, or by thresholds. */
 export function cutsCells(scene: Scene | null): boolean {
   return Object.values(scene?.layers ?? {}).some(
