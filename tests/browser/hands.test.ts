@@ -57,6 +57,45 @@ describe("hands", { skip }, () => {
     assert.ok(difference(before, await client.picture()) < 0.005);
   });
 
+  test("wheel, keys and fingers stop at the target and far away, without a word", async () => {
+    const session = await client.page.context().newCDPSession(client.page);
+    const box = await client.canvas.boundingBox();
+    await client.canvas.focus();
+    await client.page.mouse.move((box?.x ?? 0) + 480, (box?.y ?? 0) + 300);
+    const turned = async (delta: number): Promise<number> => {
+      for (let i = 0; i < 40; i += 1) await client.page.mouse.wheel(0, delta);
+      await client.settled();
+      return away(cameras().at(-1) ?? { position: [0, 0, 0], target: [0, 0, 0] });
+    };
+    const staysAt = async (distance: number, key: string, apart: number): Promise<void> => {
+      client.patches.length = 0;
+      await client.page.keyboard.press(key);
+      await client.settled();
+      assert.deepEqual(client.patches, [], "already at the stop");
+      await fingers(session, (at) => [
+        [480 - 100 - apart * at, 300],
+        [480 + 100 + apart * at, 300],
+      ]);
+      await client.settled();
+      for (const camera of cameras()) assert.ok(Math.abs(away(camera) / distance - 1) < 1e-3, `${away(camera)}`);
+    };
+    client.patches.length = 0;
+    const nearest = await turned(-1000);
+    assert.ok(nearest > 0, "the eye is not where it looks");
+    await staysAt(nearest, "+", 80);
+    const furthest = await turned(1000);
+    assert.ok(Math.abs(furthest / nearest / 1e10 - 1) < 0.01, `from ${nearest} to ${furthest}`);
+    await staysAt(furthest, "-", -80);
+    client.patches.length = 0;
+    await client.page.keyboard.press("+");
+    await client.settled();
+    assert.equal(cameras().length, 1, "there is a way back");
+    assert.equal(await client.page.locator(".toast").count(), 0);
+    assert.deepEqual(client.problems, []);
+    await client.page.keyboard.press("r");
+    await client.settled();
+  });
+
   test("one finger turns, a tap reads the values", async () => {
     const before = await client.picture();
     const session = await client.page.context().newCDPSession(client.page);

@@ -14,7 +14,9 @@ import {
   project,
   roll,
   viewHeight,
+  REACH,
   withFieldOfView,
+  withinReach,
   withParallel,
   withViewHeight,
   zoom,
@@ -122,6 +124,31 @@ describe("zoom", () => {
     expect(after?.x).toBeCloseTo(before.x, 6);
     expect(after?.y).toBeCloseTo(before.y, 6);
     expect(viewHeight(closer)).toBeCloseTo(viewHeight(camera) / 2, 9);
+  });
+
+  const diagonal = 9;
+  const reach = (camera: FullCamera): number =>
+    (camera.parallel ? camera.parallel_height : distance(camera)) / diagonal;
+  const zoomedOften = (camera: FullCamera, factor: number): FullCamera => {
+    for (let i = 0; i < 200; i += 1) camera = zoom(camera, withinReach(camera, factor, bounds), 20, 30, size);
+    return camera;
+  };
+  test.each([start, withParallel(start, true)])("there are stops (parallel: $parallel)", (camera) => {
+    const [nearest, furthest] = REACH;
+    const closest = zoomedOften(camera, 0.8);
+    expect(reach(closest) / nearest).toBeCloseTo(1, 5);
+    expect(reach(zoomedOften(camera, 1.25)) / furthest).toBeCloseTo(1, 9);
+    expect(withinReach(camera, 0.8, bounds)).toBe(0.8);
+    expect([withinReach(closest, 0.8, bounds), withinReach(closest, 1.25, bounds)]).toEqual([1, 1.25]);
+    const outside = zoom(camera, 1e8, 20, 30, size);
+    expect(withinReach(outside, 1.25, bounds)).toBe(1);
+    expect(withinReach(outside, 0.8, bounds)).toBe(0.8);
+  });
+
+  test("a box that is a point has stops all the same", () => {
+    const point: Bounds = [1, 1, 2, 2, 3, 3];
+    expect(withinReach(start, 0.8, point)).toBe(0.8);
+    expect(withinReach(zoom(start, 1e-9, 20, 30, size), 0.8, point)).toBe(1);
   });
 
   test("the wheel zooms by the same factor in and out, whatever its unit", () => {

@@ -1,5 +1,5 @@
 // What a person can do, as changes of the scene.
-import { axisView, centre, complete, defaultView, withParallel } from "../camera/camera";
+import { axisView, centre, complete, defaultView, withinReach, withParallel, zoom } from "../camera/camera";
 import type { AxisView, Bounds, FullCamera } from "../camera/camera";
 import type { Layer, Range, Vec3 } from "../generated/protocol";
 import type { Json, JsonObject } from "../protocol/merge_patch";
@@ -30,6 +30,13 @@ export class Actions {
 
   setCamera(camera: FullCamera, gesture?: string): void {
     this.app.editor.change({ camera }, gesture);
+  }
+
+  /** About a place of the canvas in CSS pixels, to where a hand may come; the same camera if it is there already. */
+  zoomed(camera: FullCamera, factor: number, x: number, y: number): FullCamera {
+    const bounds = this.bounds();
+    const allowed = bounds === null ? factor : withinReach(camera, factor, bounds);
+    return allowed === 1 ? camera : zoom(camera, allowed, x, y, this.app.size.css);
   }
 
   /** Of all that clips and thresholds leave, or of the whole box. */

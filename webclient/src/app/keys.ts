@@ -1,5 +1,5 @@
 // Keys of the whole page. Controls that use a key themselves stop it before it comes here.
-import { orbit, pan, zoom, type AxisView } from "../camera/camera";
+import { orbit, pan, type AxisView } from "../camera/camera";
 import type { App } from "./app";
 
 const TURN_PIXELS = 24;
@@ -33,7 +33,9 @@ const ARROWS: Record<string, [number, number]> = {
 function zoomBy(app: App, factor: number): void {
   const camera = app.actions.camera();
   const { css } = app.size;
-  if (camera !== null) app.actions.setCamera(zoom(camera, factor, css.width / 2, css.height / 2, css));
+  if (camera === null) return;
+  const next = app.actions.zoomed(camera, factor, css.width / 2, css.height / 2);
+  if (next !== camera) app.actions.setCamera(next);
 }
 
 function arrow(app: App, [dx, dy]: [number, number], shift: boolean): void {

@@ -84,6 +84,20 @@ export function zoom(camera: FullCamera, factor: number, x: number, y: number, s
   return pan(closer, offsetX, offsetY, size);
 }
 
+/** How close to the target and how far from it a hand may come, in diagonals of the box; documents may have more. */
+export const REACH: readonly [number, number] = [1e-6, 1e4];
+
+/** So much of a zoom as keeps the view within reach. From outside of it there is only the way back. */
+export function withinReach(camera: FullCamera, factor: number, bounds: Bounds): number {
+  const away = camera.parallel ? camera.parallel_height : distance(camera);
+  const [nearest, furthest] = REACH.map((reach) => (reach * (2 * boundsRadius(bounds) || 1)) / away) as [
+    number,
+    number,
+  ];
+  const allowed = Math.min(Math.max(factor, Math.min(1, nearest)), Math.max(1, furthest));
+  return Math.abs(allowed - 1) < 1e-6 ? 1 : allowed; // at a stop only rounding is left
+}
+
 /** Looks at a point from the same side and distance. */
 export function centre(camera: FullCamera, point: Vec3): FullCamera {
   return { ...camera, position: add(camera.position, subtract(point, camera.target)), target: point };

@@ -1,10 +1,12 @@
 // Pointers, wheel and fingers on the canvas, told as camera moves. It knows no scene.
-import { orbit, pan, roll, zoom, type FullCamera, type Size } from "./camera";
+import { orbit, pan, roll, type FullCamera, type Size } from "./camera";
 
 export interface GestureTarget {
   /** null while there is nothing to turn. */
   camera(): FullCamera | null;
   size(): Size; // CSS pixels
+  /** About a place; the same camera where there is a stop. */
+  zoomed(camera: FullCamera, factor: number, x: number, y: number): FullCamera;
   /** `gesture` is the same from press to release. */
   move(camera: FullCamera, gesture: string): void;
   newGesture(): string;
@@ -107,7 +109,8 @@ class Gestures {
     const size = this.target.size();
     const spread = (finger: Finger): number => Math.max(1, Math.hypot(finger.x - other.x, finger.y - other.y));
     const moved = pan(camera, (now.x - before.x) / 2, (now.y - before.y) / 2, size);
-    return zoom(moved, spread(before) / spread(now), (now.x + other.x) / 2, (now.y + other.y) / 2, size);
+    const factor = spread(before) / spread(now);
+    return this.target.zoomed(moved, factor, (now.x + other.x) / 2, (now.y + other.y) / 2);
   }
 
   private up(event: PointerEvent, released: boolean): void {
@@ -127,7 +130,8 @@ class Gestures {
     const { x, y } = this.at(event);
     // A pinch on a touch pad arrives as a wheel with the control key, in far smaller steps.
     const factor = wheelFactor(event.ctrlKey ? event.deltaY * 6 : event.deltaY, event.deltaMode);
-    this.target.move(zoom(camera, factor, x, y, this.target.size()), this.wheelGesture);
+    const next = this.target.zoomed(camera, factor, x, y);
+    if (next !== camera) this.target.move(next, this.wheelGesture);
   }
 }
 

@@ -33,6 +33,7 @@ export function Stage(): JSX.Element {
     listenToGestures(element, {
       camera: () => app.actions.camera(),
       size: () => app.size.css,
+      zoomed: (camera, factor, x, y) => app.actions.zoomed(camera, factor, x, y),
       move: (camera, gesture) => app.actions.setCamera(camera, gesture),
       newGesture: () => app.editor.newGesture(),
       click: (x, y) => void app.actions.probe(x, y),
