@@ -1,5 +1,6 @@
 #include "render/depth_peeling.hpp"
 
+#include "render/pacing.hpp"
 #include "render/peeling_shaders.hpp"
 #include "render/per_sample.hpp"
 #include "render/sheet.hpp"
@@ -158,6 +159,7 @@ void DepthPeeling::draw(const Scene& scene, Target& target) {
     was_cut_ = false;
     for (int i = 0; i <= scene.most_layers; ++i) {
         const Layer& layer = layers_[i % 2];
+        next_pass(gl_);
         const bool any = draw_layer(scene, opaque, layer, layers_[(i + 1) % 2]);
         if (scene.draw_between) add_between(scene, layer);
         if (!any) break;
@@ -220,18 +222,16 @@ bool DepthPeeling::draw_layer(const Scene& scene, GLuint opaque, const Layer& la
     bind(gl_, nearer_unit, nearer.depth);
     if (recorded_) bind(gl_, lines_unit, nearer.record);
     bind(gl_, own_lines_unit, 0); // is drawn to
-    gl_.BeginQuery(GL_ANY_SAMPLES_PASSED, query_);
+    AnySamples drawn(gl_, query_);
     scene.draw_surfaces();
-    gl_.EndQuery(GL_ANY_SAMPLES_PASSED);
+    const bool any = drawn.passed();
     gl_.DepthFunc(GL_LEQUAL);
     gl_.Enable(GL_BLEND);
-    GLuint any = 0;
-    gl_.GetQueryObjectuiv(query_, GL_QUERY_RESULT, &any);
-    if (any != 0 && recorded_) {
+    if (any && recorded_) {
         bind(gl_, behind_unit, opaque);
         join_lines(scene, layer);
     }
-    return any != 0;
+    return any;
 }
 
 void DepthPeeling::join_lines(const Scene& scene, const Layer& layer) const {

@@ -39,7 +39,6 @@ namespace ciel::render {
     X(DrawArrays, PFNGLDRAWARRAYSPROC)                                                                                 \
     X(DrawBuffer, PFNGLDRAWBUFFERPROC)                                                                                 \
     X(DrawBuffers, PFNGLDRAWBUFFERSPROC)                                                                               \
-    X(DrawElements, PFNGLDRAWELEMENTSPROC)                                                                             \
     X(DrawElementsBaseVertex, PFNGLDRAWELEMENTSBASEVERTEXPROC)                                                         \
     X(Enable, PFNGLENABLEPROC)                                                                                         \
     X(EnableVertexAttribArray, PFNGLENABLEVERTEXATTRIBARRAYPROC)                                                       \
@@ -90,11 +89,15 @@ namespace ciel::render {
     X(VertexAttribPointer, PFNGLVERTEXATTRIBPOINTERPROC)                                                               \
     X(Viewport, PFNGLVIEWPORTPROC)
 
+class Pacing; // pacing.hpp
+
 struct Gl {
 #define CIEL_GL_MEMBER(name, type) type name = nullptr;
     CIEL_GL_FUNCTIONS(CIEL_GL_MEMBER)
 #undef CIEL_GL_MEMBER
     PFNGLGETGRAPHICSRESETSTATUSPROC GetGraphicsResetStatus = nullptr; // null where the context cannot tell
+
+    Pacing* pacing = nullptr; // of draw_elements; null: there is none
 
     using Loader = std::function<void (*(const char* name))()>;
     // Throws Error naming the first function that is missing.

@@ -1,5 +1,6 @@
 #include "render/mesh_buffers.hpp"
 
+#include "render/pacing.hpp"
 #include "render/shaders.hpp"
 
 #include <algorithm>
@@ -50,7 +51,7 @@ void MeshBuffers::load(const Mesh& mesh) {
     identity_ = mesh.identity;
     revision_ = mesh.revision;
     primitive_ = mesh.points ? GL_POINTS : mesh.lines ? GL_LINES : GL_TRIANGLES;
-    count_ = static_cast<GLsizei>(mesh.indices.size());
+    count_ = mesh.indices.size();
 }
 
 void MeshBuffers::draw(const Mesh& mesh, const ScaleRow& scale) const {
@@ -60,7 +61,7 @@ void MeshBuffers::draw(const Mesh& mesh, const ScaleRow& scale) const {
     gl_.VertexAttrib1f(attribute_size, mesh.point_size);
     gl_.VertexAttrib4f(attribute_color, mesh.color[0], mesh.color[1], mesh.color[2], mesh.color[3]);
     gl_.VertexAttrib3f(attribute_style, scale.row, mesh.lit ? 1.0F : 0.0F, scale.origin);
-    gl_.DrawElements(primitive_, count_, GL_UNSIGNED_INT, nullptr);
+    draw_elements(gl_, primitive_, 0, count_);
 }
 
 } // namespace ciel::render

@@ -33,7 +33,7 @@ private:
     GLuint array_ = 0, positions_ = 0, normals_ = 0, scalars_ = 0, indices_ = 0;
     std::uint64_t identity_ = 0, revision_ = 0;
     GLenum primitive_ = GL_TRIANGLES;
-    GLsizei count_ = 0;
+    std::size_t count_ = 0;
 };
 
 } // namespace ciel::render

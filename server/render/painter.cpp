@@ -25,17 +25,51 @@ bool is_plain(const Mesh& mesh, const Frame& frame) {
 } // namespace
 
 Painter::Painter(const Gl& gl)
-    : gl_(gl), renderer_name_(text_of(gl_, GL_RENDERER)), version_(text_of(gl_, GL_VERSION)),
+    : gl_(gl), pacing_(gl_), renderer_name_(text_of(gl_, GL_RENDERER)), version_(text_of(gl_, GL_VERSION)),
       triangles_(make_triangle_program(gl_)), plain_(make_plain_program(gl_)), normals_(make_normals_program(gl_)),
       occluded_(make_occluded_program(gl_)), lines_(make_line_program(gl_)), points_(make_point_program(gl_)),
       scales_(gl_), target_(gl_), picture_(gl_, target_), opaque_depth_(gl_), occlusion_(gl_), slopes_(gl_),
       transparent_(gl_), transparent_points_(gl_), peeling_(gl_), volumes_(gl_), overlay_(gl_) {
-    gl_.DepthFunc(GL_LEQUAL);
+    gl_.pacing = &pacing_;
     gl_.Enable(GL_PROGRAM_POINT_SIZE);
-    gl_.BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    set_first_state();
 }
 
 const Image& Painter::draw(const Frame& frame, const AfterStage& after) {
+    try {
+        const Image& image = draw_paced(frame, after);
+        pacing_.end();
+        return image;
+    } catch (...) { // anywhere between two calls of the GL
+        pacing_.end();
+        set_first_state();
+        throw;
+    }
+}
+
+// What a picture begins with and leaves behind.
+void Painter::set_first_state() {
+    for (const GLenum off : {GL_BLEND, GL_SCISSOR_TEST, GL_CULL_FACE, GL_STENCIL_TEST, GL_DEPTH_CLAMP})
+        gl_.Disable(off);
+    for (std::size_t i = 0; i < most_clip_planes; ++i) gl_.Disable(GL_CLIP_DISTANCE0 + static_cast<GLenum>(i));
+    gl_.Enable(GL_DEPTH_TEST);
+    gl_.DepthFunc(GL_LEQUAL);
+    gl_.DepthMask(GL_TRUE);
+    gl_.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    gl_.ClearDepth(1);
+    gl_.BlendEquation(GL_FUNC_ADD);
+    gl_.BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    gl_.ProvokingVertex(GL_LAST_VERTEX_CONVENTION);
+    gl_.ActiveTexture(GL_TEXTURE0);
+    set_cover_part(0);
+}
+
+void Painter::set_cover_part(float part) {
+    gl_.UseProgram(lines_.id);
+    gl_.Uniform1f(lines_.cover_part, part);
+}
+
+const Image& Painter::draw_paced(const Frame& frame, const AfterStage& after) {
     const auto finished = [&](DrawStage stage) {
         if (!after) return;
         gl_.Finish();
@@ -48,21 +82,27 @@ const Image& Painter::draw(const Frame& frame, const AfterStage& after) {
     origin_ = frame.origin;
     remarks_.clear();
     width_ = height_ = 0; // nothing to pick from if this throws
+    pacing_.begin(frame.check_wanted);
     load_scales(frame);
     upload(frame);
     finished(DrawStage::upload);
     overlay_.prepare(frame);
+    pacing_.pass();
     picture_.begin({frame.width, frame.height, frame.samples, frame.background_top, frame.background_bottom},
                    touched_by(frame));
     enable_clip_planes(true);
     draw_opaque(frame);
+    pacing_.pass();
     find_slopes(frame);
     draw_opaque_points(frame);
+    pacing_.pass();
     gl_.Enable(GL_BLEND);
     if (!has_overlays_in_layers(frame)) draw_lines(frame);
+    pacing_.pass();
     draw_transparent(frame);
     gl_.Disable(GL_BLEND);
     enable_clip_planes(false);
+    pacing_.pass();
     overlay_.draw(frame);
     finished(DrawStage::draw);
     const Image& image = picture_.read();
@@ -100,6 +140,7 @@ void Painter::upload(const Frame& frame) {
         if (mesh.indices.empty()) continue;
         if (!is_transparent(mesh)) {
             buffers(i).load(mesh);
+            pacing_.pass();
         } else if (mesh.color[3] > 0 && mesh.points) {
             points.push_back({&mesh, scale_rows_[i]});
         } else if (mesh.color[3] > 0) {
@@ -110,6 +151,7 @@ void Painter::upload(const Frame& frame) {
     const glm::mat4 view(transform_.view);
     const glm::vec4 depth_row(view[0].z, view[1].z, view[2].z, view[3].z);
     transparent_.load(transparent, depth_row, !is_peeled(frame));
+    pacing_.pass();
     transparent_points_.load(points, depth_row);
 }
 
@@ -217,15 +259,14 @@ void Painter::use_line(const Program& program, const Mesh& mesh, float factor) c
 void Painter::draw_lines(const Frame& frame) {
     if (is_peeled(frame) || transparent_.is_empty()) return draw_meshes(frame, lines_);
     const auto draw_part = [&](float part) {
-        gl_.UseProgram(lines_.id);
-        gl_.Uniform1f(lines_.cover_part, part);
+        set_cover_part(part);
         draw_meshes(frame, lines_);
     };
     gl_.DepthMask(GL_FALSE);
     draw_part(1);
     gl_.DepthMask(GL_TRUE);
     draw_part(2);
-    gl_.Uniform1f(lines_.cover_part, 0);
+    set_cover_part(0);
 }
 
 void Painter::draw_opaque(const Frame& frame) {
@@ -233,6 +274,7 @@ void Painter::draw_opaque(const Frame& frame) {
     const bool is_occluded = any && frame.occlusion.radius > 0;
     if (is_occluded || (any && !frame.volumes.empty())) draw_opaque_depth(frame, is_occluded);
     volumes_.end_on(any ? opaque_depth_.texture() : 0);
+    pacing_.pass();
     if (is_occluded) occlusion_.find(frame, transform_, opaque_depth_);
     target_.bind_again();
     draw_meshes(frame, is_occluded ? occluded_ : triangles_);

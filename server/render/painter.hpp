@@ -9,6 +9,7 @@
 #include "render/kept_picture.hpp"
 #include "render/mesh_buffers.hpp"
 #include "render/opaque_depth.hpp"
+#include "render/pacing.hpp"
 #include "render/shaders.hpp"
 #include "render/surface_slopes.hpp"
 #include "render/target.hpp"
@@ -26,7 +27,8 @@ public:
     Painter(const Painter&) = delete;
     Painter& operator=(const Painter&) = delete;
 
-    const Image& draw(const Frame& frame, const AfterStage& after); // until the next
+    // Until the next, which is as it would have been whatever this one throws.
+    const Image& draw(const Frame& frame, const AfterStage& after);
     bool pick(int x, int y, Vec3d& position);
     // Of the last frame: what it does not show in full, as sentences.
     [[nodiscard]] const std::vector<std::string>& remarks() const { return remarks_; }
@@ -34,6 +36,9 @@ public:
     [[nodiscard]] const std::string& version() const { return version_; }
 
 private:
+    const Image& draw_paced(const Frame& frame, const AfterStage& after);
+    void set_first_state();
+    void set_cover_part(float part);
     void enable_clip_planes(bool on);
     void load_scales(const Frame& frame);
     void upload(const Frame& frame);
@@ -64,6 +69,7 @@ private:
     [[nodiscard]] MeshBuffers& buffers(std::size_t mesh) { return *slots_[mesh]; }
 
     Gl gl_;
+    Pacing pacing_;
     std::string renderer_name_, version_;
     std::vector<std::string> remarks_;
     Program triangles_, plain_, normals_, occluded_, lines_, points_;

@@ -61,6 +61,8 @@ struct Frame {
     Lighting lighting;       // of what is lit
     Occlusion occlusion;     // likewise, of opaque triangles
     Annotations annotations; // over all of it
+    // Called every so often while the picture is drawn, on its thread: to throw gives it up, and is handed on.
+    std::function<void()> check_wanted;
 };
 
 // Rows from the top, RGB, 8 bits, no padding.
@@ -82,8 +84,8 @@ public:
     Renderer(Renderer&&) noexcept;
 
     // Throws Error when arrays of a mesh do not fit together, a colour map does not exist, the camera is not finite or
-    // the size is more than the GL can do; the next draw is not affected. `after` is for who measures: each stage is
-    // finished before it is called, which costs what the GL would have done side by side.
+    // the size is more than the GL can do, and what check_wanted throws; the next draw is not affected. `after` is for
+    // who measures: each stage is finished before it is called, which costs what the GL would have done side by side.
     void draw(const Frame& frame, Image& image, const AfterStage& after = {});
     // The same without a copy: the picture is the renderer's, until its next draw.
     const Image& draw(const Frame& frame, const AfterStage& after = {});

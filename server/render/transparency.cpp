@@ -1,6 +1,7 @@
 #include "render/transparency.hpp"
 
 #include "render/mesh_buffers.hpp"
+#include "render/pacing.hpp"
 #include "render/shaders.hpp"
 #include "render/sort_by_key.hpp"
 
@@ -89,7 +90,7 @@ void TransparentTriangles::upload_order() {
 
 void TransparentTriangles::draw() const {
     gl_.BindVertexArray(arrays_.array);
-    gl_.DrawElements(GL_TRIANGLES, static_cast<GLsizei>(indices_.size()), GL_UNSIGNED_INT, nullptr);
+    draw_elements(gl_, GL_TRIANGLES, 0, indices_.size());
 }
 
 } // namespace ciel::render

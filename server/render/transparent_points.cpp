@@ -1,6 +1,7 @@
 #include "render/transparent_points.hpp"
 
 #include "render/mesh_buffers.hpp"
+#include "render/pacing.hpp"
 #include "render/shaders.hpp"
 #include "render/sort_by_key.hpp"
 
@@ -72,7 +73,7 @@ void TransparentPoints::upload_order() {
 
 void TransparentPoints::draw() const {
     gl_.BindVertexArray(arrays_.array);
-    gl_.DrawElements(GL_POINTS, static_cast<GLsizei>(order_.size()), GL_UNSIGNED_INT, nullptr);
+    draw_elements(gl_, GL_POINTS, 0, order_.size());
 }
 
 } // namespace ciel::render

@@ -1,5 +1,6 @@
 #include "render/volume/volume_buffers.hpp"
 
+#include "render/pacing.hpp"
 #include "render/volume/boundary_of_slabs.hpp"
 #include "render/volume/slab_shaders.hpp"
 
@@ -13,10 +14,6 @@ namespace {
 template <class T>
 GLsizeiptr bytes(const std::vector<T>& items) {
     return static_cast<GLsizeiptr>(items.size() * sizeof(T));
-}
-
-const void* offset(std::size_t bytes_in_buffer) {
-    return reinterpret_cast<const void*>(bytes_in_buffer); // NOLINT(performance-no-int-to-ptr): GL's own way
 }
 
 void check(const SlabMesh& mesh) {
@@ -131,9 +128,7 @@ void VolumeBuffers::upload_boundary(const SlabMesh& mesh, const std::vector<std:
 }
 
 void VolumeBuffers::draw(const IndexRange& range) const {
-    if (range.count == 0) return;
-    gl_.DrawElementsBaseVertex(GL_TRIANGLES, range.count, GL_UNSIGNED_INT, offset(range.first * sizeof(Index)),
-                               range.base);
+    draw_elements(gl_, GL_TRIANGLES, range.first, static_cast<std::size_t>(range.count), range.base);
 }
 
 } // namespace ciel::render

@@ -1,6 +1,6 @@
 #include "render/volume/volume_painter.hpp"
 
-#include "render/mesh_buffers.hpp"
+#include "render/pacing.hpp"
 #include "render/per_sample.hpp"
 #include "render/shaders.hpp"
 #include "render/volume/slab_angle.hpp"
@@ -99,8 +99,10 @@ void VolumePainter::draw_each(const Frame& frame, const ViewTransform& transform
         prepare(volume, slot_of(i), opacity > 0 ? static_cast<double>(volume.opacity) / opacity : 0);
     }
     rays_.finish();
+    next_pass(gl_);
     draw_slabs(frame, layer);
     gl_.Disable(GL_DEPTH_TEST);
+    next_pass(gl_);
     if (has_coverage()) find_coverage(frame);
     bind_picture();
     put_on_picture(opacity, coarseness > 1, per_sample);
@@ -119,6 +121,7 @@ void VolumePainter::load_buffers(const Frame& frame) {
         Slot& slot = slot_of(i);
         slot.buffers = frame.volumes[i].stride == 1 ? &slot.all : &slot.some;
         slot.buffers->load(frame.volumes[i]);
+        next_pass(gl_);
         const auto& [low, high] = slot.buffers->bounds();
         for (std::size_t axis = 0; axis < 3; ++axis) {
             view_.low[axis] = i == 0 ? low[axis] : std::min(view_.low[axis], double{low[axis]});

@@ -1,5 +1,6 @@
 #include "render/volume/volume_rays.hpp"
 
+#include "render/pacing.hpp"
 #include "render/shaders.hpp"
 
 #include <algorithm>
@@ -151,12 +152,9 @@ bool VolumeRays::find_next_part(const VolumeBuffers& buffers, RaySheets& rays, i
     gl_.Clear(GL_COLOR_BUFFER_BIT);
     render::bind(gl_, first_part_unit, rays.parts[static_cast<std::size_t>(part - 1)].texture());
     gl_.CullFace(GL_BACK);
-    gl_.BeginQuery(GL_ANY_SAMPLES_PASSED, query_);
+    AnySamples drawn(gl_, query_);
     buffers.draw(buffers.whole_boundary());
-    gl_.EndQuery(GL_ANY_SAMPLES_PASSED);
-    GLuint any = 0;
-    gl_.GetQueryObjectuiv(query_, GL_QUERY_RESULT, &any);
-    if (any == 0) return false;
+    if (!drawn.passed()) return false;
     gl_.CullFace(GL_FRONT);
     buffers.draw(buffers.whole_boundary());
     return true;
