@@ -14,7 +14,9 @@ protocol::PictureRenderResult picture_render(Context& context, const protocol::P
     const render::Image image = context.server.picture_workers().run([&](session::Worker& worker) {
         context.check_wanted();
         render::Image drawn;
-        worker.renderer().draw(session::picture_of(*geometry, source.version().scene, size), drawn);
+        render::Frame frame = session::picture_of(*geometry, source.version().scene, size);
+        frame.check_wanted = [&] { context.check_wanted(); };
+        worker.renderer().draw(frame, drawn);
         remarks = session::remarks_on(*geometry, worker.renderer());
         return drawn;
     });

@@ -33,7 +33,8 @@ protocol::ProbePointResult probe_point(Context& context, const protocol::ProbePo
         const auto geometry = source.geometry(); // not on the worker, which draws others meanwhile
         position = context.server.picture_workers().run([&](session::Worker& worker) {
             context.check_wanted();
-            return session::position_under(*geometry, source.version().scene, size, *params.pixel, *locator, worker);
+            return session::position_under(*geometry, source.version().scene, size, *params.pixel, *locator, worker,
+                                           [&] { context.check_wanted(); });
         });
     }
     if (!position) return {};

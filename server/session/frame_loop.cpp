@@ -24,6 +24,17 @@ wire::FrameHeader header_of(const View& view, const FrameRequest& request, const
     return header;
 }
 
+constexpr std::chrono::milliseconds others_wait{500}; // for a still
+
+struct GivenUp {};
+struct GivesWay {};
+
+// As render::Frame::check_wanted.
+void check_wanted(const FrameRequest& request, const FrameWorkers& workers) {
+    if (request.stop.stop_requested() || workers.draining()) throw GivenUp();
+    if (request.gives_way && Clock::now() - request.started > others_wait && workers.has_waiting()) throw GivesWay();
+}
+
 std::vector<std::string> lacking_in(const Geometry& geometry, const scene::Lighting& lighting, Stream stream) {
     std::vector<std::string> lacking = geometry.lacking;
     lacking.insert(lacking.end(), geometry.remarks.begin(), geometry.remarks.end());
@@ -51,7 +62,8 @@ void show_frame(View& view, Worker& worker, bool still) {
         if (request->still || request->stream != Stream::image) drawn.emplace();
         if (request->stream == Stream::image) {
             const auto& image = draw(*geometry, request->version->scene, request->size,
-                                     request->still ? std::nullopt : std::optional(request->scale), worker);
+                                     request->still ? std::nullopt : std::optional(request->scale), worker,
+                                     [&] { check_wanted(*request, worker.all()); });
             header.draw_ms = elapsed_ms(drawing);
             if (drawn) drawn = worker.renderer().remarks();
             if (request->still && request->stop.stop_requested()) return view.give_up();
@@ -63,6 +75,10 @@ void show_frame(View& view, Worker& worker, bool still) {
                           drawn);
         view.deliver(*request, std::move(messages),
                      {header.wait_ms, header.extract_ms, header.draw_ms, header.encode_ms});
+    } catch (const GivenUp&) {
+        view.give_up();
+    } catch (const GivesWay&) {
+        view.give_way();
     } catch (const std::exception& error) {
         view.fail(*request, error.what());
     }

@@ -53,6 +53,16 @@ unsigned FrameWorkers::busy() const {
     return busy_;
 }
 
+bool FrameWorkers::draining() const {
+    const std::scoped_lock lock(mutex_);
+    return draining_;
+}
+
+bool FrameWorkers::has_waiting() const {
+    const std::scoped_lock lock(mutex_);
+    return busy_ == threads_.size() && !now_.empty();
+}
+
 FrameWorkers::Job FrameWorkers::next(std::unique_lock<std::mutex>& lock, const std::stop_token& stop) {
     const auto take_later = [&] {
         Job job = std::move(later_.begin()->second);
@@ -84,7 +94,7 @@ FrameWorkers::Job FrameWorkers::next(std::unique_lock<std::mutex>& lock, const s
 }
 
 void FrameWorkers::work(const std::stop_token& stop) {
-    Worker worker(backend_);
+    Worker worker(*this, backend_);
     std::unique_lock lock(mutex_);
     while (Job job = next(lock, stop)) {
         ++busy_;

@@ -19,14 +19,18 @@ namespace ciel::session {
 
 using Clock = std::chrono::steady_clock;
 
+class FrameWorkers;
+
 // What a job gets of the thread that it runs on.
 class Worker {
 public:
-    explicit Worker(render::Backend backend) : backend_(backend) {}
+    Worker(const FrameWorkers& all, render::Backend backend) : all_(all), backend_(backend) {}
     // Made at first use, so that work without pictures needs no GL. Throws Error; the next call tries again.
     [[nodiscard]] render::Renderer& renderer();
+    [[nodiscard]] const FrameWorkers& all() const { return all_; } // of which this is one
 
 private:
+    const FrameWorkers& all_;
     render::Backend backend_;
     std::optional<render::Renderer> renderer_;
 };
@@ -63,6 +67,8 @@ public:
 
     void drain();                        // no new jobs; returns when those under way have ended
     [[nodiscard]] unsigned busy() const; // workers with a job under way
+    [[nodiscard]] bool draining() const;
+    [[nodiscard]] bool has_waiting() const; // a job of post() for which no worker was free
 
 private:
     void work(const std::stop_token& stop);

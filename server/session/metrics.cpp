@@ -59,8 +59,8 @@ std::string Metrics::text(const Gauges& gauges) const {
     family(out, "ciel_frames_total", "counter", "Frames sent to views.");
     out << "ciel_frames_total{kind=\"interactive\"} " << interactive_ << "\nciel_frames_total{kind=\"still\"} "
         << stills_ << '\n';
-    single(out, "ciel_frames_cancelled_total", "counter", "Frames given up because a newer scene was there.",
-           cancelled_.load());
+    single(out, "ciel_frames_cancelled_total", "counter",
+           "Frames given up: superseded, wanted by nobody any more, or to be drawn later.", cancelled_.load());
     single(out, "ciel_frames_failed_total", "counter", "Frames that could not be made.", failed_.load());
     single(out, "ciel_pictures_total", "counter", "Still pictures answered to picture.render.", pictures_.load());
     single(out, "ciel_image_bytes_total", "counter", "Bytes of frames and pictures.", bytes_.load());

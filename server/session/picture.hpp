@@ -14,9 +14,10 @@ void check_picture_size(const Limits& limits, std::int64_t width, std::int64_t h
 // A still has the asked size and four samples a pixel; an interactive picture is so many times as large and has one
 // sample, and its lines are as much thinner. Neither is written on: who shows a view's frames draws the
 // scene's annotations over them, at the screen's resolution and without waiting for a frame. The picture is the
-// worker's, until its next.
+// worker's, until its next. `check_wanted` as the frame's.
 [[nodiscard]] const render::Image& draw(const Geometry& geometry, const scene::Scene& scene, ViewSize size,
-                                        std::optional<double> moving_scale, Worker& worker);
+                                        std::optional<double> moving_scale, Worker& worker,
+                                        std::function<void()> check_wanted);
 // A picture that stands for itself, as a file does: a still with the scene's annotations. Lines and points
 // grow as text does.
 [[nodiscard]] render::Frame picture_of(const Geometry& geometry, const scene::Scene& scene, ViewSize size);

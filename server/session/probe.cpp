@@ -48,11 +48,13 @@ Probed probe(const store::Dataset& dataset, std::size_t step, const Locator& loc
 }
 
 std::optional<Vec3d> position_under(const Geometry& geometry, const scene::Scene& scene, ViewSize size,
-                                    std::array<double, 2> pixel, const Locator& locator, Worker& worker) {
+                                    std::array<double, 2> pixel, const Locator& locator, Worker& worker,
+                                    std::function<void()> check_wanted) {
     const auto width = static_cast<int>(size.width), height = static_cast<int>(size.height);
     if (!(pixel[0] >= 0 && pixel[0] < width && pixel[1] >= 0 && pixel[1] < height)) return {};
     render::Image image;
-    const render::Frame frame = frame_of(geometry, scene, width, height, 1);
+    render::Frame frame = frame_of(geometry, scene, width, height, 1);
+    frame.check_wanted = std::move(check_wanted);
     worker.renderer().draw(frame, image);
     Vec3d hit{};
     if (!worker.renderer().pick(static_cast<int>(pixel[0]), static_cast<int>(pixel[1]), hit)) return {};

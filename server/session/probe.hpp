@@ -20,10 +20,11 @@ struct Probed {
 // Point scalars are interpolated in the cell; cell scalars are the cell's.
 [[nodiscard]] Probed probe(const store::Dataset& dataset, std::size_t step, const Locator& locator, Vec3d position);
 
-// The world position under a pixel (from the top left) of the picture of this size; nothing on the background.
-// A position on a boundary comes out of the depth buffer a little outside as often as inside: it is moved along the
-// line of sight, by less than a pixel's depth error, to the nearest cell.
+// The world position under a pixel (`check_wanted` as a frame's; from the top left) of the picture of this size;
+// nothing on the background. A position on a boundary comes out of the depth buffer a little outside as often as
+// inside: it is moved along the line of sight, by less than a pixel's depth error, to the nearest cell.
 [[nodiscard]] std::optional<Vec3d> position_under(const Geometry& geometry, const scene::Scene& scene, ViewSize size,
-                                                  std::array<double, 2> pixel, const Locator& locator, Worker& worker);
+                                                  std::array<double, 2> pixel, const Locator& locator, Worker& worker,
+                                                  std::function<void()> check_wanted);
 
 } // namespace ciel::session

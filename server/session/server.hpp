@@ -47,7 +47,7 @@ public:
     [[nodiscard]] store::Catalog& catalog();
     [[nodiscard]] Sessions& sessions();
     [[nodiscard]] FrameWorkers& frame_workers();
-    // For slow calls: a picture under way cannot be put off, so it is never in the way of a frame.
+    // For slow calls: somebody waits for a picture under way, so it is neither put off nor in the way of a frame.
     [[nodiscard]] FrameWorkers& picture_workers();
     [[nodiscard]] const ServerOptions& options() const;
     [[nodiscard]] Metrics& counters();
@@ -66,7 +66,8 @@ public:
     [[nodiscard]] Readiness readiness();
     [[nodiscard]] Readiness last_readiness();  // of the last test picture; draws one only when none was drawn yet
     [[nodiscard]] std::string metrics() const; // Prometheus text exposition format 0.0.4
-    // SIGTERM: no new sessions, frames or slow calls, those under way are finished, clients are told.
+    // SIGTERM: no new sessions, frames or slow calls, clients are told. Slow calls under way are finished; of frames,
+    // which clients get again where they go on, the drawing is given up.
     void drain();
 
 private:

@@ -105,8 +105,9 @@ void Sessions::connection_closed(std::uint64_t connection) {
     for (const auto& session : all()) {
         session->disconnect(connection);
         // Its surfaces go when nobody looks any more. On a worker: an extraction under way may hold them for a while.
+        // No still has to give way to this.
         if (session->is_idle_since(Clock::time_point::max()))
-            services_.workers.post([session](Worker&) {
+            services_.workers.post_later(Clock::now(), [session](Worker&) {
                 if (session->is_idle_since(Clock::time_point::max())) session->release_geometry();
             });
     }

@@ -12,6 +12,7 @@ namespace {
 
 constexpr std::chrono::milliseconds quiet{150};    // without a change or a frame before a still: a pause of the hand
 constexpr std::chrono::milliseconds patience{500}; // younger interactive work is finished, though superseded
+constexpr unsigned most_ways_given = 3;            // by one still: then it is finished
 
 } // namespace
 
@@ -90,7 +91,13 @@ std::optional<FrameRequest> View::take(bool still) {
         schedule();
         return {};
     }
-    FrameRequest request{still ? still_wanted_ : *mailbox_.take(), size_, stream_, still, 1, nullptr, {}, Clock::now()};
+    FrameRequest request;
+    request.version = still ? still_wanted_ : *mailbox_.take();
+    request.size = size_;
+    request.stream = stream_;
+    request.still = still;
+    request.gives_way = still && gave_way_ < most_ways_given;
+    request.started = Clock::now();
     if (!still && stream_ == Stream::image) {
         request.moving = &pictures_now();
         request.scale = preview_.scale(size_);
@@ -126,6 +133,7 @@ void View::deliver(const FrameRequest& request, std::vector<std::vector<std::uin
         if (mailbox_.empty()) still_wanted_ = request.version;
     }
     gave_up_ = false;
+    gave_way_ = 0;
     quiet_until_ = Clock::now() + quiet; // else a slow frame would be followed by its still at once, in the hand's way
     finish();
     lock.unlock();
@@ -156,6 +164,14 @@ void View::give_up() {
     services_.metrics.count_cancelled_frame();
     const std::scoped_lock lock(mutex_);
     gave_up_ = !working_on_still_;
+    finish();
+}
+
+void View::give_way() {
+    services_.metrics.count_cancelled_frame();
+    const std::scoped_lock lock(mutex_);
+    ++gave_way_;
+    quiet_until_ = Clock::now(); // when its wait for the next turn begins
     finish();
 }
 

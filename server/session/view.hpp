@@ -21,6 +21,7 @@ struct FrameRequest {
     ViewSize size;
     Stream stream = Stream::image;
     bool still = false;
+    bool gives_way = false;                // to interactive frames of other views, when it takes long
     double scale = 1;                      // of an interactive picture, which is so much smaller than the view
     wire::PictureStream* moving = nullptr; // the view's, that an interactive picture is one of
     std::stop_token stop;
@@ -47,7 +48,8 @@ public:
     void acknowledge(std::uint32_t frame);                                                     // and all before it
     void close();
 
-    // For the frame loop, which follows a take() that returned something by exactly one of deliver, give_up and fail.
+    // For the frame loop, which follows a take() that returned something by exactly one of deliver, give_up, give_way
+    // and fail.
     [[nodiscard]] std::optional<FrameRequest> take(bool still);
     // Before deliver: what the frame lacks is told when it differs from what the one before lacked. `drawn`: what its
     // drawing added to that; none while something moves: as of the still before, or the sentence would come and go.
@@ -55,7 +57,8 @@ public:
                       const std::optional<std::vector<std::string>>& drawn);
     // `messages` in order; their headers get the frame number. Empty: nothing new to see.
     void deliver(const FrameRequest& request, std::vector<std::vector<std::uint8_t>> messages, const FrameTimes& times);
-    void give_up(); // superseded
+    void give_up();  // superseded, or nobody waits for it any more
+    void give_way(); // and be taken again
     void fail(const FrameRequest& request, const std::string& sentence);
 
     // True, and remembered, when it differs from the last geometry frame's.
@@ -89,6 +92,7 @@ private:
     Clock::time_point started_, quiet_until_;
     bool queued_ = false, working_ = false, working_on_still_ = false, still_queued_ = false, closed_ = false;
     bool gave_up_ = false; // the last interactive frame: the next is not cancelled, or a steady drag would show nothing
+    unsigned gave_way_ = 0; // times that the still did that is wanted now
     std::uint32_t sent_ = 0, acknowledged_ = 0;
     ContentKey content_;
     std::vector<std::string> lacking_, drawn_lacking_; // of the last frame, and of the last still
