@@ -10,8 +10,8 @@
 namespace ciel::render {
 namespace {
 
-// A layer's pixels take 20 bytes: with twice the resolution no more than a third of a gigabyte.
-constexpr int most_pixels_at_twice_the_resolution = 4 << 20;
+// A layer's pixels take 20 bytes: with twice the resolution those of a large screen, two thirds of a gigabyte.
+constexpr int most_pixels_at_twice_the_resolution = 3840 * 2160;
 
 // Whether the volumes are drawn for a layer, up to it. Later ones, to which little light comes through, are seen
 // through as much of the volumes as the one before.
