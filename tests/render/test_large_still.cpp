@@ -94,5 +94,30 @@ TEST(LargeStillTest, OfAVolumeTransparentSurfacesAndWriting) {
     EXPECT_LT(resident_gigabytes(), held - 0.5) << "what the large one took is given back";
 }
 
+// Of a 4K screen. A ball of 50 % has a rim of pixels between its own colour and the background's.
+TEST(LargeStillTest, OfALargeScreenHasSmoothTransparentOutlines) {
+    Renderer renderer(Backend::automatic);
+    const Shape ball = sphere(1.2);
+    Frame frame = front_view(3840, 2160);
+    frame.samples = 4;
+    frame.background_top = frame.background_bottom = {0, 0, 0};
+    frame.meshes = {ball.mesh()};
+    frame.meshes[0].lit = false;
+    frame.meshes[0].color = {1, 1, 1, 0.5F};
+    Image image;
+    renderer.draw(frame, image);
+    int between = 0, rows = 0;
+    for (int y = 400; y < frame.height - 400; ++y) {
+        int own = 0;
+        for (int x = 0; x < frame.width / 2; ++x) {
+            const int grey = image.rgb[3 * (static_cast<std::size_t>(y) * frame.width + x)];
+            own += grey > 10 && grey < 117 ? 1 : 0;
+        }
+        ++rows;
+        between += own > 0 ? 1 : 0;
+    }
+    EXPECT_GT(between, rows / 2);
+}
+
 } // namespace
 } // namespace ciel::render
