@@ -1,5 +1,5 @@
 // Draws volumes over the picture so far: where rays are inside the mesh, then the slabs of all volumes from the back to
-// the front into a target of floats, then that onto the picture.
+// the front into a target of floats (of bytes for benches), then that onto the picture.
 #pragma once
 
 #include "render/camera.hpp"
