@@ -132,6 +132,24 @@ describe("company", { skip }, () => {
     await client.close();
   });
 
+  test("the session's link opens the same session elsewhere, and what one changes the other sees", async () => {
+    const client = await stage.fresh();
+    await client.page.evaluate(() => void Object.defineProperty(navigator, "clipboard", { value: undefined }));
+    await client.button("Share").click();
+    await client.button("Copy a link to this session").click();
+    await client.page.getByText("The link to this session is in the address bar").waitFor();
+    const link = client.page.url();
+    assert.match(link, /#j=[A-Za-z0-9_-]{22,64}$/);
+    const guest = await stage.open(link);
+    await guest.settled();
+    assert.ok(!guest.page.url().includes("#j="), "the key does not stay in the address");
+    await client.dragIso(0.75);
+    await client.settled();
+    await guest.reached(await client.value());
+    await guest.close();
+    await client.close();
+  });
+
   test("a link that is followed on the open page is shown, one step back from what was there", async () => {
     const client = await stage.fresh();
     const before = await client.picture();

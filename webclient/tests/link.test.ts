@@ -1,6 +1,6 @@
 import { describe, expect, test } from "vitest";
 import type { Scene } from "../src/generated/protocol";
-import { decodeScene, encodeScene, fromBase64, toBase64Url } from "../src/scene/link";
+import { decodeScene, decodeSession, encodeScene, encodeSession, fromBase64, toBase64Url } from "../src/scene/link";
 
 const scene: Scene = {
   dataset: "Zylinder \u00e4\u6f22 & #=?",
@@ -25,6 +25,14 @@ describe("link", () => {
     const fragment = await encodeScene(scene);
     const wrong = [fragment.slice(0, -20), "#s=%%%", "#s=", `#s=${toBase64Url(new TextEncoder().encode("[]"))}`];
     for (const damaged of wrong) await expect(decodeScene(damaged)).rejects.toThrow("does not hold a whole scene");
+  });
+
+  test("a session's id comes back; what is too short to be a key is none", async () => {
+    const id = "0123456789abcdefABCD-_";
+    expect(decodeSession(encodeSession(id))).toBe(id);
+    expect(await decodeScene(encodeSession(id))).toBeNull();
+    for (const other of ["", "#j=", `#j=${id.slice(1)}`, `#j=${id} `, "#j=..%2f..%2f..%2f..%2f..%2f..", `#s=${id}`])
+      expect(decodeSession(other)).toBeNull();
   });
 
   test("base64 of every byte, in both alphabets", () => {

@@ -220,13 +220,20 @@ export class Actions {
   }
 
   async copyLink(): Promise<void> {
-    const address = await this.app.links.address();
+    await this.copyAddress(await this.app.links.address(), "view");
+  }
+
+  async copySessionLink(): Promise<void> {
+    await this.copyAddress(this.app.links.sessionAddress(), "session");
+  }
+
+  private async copyAddress(address: string, what: string): Promise<void> {
     try {
       await navigator.clipboard.writeText(address);
-      this.app.toasts.show("The link to this view is in the clipboard");
+      this.app.toasts.show(`The link to this ${what} is in the clipboard`);
     } catch {
       history.replaceState(null, "", address); // no clipboard without a secure origin
-      this.app.toasts.show("The link to this view is in the address bar");
+      this.app.toasts.show(`The link to this ${what} is in the address bar`);
     }
   }
 

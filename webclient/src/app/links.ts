@@ -1,7 +1,7 @@
 // The address bar always holds the scene, and a link that is followed becomes the scene.
 import type { Scene } from "../generated/protocol";
 import { equal, type Json } from "../protocol/merge_patch";
-import { decodeScene, encodeScene } from "../scene/link";
+import { decodeScene, decodeSession, encodeScene, encodeSession } from "../scene/link";
 import type { App } from "./app";
 
 const PAUSE_MS = 400;
@@ -21,6 +21,10 @@ export class Links {
   /** After a link was pasted into this page. */
   async follow(): Promise<void> {
     if (location.hash === this.written) return;
+    if (decodeSession(location.hash) !== null) {
+      location.reload(); // a page has one session for its life
+      return;
+    }
     const scene = await this.decoded();
     if (scene === null) return;
     // Proposed only: it may be of another server, or made by hand.
@@ -37,6 +41,12 @@ export class Links {
     const { scene } = this.app.editor;
     const url = new URL(location.href);
     if (scene !== null) url.hash = await encodeScene(scene);
+    return url.href;
+  }
+
+  sessionAddress(): string {
+    const url = new URL(location.href);
+    url.hash = encodeSession(this.app.tab.id);
     return url.href;
   }
 

@@ -1,4 +1,5 @@
 // What this browser remembers: the theme for good, the session for the tab's life.
+import { decodeSession, encodeSession } from "../scene/link";
 import type { StreamChoice, Theme } from "./state";
 
 const THEME = "ciel.theme";
@@ -38,10 +39,13 @@ export function savedStream(): StreamChoice {
 
 export const saveStream = (stream: string): void => write(local, STREAM, stream);
 
-/** The tab's session; a fresh id the first time. */
+/** The tab's session: the one that the address names, else the one before, else a fresh id. */
 export function tabSession(): { id: string; known: boolean } {
-  const known = read(tab, SESSION);
-  if (known !== null && /^[A-Za-z0-9_-]{1,64}$/.test(known)) return { id: known, known: true };
+  const known = decodeSession(location.hash) ?? decodeSession(encodeSession(read(tab, SESSION) ?? ""));
+  if (known !== null) {
+    write(tab, SESSION, known);
+    return { id: known, known: true };
+  }
   const bytes = crypto.getRandomValues(new Uint8Array(16));
   const id = Array.from(bytes, (byte) => byte.toString(16).padStart(2, "0")).join("");
   write(tab, SESSION, id);

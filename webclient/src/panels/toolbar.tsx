@@ -7,6 +7,7 @@ import { MINUS } from "../scene/numbers";
 import { Check, IconButton, Menu, SelectField } from "./controls";
 import { useApp, useAppState } from "./context";
 import { PictureMenu } from "./picture_menu";
+import { ShareMenu } from "./share_menu";
 import { ConnectionBadge } from "./connection_badge";
 import { useState } from "preact/hooks";
 
@@ -146,13 +147,7 @@ export function Toolbar(): JSX.Element {
         />
         <PictureMenu disabled={!hasPicture} />
         <ExportMenu disabled={!hasPicture} />
-        <IconButton
-          icon="link"
-          label="Copy a link to this view"
-          keys="L"
-          disabled={!hasScene}
-          onClick={() => void actions.copyLink()}
-        />
+        <ShareMenu disabled={!hasScene} />
       </div>
       <span class="spring" />
       <ConnectionBadge />

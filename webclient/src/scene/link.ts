@@ -1,7 +1,8 @@
-// The scene in the address: #s=<deflated JSON as base64url>.
+// The scene in the address: #s=<deflated JSON as base64url>; or a session of the server: #j=<its id>.
 import type { Scene } from "../generated/protocol";
 
 const KEY = "s=";
+const SESSION = /^#?j=([A-Za-z0-9_-]{22,64})$/;
 
 export function toBase64Url(bytes: Uint8Array): string {
   let text = "";
@@ -42,3 +43,9 @@ export async function decodeScene(fragment: string): Promise<Scene | null> {
   }
   throw new Error("The link does not hold a whole scene; it may have been cut when it was copied");
 }
+
+/** The fragment, with its "#". The id is the session's key: whoever has it may change the scene. */
+export const encodeSession = (id: string): string => `#j=${id}`;
+
+/** null where the fragment names no session. */
+export const decodeSession = (fragment: string): string | null => SESSION.exec(fragment)?.[1] ?? null;
