@@ -192,13 +192,19 @@ export class Actions {
   async openDataset(name: string): Promise<void> {
     const { app } = this;
     app.player.stop();
-    await this.whileBusy(`Opening ${name}`, `${name} cannot be opened`, async () => {
-      const description = await app.session.call("dataset.describe", { dataset: name });
-      const scene = openingScene(description, app.size, this.themeBackground());
-      app.store.set({ description, probe: null });
+    app.store.set({ chosen: name });
+    try {
+      const upcoming = await app.session.call("dataset.describe", { dataset: name });
+      if (app.store.get().chosen !== name) return; // another was chosen meanwhile
+      app.store.set({ upcoming });
+      const scene = openingScene(upcoming, app.size, this.themeBackground());
       if (app.editor.isConnected) app.editor.replace(scene);
       else await app.session.begin(scene);
-    });
+    } catch (error) {
+      this.unanswered(error, `${name} cannot be opened`);
+    } finally {
+      if (app.store.get().chosen === name) app.store.set({ chosen: null });
+    }
   }
 
   /** As large as the view's, or as given. */

@@ -1,17 +1,17 @@
 // The page's parts, wired: what the server says goes into the store, what the hand does goes to the editor.
 import { decodeGeometry } from "../decoders/geometry";
 import { decodeImage } from "../decoders/image";
-import { ShownCameras } from "../camera/shown_cameras";
 import { lightsOf } from "../display/lights";
 import { backgroundColors } from "../display/background";
 import type { Look } from "../display/look";
 import { Presenter } from "../display/presenter";
 import { Viewport } from "../display/viewport";
-import type { Coloring } from "../generated/protocol";
+import type { Coloring, Scene } from "../generated/protocol";
 import type { FrameHeader } from "../protocol/frame_header";
 import { Disconnected } from "../protocol/rpc";
 import { SceneEditor } from "../scene/editor";
 import { layerName } from "../scene/layer_names";
+import { ShownScenes } from "../scene/shown_scenes";
 import { openSocket, socketAddress } from "../session/browser_socket";
 import { Latency } from "../session/latency";
 import { Player } from "../session/player";
@@ -22,6 +22,7 @@ import { CanvasSize } from "./canvas_size";
 import { describeDatasets } from "./datasets";
 import { Histograms } from "./histograms";
 import { Links } from "./links";
+import { forgottenWith } from "./opening";
 import { playerHost } from "./player_host";
 import { savedStream, savedTheme, tabSession } from "./preferences";
 import { SeenFrom } from "./seen_from";
@@ -51,7 +52,7 @@ export class App {
   readonly links = new Links(this);
   readonly access = new Access(this);
   readonly seenFrom = new SeenFrom(this);
-  readonly cameras = new ShownCameras();
+  readonly scenes = new ShownScenes();
   readonly player = new Player(playerHost(this), now);
   readonly tab = tabSession();
   /** What colourings were before they became logarithmic, by what they colour. */
@@ -67,7 +68,7 @@ export class App {
       {
         changed: () => this.sceneChanged(),
         accepted: (revision, since, scene) => {
-          this.cameras.taken(revision, scene.camera);
+          this.taken(revision, scene);
           this.latency.accepted(revision, since);
           this.store.set({ revision, pending: this.editor.isPending });
           void this.seenFrom.reconsider();
@@ -132,9 +133,23 @@ export class App {
     if (!(error instanceof Disconnected)) this.toasts.show(wordsFor(error as Error), "error");
   }
 
+  /** The server's revisions of the scene; the picture of one may be here before. */
+  taken(revision: number, scene: Scene): void {
+    this.scenes.taken(revision, scene);
+    const { readout, shownDataset } = this.store.get();
+    if (readout.revision === 0) return; // no picture of this session yet
+    this.store.set({ shownDataset: this.scenes.of(readout.revision)?.dataset ?? shownDataset });
+  }
+
   private sceneChanged(): void {
     const { editor, store } = this;
-    store.set({ scene: editor.scene, canUndo: editor.canUndo, canRedo: editor.canRedo, pending: editor.isPending });
+    store.set({
+      ...forgottenWith(store.get(), editor.scene),
+      scene: editor.scene,
+      canUndo: editor.canUndo,
+      canRedo: editor.canRedo,
+      pending: editor.isPending,
+    });
     this.viewport?.redraw();
     this.links.sceneChanged();
     void describeDatasets(this);
@@ -154,9 +169,10 @@ export class App {
     const at = now();
     this.latency.shown(header.revision, at);
     const { readout } = this.store.get();
-    const shownFrom = this.viewport?.shown === "image" ? this.cameras.of(header.revision) : null;
+    const shownFrom = this.viewport?.shown === "image" ? this.scenes.cameraOf(header.revision) : null;
     this.store.set({
       shownFrom,
+      shownDataset: this.scenes.of(header.revision)?.dataset ?? this.store.get().shownDataset,
       failedRevision: null,
       readout: {
         ...readout,

@@ -11,11 +11,11 @@ export async function listDatasets(app: App): Promise<void> {
 
 /** Fetches the description when the scene's dataset is another one than the described. */
 export async function describeDatasets(app: App, again = false): Promise<void> {
-  const { scene, description, opening } = app.store.get();
+  const { scene, description, describing } = app.store.get();
   const name = scene?.dataset;
-  if (name === undefined || !app.editor.isConnected || opening === name || (!again && description?.name === name))
+  if (name === undefined || !app.editor.isConnected || describing === name || (!again && description?.name === name))
     return;
-  app.store.set({ opening: name });
+  app.store.set({ describing: name });
   try {
     const found = await app.session.call("dataset.describe", { dataset: name });
     if (app.store.get().scene?.dataset === name) app.store.set({ description: found });
@@ -23,6 +23,6 @@ export async function describeDatasets(app: App, again = false): Promise<void> {
   } catch (error) {
     app.fail(error);
   } finally {
-    if (app.store.get().opening === name) app.store.set({ opening: null });
+    if (app.store.get().describing === name) app.store.set({ describing: null });
   }
 }

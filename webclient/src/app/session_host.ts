@@ -4,11 +4,18 @@ import { wordsFor, type SessionHost } from "../session/session";
 import type { App } from "./app";
 import { describeDatasets, listDatasets } from "./datasets";
 import { firstScene } from "./first_scene";
+import { openingDataset } from "./opening";
 import { emptyReadout } from "./state";
 
 type Handlers = { [N in keyof Notifications]: (params: Notifications[N]) => void };
 
 const NOTHING = "The server offers no dataset that can be opened. Start it with one: ciel serve NAME.ciel";
+
+function removePicture(app: App): void {
+  app.viewport?.clear();
+  const { roundTripMs } = app.store.get().readout;
+  app.store.set({ shownDataset: null, readout: { ...emptyReadout, roundTripMs } });
+}
 
 export function sessionHost(app: App): SessionHost {
   const handlers = notificationHandlers(app);
@@ -31,16 +38,15 @@ export function sessionHost(app: App): SessionHost {
     viewOpened: (view) => app.presenter?.show(view),
     opened: ({ revision, scene }) => {
       app.latency.reset();
-      app.cameras.clear();
-      app.cameras.taken(revision, scene.camera);
+      app.scenes.clear();
       app.histograms.clear();
       // Revisions of the session before, if the server forgot it, mean nothing here.
       app.store.set({ fatal: null, revision, readout: { ...app.store.get().readout, revision: 0 } });
+      app.taken(revision, scene);
       void describeDatasets(app, true);
     },
     refused: (error) => {
-      app.viewport?.clear(); // what is seen is of a session that is no more
-      const { roundTripMs } = app.store.get().readout;
+      removePicture(app); // which is of a session that is no more
       app.store.set({
         fatal: wordsFor(error),
         description: null,
@@ -48,7 +54,6 @@ export function sessionHost(app: App): SessionHost {
         lacking: [],
         empty: [],
         missing: [],
-        readout: { ...emptyReadout, roundTripMs },
       });
       void listDatasets(app);
     },
@@ -91,11 +96,12 @@ function notificationHandlers(app: App): Handlers {
     "scene.changed": ({ session, revision, scene }) => {
       if (session !== app.tab.id) return;
       app.store.set({ revision });
-      app.cameras.taken(revision, scene.camera);
+      app.taken(revision, scene);
       app.editor.overheard(scene);
     },
     "view.failed": ({ message, revision }) => {
       app.player.stop();
+      if (openingDataset(app.store.get()) !== null) removePicture(app); // which is of another dataset
       app.store.set({ failedRevision: revision });
       app.toasts.show(message, "error");
     },

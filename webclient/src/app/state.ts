@@ -55,7 +55,14 @@ export interface AppState {
   server: Result<"server.info"> | null;
   datasets: Result<"dataset.list"> | null;
   description: DatasetDescription | null;
-  opening: string | null;
+  /** Whose description is on its way. */
+  describing: string | null;
+  /** A dataset that a hand has chosen, until the scene is of it. */
+  chosen: string | null;
+  /** The description of a chosen dataset, until the scene is of it. */
+  upcoming: DatasetDescription | null;
+  /** Whose picture stands there. */
+  shownDataset: string | null;
   scene: Scene | null;
   /** What the server takes for the camera that the scene lacks. */
   seenFrom: FullCamera | null;
@@ -120,7 +127,10 @@ export const initialState: AppState = {
   server: null,
   datasets: null,
   description: null,
-  opening: null,
+  describing: null,
+  chosen: null,
+  upcoming: null,
+  shownDataset: null,
   scene: null,
   seenFrom: null,
   shownFrom: null,

@@ -215,10 +215,12 @@ interface SectionProps {
   title: string;
   children: ComponentChildren;
   action?: JSX.Element | null;
+  /** Stands there folded or not. */
+  summary?: JSX.Element;
   open?: boolean;
 }
 
-export function Section({ title, children, action, open = true }: SectionProps): JSX.Element {
+export function Section({ title, children, action, summary, open = true }: SectionProps): JSX.Element {
   const [isOpen, setOpen] = useState(open);
   return (
     <section class="section" data-list="">
@@ -229,6 +231,7 @@ export function Section({ title, children, action, open = true }: SectionProps):
         </button>
         {action}
       </header>
+      {summary}
       {isOpen && <div class="section-body">{children}</div>}
     </section>
   );

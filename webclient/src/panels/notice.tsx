@@ -1,6 +1,7 @@
 // What stands in the way of a live picture, in full sentences.
 import type { JSX } from "preact";
 import { useEffect, useState } from "preact/hooks";
+import { openingDataset } from "../app/opening";
 import type { AppState } from "../app/state";
 import { formatCount } from "../scene/numbers";
 import { layerNames } from "../scene/layer_names";
@@ -158,9 +159,12 @@ function useLate(): boolean {
 export function Busy(): JSX.Element | null {
   const busy = useAppState((state) => state.busy);
   const connected = useAppState((state) => state.connection.kind === "open");
-  const opening = useAppState((state) => state.readout.stream === "none" && state.fatal === null);
+  const opening = useAppState(openingDataset);
+  const first = useAppState((state) => state.readout.stream === "none" && state.fatal === null);
   const late = useLate();
-  const words = busy ?? (!connected ? null : opening ? "Opening" : late ? "Updating" : null);
+  const words =
+    busy ??
+    (!connected ? null : opening !== null ? `Opening ${opening}` : first ? "Opening" : late ? "Updating" : null);
   if (words === null) return null;
   return (
     <div class="busy" role="status">

@@ -6,8 +6,8 @@ import { BoundarySection } from "./boundary_section";
 import { CameraSection } from "./camera_section";
 import { ClipSection } from "./clip_section";
 import { useApp, useAppState } from "./context";
+import { DatasetSection } from "./dataset_section";
 import { Help } from "./help";
-import { InfoSection } from "./info_section";
 import { IsoSection } from "./iso_section";
 import { LayersSection } from "./layers_section";
 import { LightingSection } from "./lighting_section";
@@ -40,6 +40,7 @@ export function Shell(): JSX.Element {
   const app = useApp();
   const panelOpen = useAppState((state) => state.panelOpen);
   const nothing = useAppState((state) => state.fatal !== null);
+  const chosen = useAppState((state) => state.chosen);
   const title = useAppState((state) => state.scene?.dataset);
   useTheme();
   useEffect(() => {
@@ -55,8 +56,10 @@ export function Shell(): JSX.Element {
       <TimeBar />
       {panelOpen && (
         <aside class="side-panel" aria-label="Scene">
+          {chosen !== null && <p class="opening-hint hint">{`Opening ${chosen}`}</p>}
           {!nothing && (
-            <>
+            <div hidden={chosen !== null}>
+              <DatasetSection />
               <LayersSection />
               <IsoSection />
               <SlicesSection />
@@ -67,8 +70,7 @@ export function Shell(): JSX.Element {
               <CameraSection />
               <LightingSection />
               <ViewSection />
-              <InfoSection />
-            </>
+            </div>
           )}
         </aside>
       )}

@@ -2,6 +2,7 @@
 import type { JSX } from "preact";
 import { useEffect, useRef } from "preact/hooks";
 import { listenToGestures } from "../camera/gestures";
+import { openingDataset } from "../app/opening";
 import { isBright, paperAt } from "../display/background";
 import { AxesTriad } from "./axes_triad";
 import { BoxAxes } from "./box_axes";
@@ -19,6 +20,7 @@ export function Stage(): JSX.Element {
   const geometry = useRef<HTMLCanvasElement>(null);
   const live = useAppState((state) => state.connection.kind === "open");
   const nothing = useAppState((state) => state.fatal !== null);
+  const opening = useAppState((state) => openingDataset(state) !== null);
   const background = useAppState(({ scene, fatal }) =>
     scene === null || fatal !== null ? null : (scene.background ?? "dark"),
   );
@@ -49,7 +51,8 @@ export function Stage(): JSX.Element {
   }, [app]);
   return (
     <main
-      class={`stage ${under} ${live ? "" : "stale"}`}
+      class={`stage ${under} ${live ? "" : "stale"} ${opening ? "opening" : ""}`}
+      aria-busy={opening}
       style={
         background === null ? {} : { "--paper-top": paperAt(background, 0), "--paper-bottom": paperAt(background, 1) }
       }
@@ -64,7 +67,7 @@ export function Stage(): JSX.Element {
         <canvas ref={images} hidden />
         <canvas ref={geometry} hidden />
       </div>
-      {!nothing && (
+      {!nothing && !opening && (
         <>
           <BoxAxes />
           <AxesTriad />
@@ -74,7 +77,7 @@ export function Stage(): JSX.Element {
         </>
       )}
       <Busy />
-      <LackingNotice />
+      {!opening && <LackingNotice />}
       <FatalNotice />
       <ConnectionNotice />
       <ToastList />

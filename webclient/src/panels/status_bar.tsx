@@ -1,5 +1,6 @@
 // Latency, rate and what kind of picture is seen.
 import type { JSX } from "preact";
+import { openingDataset } from "../app/opening";
 import type { Readout } from "../app/state";
 import { stillDue } from "../app/still_due";
 import { formatCount } from "../scene/numbers";
@@ -36,6 +37,7 @@ export function StatusBar(): JSX.Element {
   const readout = useAppState((state) => state.readout);
   const mesh = useAppState((state) => state.description?.mesh);
   const wanted = useAppState((state) => (state.pending ? "pending" : state.revision));
+  const opening = useAppState((state) => openingDataset(state) !== null);
   const cells = Object.values(mesh?.cells ?? {}).reduce((sum, count) => sum + count, 0);
   return (
     <footer
@@ -46,8 +48,8 @@ export function StatusBar(): JSX.Element {
       data-revision={readout.revision}
       data-wanted={wanted}
     >
-      {mesh !== undefined && <span>{formatCount(cells)} cells</span>}
-      {readout.stream !== "none" && (
+      {mesh !== undefined && !opening && <span>{formatCount(cells)} cells</span>}
+      {readout.stream !== "none" && !opening && (
         <>
           <span data-readout="stream">{kind(readout)}</span>
           <StillNotice />

@@ -4,11 +4,12 @@ import { nearestStep } from "../scene/scalars";
 import { IconButton, SelectField, Slider } from "./controls";
 import { useApp, useAppState } from "./context";
 
+const NO_TIMES: readonly number[] = [];
 const RATES = [2, 5, 10, 20, 60];
 
 export function TimeBar(): JSX.Element {
   const { actions, editor, player, store } = useApp();
-  const times = useAppState((state) => state.description?.times) ?? [];
+  const times = useAppState((state) => (state.chosen === null ? state.description?.times : undefined)) ?? NO_TIMES;
   const time = useAppState((state) => state.scene?.time);
   const playing = useAppState((state) => state.playing);
   const loop = useAppState((state) => state.loop);

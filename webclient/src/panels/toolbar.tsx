@@ -14,7 +14,7 @@ import { useState } from "preact/hooks";
 function DatasetSelect(): JSX.Element {
   const { actions } = useApp();
   const datasets = useAppState((state) => state.datasets) ?? [];
-  const current = useAppState((state) => state.scene?.dataset ?? "");
+  const current = useAppState((state) => state.chosen ?? state.scene?.dataset ?? "");
   const options = datasets.map(({ name, problem }) => ({
     value: name,
     text: problem === "" ? name : `${name}: ${problem}`,

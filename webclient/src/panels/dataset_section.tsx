@@ -1,4 +1,7 @@
+// What the dataset is: in a few words at the top of the panel, and unfolded in all its numbers.
 import type { JSX } from "preact";
+import type { DatasetDescription } from "../generated/protocol";
+import { datasetFacts } from "../scene/dataset_facts";
 import { formatCount, formatNumber, prettyUnits } from "../scene/numbers";
 import { Section } from "./controls";
 import { useAppState } from "./context";
@@ -12,7 +15,17 @@ function Row({ name, value }: { name: string; value: string }): JSX.Element {
   );
 }
 
-export function InfoSection(): JSX.Element | null {
+function Summary({ description }: { description: DatasetDescription }): JSX.Element {
+  return (
+    <div class="dataset-summary">
+      <strong>{description.name}</strong>
+      <p>{datasetFacts(description).join(" \u00b7 ")}</p>
+      {description.source !== "" && <p class="hint">{`from ${description.source}`}</p>}
+    </div>
+  );
+}
+
+export function DatasetSection(): JSX.Element | null {
   const description = useAppState((state) => state.description);
   const server = useAppState((state) => state.server);
   if (description === null) return null;
@@ -25,7 +38,7 @@ export function InfoSection(): JSX.Element | null {
   const cells = Object.entries(mesh.cells).sort(([, a], [, b]) => b - a);
   const span = (times.at(-1) ?? 0) - (times[0] ?? 0);
   return (
-    <Section title="Dataset" open={false}>
+    <Section title="Dataset" open={false} summary={<Summary description={description} />}>
       <dl class="facts">
         {cells.map(([type, count]) => (
           <Row key={type} name={type} value={formatCount(count)} />
@@ -46,7 +59,6 @@ export function InfoSection(): JSX.Element | null {
               : String(times.length)
           }
         />
-        <Row name="Source" value={description.source} />
         {server !== null && <Row name="Server" value={`CIEL ${server.version}, ${server.gl_renderer}`} />}
       </dl>
       <table class="arrays">

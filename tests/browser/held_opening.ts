@@ -1,0 +1,47 @@
+// A page in which the description of a dataset, then the first picture of it, wait in their socket: `held` says which of
+// the two is there, `pass` lets it through.
+
+/** Runs in the page. */
+function hold(): void {
+  const Plain = WebSocket;
+  const page = globalThis as unknown as { holding: boolean; held: string | null; pass: () => void };
+  page.held = null;
+  window.WebSocket = class extends Plain {
+    private listener: ((event: MessageEvent) => void) | null = null;
+    private readonly asked = new Set<number>();
+
+    constructor(address: string | URL, protocols?: string | string[]) {
+      super(address, protocols);
+      this.addEventListener("message", (event) => this.receive(event as MessageEvent<string | ArrayBuffer>));
+    }
+
+    override set onmessage(listener: ((event: MessageEvent) => void) | null) {
+      this.listener = listener;
+    }
+
+    override send(text: string): void {
+      const { id, method } = JSON.parse(text) as { id: number; method: string };
+      if (method === "dataset.describe" && page.holding) this.asked.add(id);
+      super.send(text);
+    }
+
+    private receive(event: MessageEvent<string | ArrayBuffer>): void {
+      const { data } = event;
+      const isPicture = typeof data !== "string";
+      const isDescription = !isPicture && this.asked.delete((JSON.parse(data) as { id?: number }).id ?? -1);
+      if (!page.holding || !(isPicture || isDescription)) this.listener?.(event);
+      else {
+        const before = page.pass;
+        const isFirst = page.held === null;
+        page.held = isPicture ? "picture" : "description";
+        page.pass = () => {
+          if (!isFirst) before();
+          page.held = null;
+          this.listener?.(event);
+        };
+      }
+    }
+  };
+}
+
+export const heldOpening = `(${hold.toString()})()`;

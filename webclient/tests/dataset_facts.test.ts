@@ -1,0 +1,14 @@
+import { expect, test } from "vitest";
+import type { DatasetDescription } from "../src/generated/protocol";
+import { datasetFacts } from "../src/scene/dataset_facts";
+
+test("cells, steps, arrays and size, with the right plurals", () => {
+  const mesh = { cells: { hexahedra: 350_000, polyhedra: 3 } };
+  const description = { mesh, times: [500], arrays: [{}, {}], bounds: [-5, 15, -4, 4, 0, 8], length_units: "m" };
+  expect(datasetFacts(description as unknown as DatasetDescription)).toEqual([
+    "350\u202f003 cells",
+    "1 time step",
+    "2 arrays",
+    "20\u00a0\u00d7\u00a08\u00a0\u00d7\u00a08\u00a0m",
+  ]);
+});
