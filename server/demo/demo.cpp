@@ -22,9 +22,10 @@ constexpr std::array<const char*, patches> patch_names{"inlet", "outlet", "botto
 
 // All corners on one side of the box, else on the cylinder: the box's planes are exact in the positions.
 Patch patch_of(const FaceMesh& mesh, Index face, const std::array<float, 6>& sides) {
+    const auto view = mesh.view();
     for (int side = 0; side < 6; ++side) {
         bool on_side = true;
-        for (const Index vertex : mesh.view().loop(face))
+        for (const Index vertex : view.loop(face))
             on_side &= mesh.positions[3 * std::size_t{vertex} + static_cast<std::size_t>(side / 2)] ==
                        sides[static_cast<std::size_t>(side)];
         if (on_side) return static_cast<Patch>(side);
@@ -54,9 +55,10 @@ std::vector<store::NamedGroup> name_groups(const FaceMesh& mesh, const Bed& bed)
 }
 
 std::vector<bool> wall_vertices(const FaceMesh& mesh, const store::NamedGroup& wall) {
+    const auto view = mesh.view();
     std::vector<bool> on_wall(mesh.positions.size() / 3);
     for (const Index face : wall.ids)
-        for (const Index vertex : mesh.view().loop(face)) on_wall[vertex] = true;
+        for (const Index vertex : view.loop(face)) on_wall[vertex] = true;
     return on_wall;
 }
 

@@ -61,9 +61,9 @@ void show_frame(View& view, Worker& worker, bool still) {
         std::optional<std::vector<std::string>> drawn;
         if (request->still || request->stream != Stream::image) drawn.emplace();
         if (request->stream == Stream::image) {
-            const auto& image = draw(*geometry, request->version->scene, request->size,
-                                     request->still ? std::nullopt : std::optional(request->scale), worker,
-                                     [&] { check_wanted(*request, worker.all()); });
+            const std::optional<double> scale = request->still ? std::nullopt : std::optional(request->scale);
+            const std::function<void()> check = [&] { check_wanted(*request, worker.all()); };
+            const auto& image = draw(*geometry, request->version->scene, request->size, scale, worker, check);
             header.draw_ms = elapsed_ms(drawing);
             if (drawn) drawn = worker.renderer().remarks();
             if (request->still && request->stop.stop_requested()) return view.give_up();

@@ -23,7 +23,8 @@ void check_picture_size(const Limits& limits, std::int64_t width, std::int64_t h
 }
 
 const render::Image& draw(const Geometry& geometry, const scene::Scene& scene, ViewSize size,
-                          std::optional<double> moving_scale, Worker& worker, std::function<void()> check_wanted) {
+                          std::optional<double> moving_scale, Worker& worker,
+                          const std::function<void()>& check_wanted) {
     const double scale = moving_scale.value_or(1);
     const int width = std::max(1, static_cast<int>(size.width * scale));
     const int height = std::max(1, static_cast<int>(size.height * scale));
@@ -32,7 +33,7 @@ const render::Image& draw(const Geometry& geometry, const scene::Scene& scene, V
     if (!scene.camera && scale < 1)
         frame.camera = default_view(geometry, scene, static_cast<int>(size.width), static_cast<int>(size.height));
     widen_lines(frame, size.pixel_ratio * scale);
-    frame.check_wanted = std::move(check_wanted);
+    frame.check_wanted = check_wanted;
     return worker.renderer().draw(frame);
 }
 

@@ -17,7 +17,7 @@ void check_picture_size(const Limits& limits, std::int64_t width, std::int64_t h
 // worker's, until its next. `check_wanted` as the frame's.
 [[nodiscard]] const render::Image& draw(const Geometry& geometry, const scene::Scene& scene, ViewSize size,
                                         std::optional<double> moving_scale, Worker& worker,
-                                        std::function<void()> check_wanted);
+                                        const std::function<void()>& check_wanted);
 // A picture that stands for itself, as a file does: a still with the scene's annotations. Lines and points
 // grow as text does.
 [[nodiscard]] render::Frame picture_of(const Geometry& geometry, const scene::Scene& scene, ViewSize size);
