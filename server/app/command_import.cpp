@@ -67,7 +67,8 @@ int run_command(const ImportCommand& import) {
     const bool list = !import.values.at("list").empty();
     store::ImportListener listener = view.listener();
     if (list) listener.progress = [](double, const std::string&) {};
-    const store::ImportEnd end = store::run_import(import.values, import.limits, listener, cancelled_by_signal());
+    const CancelOnSignal signals;
+    const store::ImportEnd end = store::run_import(import.values, import.limits, listener, signals.cancelled());
     view.clear();
     if (!end.problem.empty()) std::cerr << "ciel: " << end.problem << '\n';
     if (!list && (end.exit_code == 0 || end.exit_code == 3)) std::printf("wrote %s\n", output.back().c_str());

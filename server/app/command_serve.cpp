@@ -41,9 +41,11 @@ struct ServeOptions {
 // One input that cannot be imported does not take the others with it; when none can, there is nothing to serve.
 std::vector<store::Servable> import_what_is_foreign(const ServeOptions& options) {
     ImportView view(stderr); // stdout has the address alone
+    CancelOnSignal signals;
     auto servable =
-        store::import_missing(options.data, options.import_folder, {}, view.listener(), cancelled_by_signal());
+        store::import_missing(options.data, options.import_folder, {}, view.listener(), signals.cancelled());
     view.clear();
+    signals.end();
     const auto failed = [](const store::Servable& each) { return !each.problem.empty(); };
     if (!servable.empty() && std::all_of(servable.begin(), servable.end(), failed)) throw Error(servable[0].problem);
     return servable;

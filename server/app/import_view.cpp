@@ -1,18 +1,20 @@
 #include "app/import_view.hpp"
 
+#include "ciel/types.hpp"
+
 #include <algorithm>
-#include <csignal>
 #include <cstdio>
 #include <unistd.h>
+#include <utility>
 
 namespace ciel::app {
 namespace {
 
 constexpr int width = 30;
-std::atomic<bool> cancelled{false};
+std::atomic<bool> cancelled_flag{false};
 static_assert(std::atomic<bool>::is_always_lock_free); // set in a signal handler
 
-void on_signal(int) { cancelled = true; }
+void on_signal(int) { cancelled_flag = true; }
 
 } // namespace
 
@@ -44,10 +46,28 @@ store::ImportListener ImportView::listener() {
             [this](const std::string& text) { line(text); }};
 }
 
-const std::atomic<bool>& cancelled_by_signal() {
-    std::signal(SIGINT, on_signal);
-    std::signal(SIGTERM, on_signal);
-    return cancelled;
+CancelOnSignal::CancelOnSignal() {
+    cancelled_flag = false;
+    struct sigaction action {};
+    action.sa_handler = on_signal;
+    action.sa_flags = SA_RESTART;
+    ::sigemptyset(&action.sa_mask);
+    ::sigaction(SIGINT, &action, &interrupt_);
+    ::sigaction(SIGTERM, &action, &terminate_);
+}
+
+const std::atomic<bool>& CancelOnSignal::cancelled() const { return cancelled_flag; }
+
+void CancelOnSignal::restore() {
+    if (!std::exchange(installed_, false)) return;
+    ::sigaction(SIGINT, &interrupt_, nullptr);
+    ::sigaction(SIGTERM, &terminate_, nullptr);
+}
+
+// In this order: a signal between the two ends the program by itself.
+void CancelOnSignal::end() {
+    restore();
+    if (cancelled_flag) throw Error("stopped by a signal before anything was served");
 }
 
 } // namespace ciel::app

@@ -3,6 +3,8 @@
 
 #include "store/importer.hpp"
 
+#include <atomic>
+#include <csignal>
 #include <cstdio>
 
 namespace ciel::app {
@@ -22,7 +24,25 @@ private:
     int shown_tenth_ = -1;
 };
 
-// From the first call on, SIGINT and SIGTERM set it instead of ending the program.
-[[nodiscard]] const std::atomic<bool>& cancelled_by_signal();
+// While it lives, SIGINT and SIGTERM cancel the import instead of ending the program; then they do again what they did
+// before. One at a time.
+class CancelOnSignal {
+public:
+    CancelOnSignal();
+    ~CancelOnSignal() { restore(); }
+    CancelOnSignal(const CancelOnSignal&) = delete;
+    CancelOnSignal& operator=(const CancelOnSignal&) = delete;
+
+    [[nodiscard]] const std::atomic<bool>& cancelled() const;
+    // Throws Error when a signal came that the import did not see any more.
+    void end();
+
+private:
+    void restore();
+
+    struct sigaction interrupt_ {};
+    struct sigaction terminate_ {};
+    bool installed_ = true;
+};
 
 } // namespace ciel::app

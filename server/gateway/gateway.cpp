@@ -41,7 +41,7 @@ public:
           context_(server, options, access_rules(options, address_.is_loopback(), acceptor_.local_endpoint().port())) {}
 
     int run(const std::function<void(const Listening&)>& on_listening) {
-        asio::co_spawn(one_at_a_time_, drain_on_signal(), asio::detached); // from here on a signal drains
+        asio::co_spawn(one_at_a_time_, drain_on_signal(), asio::detached);
         on_listening(listening());
         asio::co_spawn(one_at_a_time_, accept_connections(acceptor_, io_, context_, workers_), asio::detached);
         std::vector<std::jthread> threads;
@@ -60,14 +60,13 @@ private:
     }
 
     asio::awaitable<void> drain_on_signal() {
-        asio::signal_set signals(io_, SIGINT, SIGTERM);
         error_code ignored;
-        co_await signals.async_wait(asio::redirect_error(asio::use_awaitable, ignored));
-        signals.async_wait([](const error_code& error, int signal) {
+        co_await signals_.async_wait(asio::redirect_error(asio::use_awaitable, ignored));
+        signals_.async_wait([](const error_code& error, int signal) {
             if (!error) std::_Exit(128 + signal);
         });
         co_await drain();
-        signals.cancel();
+        signals_.cancel();
         io_.stop();
     }
 
@@ -105,6 +104,7 @@ private:
     }
 
     asio::io_context io_;
+    asio::signal_set signals_{io_, SIGINT, SIGTERM}; // keeps a signal that comes before anybody waits for it
     // Accepting and draining take turns, for draining closes the acceptor.
     asio::strand<asio::io_context::executor_type> one_at_a_time_{asio::make_strand(io_)};
     asio::ip::address address_;

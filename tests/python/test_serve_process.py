@@ -4,17 +4,20 @@ import asyncio
 import base64
 import json
 import os
+import pathlib
+import re
 import shutil
 import signal
 import socket
 import struct
+import subprocess
 
 import pytest
 import requests
 import websockets
 
 import box_dataset
-from program import ciel
+from program import CIEL, ciel
 from serve_process import PATIENCE, Client, Server, client, iso, until
 
 
@@ -82,6 +85,32 @@ def test_a_signal_ends_it_cleanly(box, number, tmp_path):
         running.process.send_signal(number)
         assert running.process.wait(PATIENCE) == 0
         assert "stopping" in (tmp_path / "log").read_text()
+
+
+def catches(process: subprocess.Popen, number: int) -> bool:
+    """Whether the process has a handler for this signal, or has ended."""
+    if process.poll() is not None:
+        return True
+    status = pathlib.Path(f"/proc/{process.pid}/status").read_text()
+    return int(re.search(r"SigCgt:\s+(\w+)", status).group(1), 16) >> (number - 1) & 1 == 1
+
+
+@pytest.mark.parametrize("number", [signal.SIGTERM, signal.SIGINT])
+def test_the_first_handler_of_a_signal_ends_it(box, number):
+    process = subprocess.Popen([CIEL, "serve", "--port", "0", box], stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+    until(lambda: catches(process, number))
+    process.send_signal(number)
+    try:
+        process.communicate(timeout=PATIENCE)  # raises where the signal was swallowed
+    finally:
+        process.kill()
+
+
+@pytest.mark.parametrize("number", [signal.SIGTERM, signal.SIGINT])
+def test_a_signal_at_the_moment_of_the_address_ends_it_cleanly(box, number):
+    with Server(box) as running:
+        running.process.send_signal(number)
+        assert running.process.wait(PATIENCE) == 0
 
 
 def test_sigterm_drains_while_frames_stream(box):
