@@ -1,6 +1,7 @@
 // ciel serve [DATA ...]
 #include "app/commands.hpp"
 #include "app/import_view.hpp"
+#include "app/limit_options.hpp"
 #include "app/scene_options.hpp"
 #include "ciel/parallel.hpp"
 #include "ciel/types.hpp"
@@ -35,6 +36,7 @@ struct ServeOptions {
     std::string gl = "auto", log_level = "info";
     ExtractionOptions extraction;
     unsigned render_workers = 1, threads = 0;
+    session::Limits limits;
     gateway::GatewayOptions gateway;
 };
 
@@ -115,6 +117,7 @@ int serve(ServeOptions& options) {
     server_options.backend = render::backend_named(options.gl);
     server_options.extraction = options.extraction.chosen();
     server_options.render_workers = options.render_workers;
+    server_options.limits = options.limits;
     for (const auto& path : server_options.data) warn_of_files_to_import(path);
     session::Server server(std::move(server_options));
     for (const auto& each : servable)
@@ -159,6 +162,7 @@ void add_serve(CLI::App& app, Run& run) {
     command->add_option("--log-level", options->log_level, "how much to log on stderr")
         ->check(CLI::IsMember({"debug", "info", "warn", "error", "off"}))
         ->capture_default_str();
+    add_limits(*command, options->limits);
     command->callback([options, &run] { run = [options] { return serve(*options); }; });
 }
 

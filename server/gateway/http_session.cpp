@@ -20,7 +20,6 @@ namespace {
 namespace http = beast::http;
 using Parser = http::request_parser<http::string_body>;
 
-constexpr std::uint32_t header_bytes_limit = 16 << 10;
 constexpr std::size_t first_read_bytes = 4096;
 constexpr std::chrono::seconds linger_time{2};
 
@@ -43,7 +42,8 @@ Request plain(HttpRequest& message, const std::string& remote) {
 
 // The answer to what is not HTTP as we read it; nothing when the peer has gone.
 std::optional<Response> malformed(const error_code& error) {
-    if (error == http::error::header_limit) return sentence(431, "The request's header is larger than 16 KiB.");
+    if (error == http::error::header_limit)
+        return sentence(431, "The request's header is larger than this server takes; server.info names the limit.");
     if (error == http::error::body_limit)
         return sentence(413, "The request is larger than this server takes; server.info names the limit.");
     if (error == http::error::end_of_stream || error == http::error::partial_message) return std::nullopt;
@@ -80,7 +80,7 @@ private:
         if (!begun) co_return false;
         const auto& limits = context_.server.limits();
         Parser parser;
-        parser.header_limit(header_bytes_limit);
+        parser.header_limit(static_cast<std::uint32_t>(limits.header_bytes));
         parser.body_limit(limits.message_bytes);
         error_code error;
         deadline_.start(std::chrono::seconds(limits.request_seconds)); // for the whole request

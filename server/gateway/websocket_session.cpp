@@ -17,8 +17,6 @@ namespace {
 namespace websocket = beast::websocket;
 using websocket::close_code;
 
-constexpr std::size_t inbox_bytes_limit = 4 << 20; // then the socket is not read until methods have caught up
-
 // Everything runs on the socket's strand, except what is handed to `workers` and the Connection's callbacks.
 class WebSocketSession : public std::enable_shared_from_this<WebSocketSession> {
 public:
@@ -151,7 +149,7 @@ asio::awaitable<void> WebSocketSession::read() {
         inbox_bytes_ += buffer.size();
         inbox_.push_back(beast::buffers_to_string(buffer.data()));
         inbox_changed_.cancel();
-        while (inbox_bytes_ > inbox_bytes_limit && !ended_) co_await changed(inbox_changed_);
+        while (inbox_bytes_ > context_.server.limits().waiting_call_bytes && !ended_) co_await changed(inbox_changed_);
     }
 }
 

@@ -1,40 +1,67 @@
-// Every limit in one table. server.info tells clients; tests/methods has a test of each, tests/gateway those of
-// sockets.
+// Every limit of a server, in one table. `ciel serve` offers a row each as an option and an environment variable,
+// server.info tells clients. tests/methods has a test of each, tests/gateway those of sockets.
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
 
 namespace ciel::session {
 
+// A share of what the machine, or the process's control group, has. Bytes.
+[[nodiscard]] std::uint64_t memory_share(unsigned percent);
+
+// A new limit: a member here, and its row in limits.cpp.
 struct Limits {
-    std::size_t message_bytes = 1 << 20; // one JSON-RPC text
-    std::size_t json_depth = 32;
-    std::size_t batch_requests = 64;
-    std::size_t connections = 128;
-    std::size_t sessions = 64;
-    std::size_t views_per_session = 8;
-    std::size_t layers = 64;
-    std::size_t values_per_layer = 64;
-    std::size_t undo_steps = 200;
-    std::uint32_t image_side = 8192;         // pixels
-    std::uint64_t image_pixels = 33'554'432; // per picture
-    std::size_t histogram_bins = 4096;
-    std::size_t export_bytes = 256 << 20;
-    unsigned slow_calls = 2;                                 // pictures, exports and the like under way at a time
-    std::size_t slow_calls_waiting = 64;                     // of all connections
-    std::size_t slow_calls_of_connection = 16;               // of those that wait
-    std::size_t field_cache_bytes = std::size_t{4} << 30;    // of one dataset
-    std::size_t dataset_memory_bytes = std::size_t{8} << 30; // of all; beyond it those that nobody uses are given back
-    unsigned dataset_idle_seconds = 600;                     // without use, until one is given back
-    std::size_t session_memory_bytes = std::size_t{2} << 30; // query state and surfaces of one scene
-    unsigned unacknowledged_frames = 2;
-    unsigned session_idle_seconds = 3600;      // without a connection
-    unsigned keep_alive_seconds = 30;          // until the next HTTP request of a connection begins
-    unsigned request_seconds = 30;             // to send a whole HTTP request, or to take some of its answer
-    std::size_t waiting_text_bytes = 16 << 20; // answers that a WebSocket has not read
-    unsigned websocket_idle_seconds = 60;      // without a sign of life; pings go out at half of it
-    unsigned drain_seconds = 10;               // from SIGTERM to the end
+    std::uint64_t message_bytes = 1 << 20;
+    std::uint64_t json_depth = 32;
+    std::uint64_t batch_requests = 64;
+    std::uint64_t header_bytes = 16 << 10;
+    std::uint64_t connections = 128;
+    std::uint64_t sessions = 64;
+    std::uint64_t views_per_session = 8;
+    std::uint64_t layers = 64;
+    std::uint64_t values_per_layer = 64;
+    std::uint64_t undo_steps = 200;
+    std::uint64_t image_side = 8192;
+    std::uint64_t image_pixels = 33'554'432;
+    std::uint64_t histogram_bins = 4096;
+    std::uint64_t export_bytes = 256 << 20;
+    std::uint64_t slow_calls = 2;
+    std::uint64_t slow_calls_waiting = 64;
+    std::uint64_t slow_calls_of_connection = 16;
+    std::uint64_t field_cache_bytes = memory_share(20);
+    std::uint64_t dataset_memory_bytes = memory_share(40);
+    std::uint64_t dataset_idle_seconds = 600;
+    std::uint64_t session_memory_bytes = memory_share(10);
+    std::uint64_t unacknowledged_frames = 2;
+    std::uint64_t session_idle_seconds = 3600;
+    std::uint64_t keep_alive_seconds = 30;
+    std::uint64_t request_seconds = 30;
+    std::uint64_t waiting_call_bytes = 4 << 20;
+    std::uint64_t waiting_text_bytes = 16 << 20;
+    std::uint64_t websocket_idle_seconds = 60;
+    std::uint64_t drain_seconds = 10;
 };
+
+struct LimitRow {
+    enum class Unit { count, bytes, memory, pixels, seconds }; // memory: bytes, also given as "25%" of the machine's
+    std::string_view name;                                     // of the member, and in server.info
+    std::uint64_t Limits::*member;
+    Unit unit;
+    std::string_view description;
+    std::uint64_t most; // values above make no sense, or the contract refuses them; the least value is 1
+};
+
+[[nodiscard]] std::span<const LimitRow> limit_rows();
+[[nodiscard]] std::string option_of(const LimitRow& row);      // "--limit-message-bytes"
+[[nodiscard]] std::string environment_of(const LimitRow& row); // "CIEL_LIMIT_MESSAGE_BYTES"
+
+// A whole number from 1 to row.most; of bytes also with K, M, G or T (1024 each), of memory also as a share: "25%".
+// Throws Error with a sentence about the value.
+[[nodiscard]] std::uint64_t parse_limit(const LimitRow& row, std::string_view text);
+// "64", "1 MiB", "30 s".
+[[nodiscard]] std::string limit_text(const LimitRow& row, std::uint64_t value);
 
 } // namespace ciel::session

@@ -15,7 +15,7 @@ void widen_lines(render::Frame& frame, double times) {
 } // namespace
 
 void check_picture_size(const Limits& limits, std::int64_t width, std::int64_t height) {
-    if (std::max(width, height) > limits.image_side)
+    if (static_cast<std::uint64_t>(std::max(width, height)) > limits.image_side)
         throw LimitReached("a picture may be at most " + std::to_string(limits.image_side) +
                            " pixels wide and as many high");
     if (static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height) > limits.image_pixels)

@@ -8,7 +8,7 @@
 namespace ciel::session {
 
 SlowCalls::SlowCalls(const Limits& limits) : limits_(limits) {
-    for (unsigned i = 0; i < std::max(limits.slow_calls, 1U); ++i)
+    for (std::uint64_t i = 0; i < limits.slow_calls; ++i)
         threads_.emplace_back([this](const std::stop_token& stop) { work(stop); });
 }
 

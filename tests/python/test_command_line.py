@@ -18,6 +18,8 @@ WRONG = [
     ("not a number", ["extract", "x.ciel", "--time", "soon", "-o", "s.ply"], ["--time", "soon", "`ciel extract --help`"]),
     ("outside the range", ["serve", "--workers", "0"], ["--workers", "64", "`ciel serve --help`"]),
     ("not one of", ["serve", "--gl", "vulkan"], ["--gl", "vulkan", "osmesa", "`ciel serve --help`"]),
+    ("a limit beyond sense", ["serve", "--limit-histogram-bins", "5000"], ["--limit-histogram-bins", "4096"]),
+    ("a limit without a number", ["serve", "--limit-message-bytes", "much"], ["--limit-message-bytes", "64M"]),
     ("missing company", ["append", "x.ciel", "--time", "1"], ["--time", "--array", "`ciel append --help`"]),
     ("nothing to append", ["append", "x.ciel"], ["--from", "`ciel append --help`"]),
 ]
@@ -40,6 +42,13 @@ def test_help_is_everywhere_and_names_the_exit_codes():
     for command in COMMANDS:
         result = ciel(command, "--help")
         assert result.returncode == 0 and result.stderr == "" and "Usage: ciel " + command in result.stdout
+
+
+def test_the_help_of_serve_lists_each_limit_with_its_variable_and_default():
+    text = " ".join(ciel("serve", "--help").stdout.split())
+    assert "--limit-sessions COUNT [64] (Env:CIEL_LIMIT_SESSIONS) sessions kept" in text
+    assert "--limit-message-bytes BYTES [1 MiB] (Env:CIEL_LIMIT_MESSAGE_BYTES)" in text
+    assert "--limit-dataset-memory-bytes BYTES|N% [" in text
 
 
 def test_the_version_is_one_line():

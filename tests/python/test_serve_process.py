@@ -269,3 +269,19 @@ def test_two_hundred_visitors_leave_nothing_behind(box):
         asyncio.run(visits(running, 200))
         assert any(files() <= before for _ in range(20)), "what the visits opened stays open"
         assert running.resident_kilobytes() < memory + 16_384
+
+
+def test_limits_are_options_and_variables_and_the_option_comes_first(box):
+    with Server(box, "--limit-sessions", "3", "--limit-message-bytes", "64K",
+                environment={"CIEL_LIMIT_LAYERS": "5", "CIEL_LIMIT_SESSIONS": "9"}) as running:
+        limits = running.call("server.info")["limits"]
+        assert (limits["sessions"], limits["message_bytes"], limits["layers"]) == (3, 65536, 5)
+        memory = limits["dataset_memory_bytes"]
+    with Server(box, "--limit-dataset-memory-bytes", "20%") as running:
+        assert running.call("server.info")["limits"]["dataset_memory_bytes"] == pytest.approx(memory / 2, rel=1e-3)
+
+
+def test_a_variable_that_is_no_limit_is_said_in_one_line():
+    result = ciel("serve", timeout=PATIENCE, env={**os.environ, "CIEL_LIMIT_SESSIONS": "many"})
+    assert result.returncode == 2 and result.stderr.count("\n") == 1, result.stderr
+    assert "many is not a whole number" in result.stderr and "--limit-sessions" in result.stderr
