@@ -1,43 +1,33 @@
-"""A WebSocket client through the TLS proxy: opens a session on the first dataset and waits for a lossless PNG."""
+"""The Python client through the TLS proxy: opens a session on the first dataset and waits for a lossless PNG."""
 
 import asyncio
-import json
+import os
+import pathlib
 import ssl
-import struct
 import sys
+import tempfile
+import urllib.parse
 
-import websockets
+sys.path.insert(0, str(pathlib.Path(__file__).parents[2] / "protocol/python"))
+from ciel_client import Stream  # noqa: E402
 
 
 async def main(url: str, token: str) -> None:
-    context = ssl.create_default_context()
-    context.check_hostname = False
-    context.verify_mode = ssl.CERT_NONE  # the proxy made its own certificate
-    headers = {"Authorization": f"Bearer {token}"}
-    async with websockets.connect(url, ssl=context, subprotocols=["ciel.v1"], extra_headers=headers, max_size=None) as socket:
-        assert socket.subprotocol == "ciel.v1"
-
-        async def call(number: int, method: str, **params: object) -> dict:
-            await socket.send(json.dumps({"jsonrpc": "2.0", "id": number, "method": method, "params": params}))
-            while True:
-                message = await socket.recv()
-                if isinstance(message, str) and json.loads(message).get("id") == number:
-                    answer = json.loads(message)
-                    assert "error" not in answer, answer
-                    return answer["result"]
-
-        datasets = await call(1, "dataset.list")
-        session = (await call(2, "session.open", dataset=datasets[0]["name"]))["session"]
-        view = (await call(3, "view.open", session=session, width=640, height=480))["view"]
-        while True:
-            message = await asyncio.wait_for(socket.recv(), 60)
-            if isinstance(message, bytes):
-                flags, frame = struct.unpack_from("<H", message, 6)[0], struct.unpack_from("<I", message, 12)[0]
-                assert message[:4] == b"CIEL" and message[80:88] == b"\x89PNG\r\n\x1a\n"
-                await socket.send(json.dumps({"jsonrpc": "2.0", "method": "view.ack", "params": {"view": view, "frame": frame}}))
-                if flags & 1:
-                    print(f"a still PNG of {len(message) - 80} bytes came through the proxy")
-                    return
+    async with Stream(url, token) as stream:
+        datasets = await stream.call("dataset.list")
+        session = (await stream.call("session.open", dataset=datasets[0]["name"]))["session"]
+        await stream.call("view.open", session=session, width=640, height=480)
+        async for frame in stream.frames():
+            if frame.is_still:
+                assert frame.payload[:8] == b"\x89PNG\r\n\x1a\n"
+                print(f"a still PNG of {len(frame.payload)} bytes came through the proxy")
+                return
 
 
-asyncio.run(main(sys.argv[1], sys.argv[2]))
+if __name__ == "__main__":
+    address = urllib.parse.urlsplit(sys.argv[1])
+    with tempfile.NamedTemporaryFile("w", suffix=".crt") as certificate:  # the proxy made its own
+        certificate.write(ssl.get_server_certificate((address.hostname, address.port)))
+        certificate.flush()
+        os.environ["SSL_CERT_FILE"] = certificate.name
+        asyncio.run(asyncio.wait_for(main(*sys.argv[1:]), 120))
