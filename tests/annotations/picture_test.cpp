@@ -115,10 +115,11 @@ TEST_P(AnnotationPicture, TheBarHasTheColoursOfTheMap) {
     const Box lowest = overlay.fills.back().box;
     const Box highest = overlay.fills.at(1).box; // behind its frame
     draw(frame);
+    const std::string map = "plasma";
     const int top = static_cast<int>(highest.top);
     const int height = static_cast<int>(lowest.bottom) - top;
     for (int row = 0; row < height; ++row) {
-        const auto& expected = color_map("plasma")[static_cast<std::size_t>(255 * (1 - (row + 0.5) / height))];
+        const auto& expected = color_map(map)[static_cast<std::size_t>(255 * (1 - (row + 0.5) / height))];
         const std::uint8_t* seen = at(static_cast<int>(lowest.left) + 3, top + row);
         for (std::size_t k = 0; k < 3; ++k) ASSERT_NEAR(seen[k], expected[k], 4) << row;
     }

@@ -4,6 +4,7 @@
 #include "support/golden/golden.hpp"
 #include "support/meshes.hpp"
 
+#include <algorithm>
 #include <gtest/gtest.h>
 
 namespace ciel::render {

@@ -232,9 +232,10 @@ TEST(Assemble, NumbersVerticesByFirstUseAndDropsUnusedOnes) {
         ASSERT_LE(v, next);
         next = std::max(next, v + 1);
     }
+    const FaceMeshView stored_mesh = out.mesh.view();
     for (std::size_t f = 0; f < out.face_source.size(); ++f) {
         std::set<Index> stored, source;
-        for (const Index v : out.mesh.view().loop(static_cast<Index>(f))) stored.insert(out.original_vertex[v]);
+        for (const Index v : stored_mesh.loop(static_cast<Index>(f))) stored.insert(out.original_vertex[v]);
         for (std::uint64_t c = mesh.face_offset[out.face_source[f]]; c < mesh.face_offset[out.face_source[f] + 1]; ++c)
             source.insert(mesh.face_vertex[c]);
         ASSERT_EQ(stored, source);

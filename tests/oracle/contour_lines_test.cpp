@@ -4,8 +4,8 @@
 #include "support/fields.hpp"
 #include "support/meshes.hpp"
 
+#include <algorithm>
 #include <gtest/gtest.h>
-
 #include <limits>
 #include <map>
 

@@ -88,9 +88,10 @@ TEST(GeometricVertices, OfReflexCornersAreInsideToo) {
     const KernelMesh mesh(input);
     const auto& found = GeometricVertices(mesh.mesh(), nullptr);
     std::vector<std::uint8_t> boundary(mesh.mesh().vertex_count(), 0);
-    for (Index face = 0; face < mesh.mesh().face_count(); ++face)
-        if (mesh.mesh().neighbour[face] == none)
-            for (const Index v : mesh.mesh().loop(face)) boundary[v] = 1;
+    const FaceMeshView faces = mesh.mesh();
+    for (Index face = 0; face < faces.face_count(); ++face)
+        if (faces.neighbour[face] == none)
+            for (const Index v : faces.loop(face)) boundary[v] = 1;
     std::size_t inside = 0, minima_inside = 0;
     for (const Index v : found.find(mesh.topology).vertices) inside += boundary[v] == 0 ? 1 : 0;
     EXPECT_GT(inside, 0U);

@@ -142,11 +142,12 @@ TEST_P(Sweep, ASlabLeavesOutWhatHasNoValue) {
     const std::vector<Vec3f> gradient = vertex_gradients(mesh.topology, mesh.mesh(), property);
     const std::vector<std::array<float, 2>> limits = cell_limits(mesh.mesh(), property);
     std::vector<bool> is_empty(mesh.mesh().cell_count());
-    for (Index face = 0; face < mesh.mesh().face_count(); ++face)
-        for (const Index vertex : mesh.mesh().loop(face))
+    const FaceMeshView faces = mesh.mesh();
+    for (Index face = 0; face < faces.face_count(); ++face)
+        for (const Index vertex : faces.loop(face))
             if (!std::isfinite(property[vertex])) {
-                is_empty[mesh.mesh().owner[face]] = true;
-                if (mesh.mesh().neighbour[face] != none) is_empty[mesh.mesh().neighbour[face]] = true;
+                is_empty[faces.owner[face]] = true;
+                if (faces.neighbour[face] != none) is_empty[faces.neighbour[face]] = true;
             }
     std::vector<SlabSink::Out> out;
     ASSERT_TRUE(sweep(mesh.topology, mesh.mesh(), field, values, SlabSink{{property, gradient, limits}}, out, {}, how));

@@ -78,8 +78,9 @@ class Server:
         assert "error" not in answer, answer
         return answer["result"]
 
-    def socket(self, path: str = "/ws", **options):
-        options = {"subprotocols": ["ciel.v1"], "max_size": None, "open_timeout": PATIENCE, **options}
+    def socket(self, path: str = "/ws", headers: dict[str, str] | None = None, **options):
+        name = "additional_headers" if int(websockets.__version__.split(".")[0]) >= 14 else "extra_headers"
+        options = {"subprotocols": ["ciel.v1"], "max_size": None, "open_timeout": PATIENCE, name: headers, **options}
         return websockets.connect(f"ws://127.0.0.1:{self.port}{path}", **options)
 
     def metrics(self) -> dict[str, float]:

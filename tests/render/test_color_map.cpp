@@ -11,7 +11,7 @@ using Color = std::array<std::uint8_t, 3>;
 
 // First, middle and last colours as their authors published them.
 struct Row {
-    const char* name;
+    std::string name;
     Color first, middle, last;
 };
 const Row rows[] = {

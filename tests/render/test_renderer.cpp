@@ -129,7 +129,8 @@ TEST_P(RendererTest, ValuesOutsideTheRangeTakeItsEndsAndNaNIsGrey) {
     mesh.scale.range = {-0.25F, 0.25F};
     frame.meshes = {mesh};
     draw();
-    const auto& viridis = color_map("viridis");
+    const std::string map = "viridis";
+    const auto& viridis = color_map(map);
     EXPECT_NEAR(at(90, 120).b, viridis[0][2], 2);
     EXPECT_NEAR(at(230, 120).g, viridis[255][1], 2);
     const Pixel grey = at(160, 60);

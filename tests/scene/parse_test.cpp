@@ -18,13 +18,13 @@ TEST(scene, defaults_are_those_of_the_contract) {
     const Scene scene = parse({{"dataset", "d"},
                                {"camera", {{"position", {1, 2, 3}}, {"target", {0, 0, 0}}}},
                                {"layers", {{"i", {{"type", "iso"}, {"array", "p"}, {"values", json::array()}}}}}});
-    EXPECT_EQ(scene.background, fallback("Scene", "background"));
+    EXPECT_EQ(fallback("Scene", "background"), scene.background);
     EXPECT_EQ(scene.annotations.legend, fallback("Annotations", "legend"));
     EXPECT_EQ(scene.annotations.triad, fallback("Annotations", "triad"));
     EXPECT_EQ(scene.annotations.axes, fallback("Annotations", "axes"));
     EXPECT_EQ(scene.annotations.time, fallback("Annotations", "time"));
     EXPECT_EQ(scene.annotations.dataset, fallback("Annotations", "dataset"));
-    EXPECT_EQ(scene.annotations.title, fallback("Annotations", "title"));
+    EXPECT_EQ(fallback("Annotations", "title"), scene.annotations.title);
     EXPECT_EQ(scene.annotations.scale, fallback("Annotations", "scale"));
     EXPECT_EQ(scene.lighting.on, fallback("Lighting", "on"));
     EXPECT_EQ(scene.lighting.ambient, fallback("Lighting", "ambient"));
@@ -42,7 +42,7 @@ TEST(scene, defaults_are_those_of_the_contract) {
     EXPECT_EQ(layer.opacity, fallback("IsoLayer", "opacity"));
     const auto& iso = std::get<IsoLayer>(layer.kind);
     EXPECT_EQ(iso.smooth, fallback("IsoLayer", "smooth"));
-    EXPECT_EQ(iso.color.map, fallback("Coloring", "map"));
+    EXPECT_EQ(fallback("Coloring", "map"), iso.color.map);
     EXPECT_EQ(fallback("Coloring", "solid"), "#cccccc");
     EXPECT_FLOAT_EQ(iso.color.solid[0], 0xcc / 255.0F);
     EXPECT_FALSE(iso.color.range);

@@ -4,6 +4,7 @@
 #include <vtkAbstractCellLinks.h>
 #include <vtkCellArray.h>
 #include <vtkIdTypeArray.h>
+#include <vtkVersionMacros.h>
 
 namespace ciel::vs_vtk {
 
@@ -22,8 +23,13 @@ void memory(const bench::Case& data, vtkUnstructuredGrid* grid) {
                                            grid->GetFaceLocations()->GetActualMemorySize());
     line("vtkUnstructuredGrid, cells and faces", cells);
     grid->BuildLinks();
-    // VTK 9.1 tells these in bytes, whatever its documentation says.
-    const double links = static_cast<double>(grid->GetCellLinks()->GetActualMemorySize());
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)
+    auto* made = grid->GetLinks();
+#else
+    auto* made = grid->GetCellLinks();
+#endif
+    // VTK 9.1 and 9.3 tell these in bytes, whatever their documentation says.
+    const double links = static_cast<double>(made->GetActualMemorySize());
     line("with links to the cells of a point", cells + links);
 }
 
