@@ -27,7 +27,7 @@ MeshBuffers::MeshBuffers(const Gl& gl) : gl_(gl) {
 
 void MeshBuffers::upload(GLuint buffer, GLenum target, std::size_t bytes, const void* data) {
     gl_.BindBuffer(target, buffer);
-    gl_.BufferData(target, static_cast<GLsizeiptr>(bytes), data, GL_STREAM_DRAW);
+    fill_buffer(gl_, target, bytes, data);
 }
 
 void MeshBuffers::attribute(GLuint index, GLuint buffer, int components, std::size_t bytes, const void* data) {
@@ -43,15 +43,16 @@ void MeshBuffers::attribute(GLuint index, GLuint buffer, int components, std::si
 void MeshBuffers::load(const Mesh& mesh) {
     if (mesh.revision != 0 && mesh.identity == identity_ && mesh.revision == revision_) return;
     check_mesh(mesh);
+    revision_ = 0; // until all is there: the upload may be given up
     gl_.BindVertexArray(array_);
     attribute(attribute_position, positions_, 3, mesh.positions.size_bytes(), mesh.positions.data());
     attribute(attribute_normal, normals_, 3, mesh.normals.size_bytes(), mesh.normals.data());
     attribute(attribute_scalar, scalars_, 1, mesh.scalars.size_bytes(), mesh.scalars.data());
     upload(indices_, GL_ELEMENT_ARRAY_BUFFER, mesh.indices.size_bytes(), mesh.indices.data());
     identity_ = mesh.identity;
-    revision_ = mesh.revision;
     primitive_ = mesh.points ? GL_POINTS : mesh.lines ? GL_LINES : GL_TRIANGLES;
     count_ = mesh.indices.size();
+    revision_ = mesh.revision;
 }
 
 void MeshBuffers::draw(const Mesh& mesh, const ScaleRow& scale) const {

@@ -17,7 +17,8 @@ void check_mesh(const Mesh& mesh);
 class MeshBuffers {
 public:
     explicit MeshBuffers(const Gl& gl);
-    // Uploads the mesh unless the buffers hold this identity and revision already.
+    // Uploads the mesh unless the buffers hold this identity and revision already. Can be given up between pieces
+    // (pacing.hpp); then load() again before it is drawn.
     void load(const Mesh& mesh);
     // `mesh` is what was loaded, perhaps in other colours.
     void draw(const Mesh& mesh, const ScaleRow& scale) const;

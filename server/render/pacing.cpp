@@ -10,6 +10,7 @@ namespace {
 constexpr std::chrono::duration<double> between_waits{0.1}; // so long a picture goes on after nobody wants it
 constexpr std::size_t first_piece = 1536;                   // indices; of whole points, lines and triangles
 constexpr std::size_t most_growth = 4;
+constexpr std::size_t piece_of_buffer = std::size_t{4} << 20U; // bytes
 
 void draw_piece(const Gl& gl, GLenum primitive, std::size_t first, std::size_t count, GLint base) {
     gl.DrawElementsBaseVertex(primitive, static_cast<GLsizei>(count), GL_UNSIGNED_INT,
@@ -64,6 +65,18 @@ void Pacing::wait() {
 
 void next_pass(const Gl& gl) {
     if (gl.pacing != nullptr) gl.pacing->pass();
+}
+
+void fill_buffer(const Gl& gl, GLenum target, std::size_t bytes, const void* data) {
+    const bool in_one = gl.pacing == nullptr || !gl.pacing->is_asking() || bytes <= piece_of_buffer;
+    gl.BufferData(target, static_cast<GLsizeiptr>(bytes), in_one ? data : nullptr, GL_STREAM_DRAW);
+    if (in_one) return;
+    for (std::size_t begin = 0; begin < bytes; begin += piece_of_buffer) {
+        const std::size_t size = std::min(piece_of_buffer, bytes - begin);
+        gl.BufferSubData(target, static_cast<GLintptr>(begin), static_cast<GLsizeiptr>(size),
+                         static_cast<const std::byte*>(data) + begin);
+        gl.pacing->pass();
+    }
 }
 
 void draw_elements(const Gl& gl, GLenum primitive, std::size_t first, std::size_t count, GLint base) {

@@ -5,6 +5,7 @@
 
 #include "render/gl.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <cstddef>
 #include <functional>
@@ -39,6 +40,21 @@ private:
 
 // Between two passes, where the GL has a pacing.
 void next_pass(const Gl& gl);
+
+// Calls work(begin, end) for consecutive pieces of [0, count), a few milliseconds each, and next_pass after each.
+// Copies and sorts on the CPU go through it, so that they can be given up too.
+template <typename Work>
+void in_pieces(const Gl& gl, std::size_t count, const Work& work) {
+    constexpr std::size_t piece = std::size_t{1} << 16U;
+    for (std::size_t begin = 0; begin < count; begin += piece) {
+        work(begin, std::min(begin + piece, count));
+        next_pass(gl);
+    }
+}
+
+// Fills the buffer bound to `target`, as glBufferData with GL_STREAM_DRAW does; in pieces where the GL's pacing asks.
+// Given up, the buffer holds a part of the data.
+void fill_buffer(const Gl& gl, GLenum target, std::size_t bytes, const void* data);
 // As glDrawElementsBaseVertex does, of Index; in pieces where the GL's pacing asks for it.
 void draw_elements(const Gl& gl, GLenum primitive, std::size_t first, std::size_t count, GLint base = 0);
 

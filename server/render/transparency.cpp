@@ -5,6 +5,8 @@
 #include "render/shaders.hpp"
 #include "render/sort_by_key.hpp"
 
+#include <algorithm>
+
 namespace ciel::render {
 
 TransparentTriangles::TransparentTriangles(const Gl& gl)
@@ -17,19 +19,20 @@ TransparentTriangles::TransparentTriangles(const Gl& gl)
 
 void TransparentTriangles::load(const std::vector<Part>& parts, const glm::vec4& depth_row, bool sorted) {
     std::vector<Held> wanted;
+    wanted.reserve(parts.size());
     bool same = true;
     for (const auto& [mesh, scale] : parts) {
         same = same && mesh->revision != 0;
         wanted.push_back({mesh->identity, mesh->revision, mesh->color, scale, mesh->lit});
     }
     same = same && wanted == held_;
-    if (same && sorted == is_sorted_ && (!sorted || depth_row == depth_row_)) return;
+    if (same && is_ordered_ && sorted == is_sorted_ && (!sorted || depth_row == depth_row_)) return;
+    is_ordered_ = false; // until all is there
     if (!same) {
-        held_.clear(); // until all is there
-        vertices_.clear();
-        triangles_.clear();
-        for (const Part& part : parts) add(part);
+        held_.clear();
+        gather(parts);
         upload_vertices();
+        held_ = std::move(wanted);
     }
     depth_row_ = depth_row;
     is_sorted_ = sorted;
@@ -38,30 +41,44 @@ void TransparentTriangles::load(const std::vector<Part>& parts, const glm::vec4&
     else // of two in one place the first one drawn is peeled, and the other not at all: the last layer's is
         sorted_.assign(triangles_.rbegin(), triangles_.rend());
     upload_order();
-    held_ = std::move(wanted);
+    is_ordered_ = true;
+}
+
+void TransparentTriangles::gather(const std::vector<Part>& parts) {
+    std::size_t vertices = 0, triangles = 0;
+    for (const auto& [mesh, scale] : parts) {
+        vertices += mesh->positions.size();
+        triangles += mesh->indices.size() / 3;
+    }
+    vertices_.clear();
+    triangles_.clear();
+    vertices_.reserve(vertices); // once: a reserve a part copies all parts before it each time
+    triangles_.reserve(triangles);
+    for (const Part& part : parts) add(part);
 }
 
 void TransparentTriangles::add(const Part& part) {
     const Mesh& mesh = *part.mesh;
     const auto first = static_cast<Index>(vertices_.size());
     Vertex vertex{{}, {}, 0, mesh.color, {part.scale.row, mesh.lit ? 1.0F : 0.0F}};
-    vertices_.reserve(vertices_.size() + mesh.positions.size());
-    for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
-        vertex.position = mesh.positions[i];
-        if (!mesh.normals.empty()) vertex.normal = mesh.normals[i];
-        if (!mesh.scalars.empty()) vertex.scalar = mesh.scalars[i] - part.scale.origin;
-        vertices_.push_back(vertex);
-    }
-    triangles_.reserve(triangles_.size() + mesh.indices.size() / 3);
-    for (std::size_t i = 0; i < mesh.indices.size(); i += 3)
-        triangles_.push_back({0, {first + mesh.indices[i], first + mesh.indices[i + 1], first + mesh.indices[i + 2]}});
+    in_pieces(gl_, mesh.positions.size(), [&](std::size_t i, std::size_t end) {
+        for (; i < end; ++i) {
+            vertex.position = mesh.positions[i];
+            if (!mesh.normals.empty()) vertex.normal = mesh.normals[i];
+            if (!mesh.scalars.empty()) vertex.scalar = mesh.scalars[i] - part.scale.origin;
+            vertices_.push_back(vertex);
+        }
+    });
+    const auto corner = [&](std::size_t i) { return first + mesh.indices[i]; };
+    in_pieces(gl_, mesh.indices.size() / 3, [&](std::size_t i, std::size_t end) {
+        for (; i < end; ++i) triangles_.push_back({0, {corner(3 * i), corner(3 * i + 1), corner(3 * i + 2)}});
+    });
 }
 
 void TransparentTriangles::upload_vertices() {
     if (vertices_.empty()) return;
     gl_.BindBuffer(GL_ARRAY_BUFFER, arrays_.vertices);
-    gl_.BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(vertices_.size() * sizeof(Vertex)), vertices_.data(),
-                   GL_STREAM_DRAW);
+    fill_buffer(gl_, GL_ARRAY_BUFFER, vertices_.size() * sizeof(Vertex), vertices_.data());
 }
 
 void TransparentTriangles::sort() {
@@ -69,23 +86,24 @@ void TransparentTriangles::sort() {
         const Vec3f& p = vertices_[corner].position;
         return depth_row_.x * p[0] + depth_row_.y * p[1] + depth_row_.z * p[2];
     };
-    for (Triangle& triangle : triangles_) {
-        const auto [a, b, c] = triangle.corners;
-        triangle.key = sortable(nearness(a) + nearness(b) + nearness(c));
-    }
-    sorted_ = triangles_;
-    sort_by_key(sorted_, other_);
+    sorted_.resize(triangles_.size());
+    in_pieces(gl_, triangles_.size(), [&](std::size_t i, std::size_t end) {
+        for (; i < end; ++i) {
+            const auto [a, b, c] = triangles_[i].corners;
+            sorted_[i] = {sortable(nearness(a) + nearness(b) + nearness(c)), {a, b, c}};
+        }
+    });
+    sort_by_key(gl_, sorted_, other_);
 }
 
 void TransparentTriangles::upload_order() {
-    indices_.clear();
-    indices_.reserve(3 * sorted_.size());
-    for (const Triangle& triangle : sorted_)
-        indices_.insert(indices_.end(), triangle.corners.begin(), triangle.corners.end());
+    indices_.resize(3 * sorted_.size());
+    in_pieces(gl_, sorted_.size(), [&](std::size_t i, std::size_t end) {
+        for (; i < end; ++i) std::ranges::copy(sorted_[i].corners, &indices_[3 * i]);
+    });
     if (indices_.empty()) return;
     gl_.BindVertexArray(arrays_.array);
-    gl_.BufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(indices_.size() * sizeof(Index)), indices_.data(),
-                   GL_STREAM_DRAW);
+    fill_buffer(gl_, GL_ELEMENT_ARRAY_BUFFER, indices_.size() * sizeof(Index), indices_.data());
 }
 
 void TransparentTriangles::draw() const {

@@ -22,7 +22,8 @@ public:
         ScaleRow scale;
     };
     // depth_row: the row of the view matrix that gives -depth, so that more is nearer. `sorted`: from far to near, by
-    // it. Vertices are uploaded where a part has changed, and their order where that or what it follows has.
+    // it. Vertices are uploaded where a part has changed, and their order where that or what it follows has. Can be
+    // given up between pieces (pacing.hpp); then load() again before anything is drawn.
     void load(const std::vector<Part>& parts, const glm::vec4& depth_row, bool sorted);
     [[nodiscard]] bool is_empty() const { return triangles_.empty(); }
     void draw() const;
@@ -45,6 +46,7 @@ private:
         bool lit;
         bool operator==(const Held&) const = default;
     };
+    void gather(const std::vector<Part>& parts);
     void add(const Part& part);
     void upload_vertices();
     void sort();
@@ -53,7 +55,7 @@ private:
     const Gl& gl_;
     VertexArrays arrays_;
     glm::vec4 depth_row_{};
-    bool is_sorted_ = false;
+    bool is_sorted_ = false, is_ordered_ = false; // the order of depth_row_ and is_sorted_ is on the GL's side
     std::vector<Held> held_;
     std::vector<Vertex> vertices_;
     std::vector<Triangle> triangles_; // in the order of the parts: ties are drawn in it, whatever was drawn before

@@ -17,58 +17,76 @@ TransparentPoints::TransparentPoints(const Gl& gl)
 
 void TransparentPoints::load(const std::vector<Part>& parts, const glm::vec4& depth_row) {
     std::vector<Held> wanted;
+    wanted.reserve(parts.size());
     bool same = true;
     for (const auto& [mesh, scale] : parts) {
         same = same && mesh->revision != 0;
         wanted.push_back({mesh->identity, mesh->revision, mesh->color, scale, mesh->point_size, mesh->lit});
     }
     same = same && wanted == held_;
-    if (same && depth_row == depth_row_) return;
+    if (same && is_ordered_ && depth_row == depth_row_) return;
+    is_ordered_ = false; // until all is there
     if (!same) {
-        held_.clear(); // until all is there
-        vertices_.clear();
-        for (const Part& part : parts) add(part);
+        held_.clear();
+        gather(parts);
         upload_vertices();
+        held_ = std::move(wanted);
     }
     depth_row_ = depth_row;
+    sort();
     upload_order();
-    held_ = std::move(wanted);
+    is_ordered_ = true;
+}
+
+void TransparentPoints::gather(const std::vector<Part>& parts) {
+    std::size_t points = 0;
+    for (const auto& [mesh, scale] : parts) {
+        check_mesh(*mesh);
+        points += mesh->indices.size();
+    }
+    vertices_.clear();
+    vertices_.reserve(points); // once: a reserve a part copies all parts before it each time
+    for (const Part& part : parts) add(part);
 }
 
 void TransparentPoints::add(const Part& part) {
     const Mesh& mesh = *part.mesh;
-    check_mesh(mesh);
     Vertex vertex{{}, 0, mesh.point_size, mesh.color, {part.scale.row, mesh.lit ? 1.0F : 0.0F}};
-    vertices_.reserve(vertices_.size() + mesh.indices.size());
-    for (const Index i : mesh.indices) {
-        vertex.position = mesh.positions[i];
-        if (!mesh.scalars.empty()) vertex.scalar = mesh.scalars[i] - part.scale.origin;
-        vertices_.push_back(vertex);
-    }
+    in_pieces(gl_, mesh.indices.size(), [&](std::size_t i, std::size_t end) {
+        for (; i < end; ++i) {
+            vertex.position = mesh.positions[mesh.indices[i]];
+            if (!mesh.scalars.empty()) vertex.scalar = mesh.scalars[mesh.indices[i]] - part.scale.origin;
+            vertices_.push_back(vertex);
+        }
+    });
 }
 
 void TransparentPoints::upload_vertices() {
     if (vertices_.empty()) return;
     gl_.BindBuffer(GL_ARRAY_BUFFER, arrays_.vertices);
-    gl_.BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(vertices_.size() * sizeof(Vertex)), vertices_.data(),
-                   GL_STREAM_DRAW);
+    fill_buffer(gl_, GL_ARRAY_BUFFER, vertices_.size() * sizeof(Vertex), vertices_.data());
+}
+
+void TransparentPoints::sort() {
+    sorted_.resize(vertices_.size());
+    in_pieces(gl_, vertices_.size(), [&](std::size_t i, std::size_t end) {
+        for (; i < end; ++i) {
+            const Vec3f& p = vertices_[i].position;
+            const float nearness = depth_row_.x * p[0] + depth_row_.y * p[1] + depth_row_.z * p[2];
+            sorted_[i] = {sortable(-nearness), static_cast<Index>(i)};
+        }
+    });
+    sort_by_key(gl_, sorted_, other_);
 }
 
 void TransparentPoints::upload_order() {
-    sorted_.clear();
-    sorted_.reserve(vertices_.size());
-    for (const Vertex& vertex : vertices_) {
-        const Vec3f& p = vertex.position;
-        const float nearness = depth_row_.x * p[0] + depth_row_.y * p[1] + depth_row_.z * p[2];
-        sorted_.push_back({sortable(-nearness), static_cast<Index>(sorted_.size())});
-    }
-    sort_by_key(sorted_, other_);
-    order_.clear();
-    for (const Point& point : sorted_) order_.push_back(point.vertex);
+    order_.resize(sorted_.size());
+    in_pieces(gl_, sorted_.size(), [&](std::size_t i, std::size_t end) {
+        for (; i < end; ++i) order_[i] = sorted_[i].vertex;
+    });
     if (order_.empty()) return;
     gl_.BindVertexArray(arrays_.array);
-    gl_.BufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(order_.size() * sizeof(Index)), order_.data(),
-                   GL_STREAM_DRAW);
+    fill_buffer(gl_, GL_ELEMENT_ARRAY_BUFFER, order_.size() * sizeof(Index), order_.data());
 }
 
 void TransparentPoints::draw() const {

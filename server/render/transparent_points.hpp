@@ -22,7 +22,8 @@ public:
         ScaleRow scale;
     };
     // depth_row: the row of the view matrix that gives -depth. Vertices are uploaded where a part has changed, and
-    // their order where that or what it follows has. Throws Error when arrays of a mesh do not fit together.
+    // their order where that or what it follows has. Can be given up between pieces (pacing.hpp); then load() again
+    // before anything is drawn. Throws Error when arrays of a mesh do not fit together.
     void load(const std::vector<Part>& parts, const glm::vec4& depth_row);
     [[nodiscard]] bool is_empty() const { return order_.empty(); }
     void draw() const;
@@ -46,13 +47,16 @@ private:
         bool lit;
         bool operator==(const Held&) const = default;
     };
+    void gather(const std::vector<Part>& parts);
     void add(const Part& part);
     void upload_vertices();
+    void sort();
     void upload_order();
 
     const Gl& gl_;
     VertexArrays arrays_;
     glm::vec4 depth_row_{};
+    bool is_ordered_ = false; // the order of depth_row_ is on the GL's side
     std::vector<Held> held_;
     std::vector<Vertex> vertices_; // one a point, in the order of the parts: ties are drawn in it
     std::vector<Point> sorted_, other_;

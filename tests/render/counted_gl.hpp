@@ -37,7 +37,7 @@ inline GLuint create_shader(GLenum kind) {
     return real.CreateShader(kind);
 }
 inline void buffer_data(GLenum target, GLsizeiptr size, const void* data, GLenum usage) {
-    counts.bytes += static_cast<std::size_t>(size);
+    if (data != nullptr) counts.bytes += static_cast<std::size_t>(size);
     real.BufferData(target, size, data, usage);
 }
 inline void buffer_sub_data(GLenum target, GLintptr offset, GLsizeiptr size, const void* data) {

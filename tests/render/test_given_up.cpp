@@ -144,6 +144,71 @@ TEST_P(GivenUpTest, NobodyIsAskedAfterThePicture) {
     EXPECT_TRUE(painter->pick(24, 24, position));
 }
 
+class GivenUpUploadTest : public GivenUpTest {
+protected:
+    static constexpr int layers = 40;
+    void add_layers(bool points) {
+        for (int i = 0; i < layers; ++i) add(frame, ball, 0.5F).points = points;
+    }
+    // What was sent to buffers before the question with this number, where the picture was given up.
+    std::size_t sent_before(int questions) {
+        (void)take_counts();
+        EXPECT_TRUE(give_up_after(questions));
+        return take_counts().bytes;
+    }
+};
+
+INSTANTIATE_TEST_SUITE_P(Backends, GivenUpUploadTest, testing::ValuesIn(available_backends()), name_of_test);
+GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(GivenUpUploadTest);
+
+TEST_P(GivenUpUploadTest, TransparentTriangles) {
+    add_layers(false);
+    std::size_t whole = 0; // bytes of a picture that nobody gives up
+    (void)take_counts();
+    (void)picture_of(frame);
+    whole = take_counts().bytes;
+    for (Mesh& mesh : frame.meshes) mesh.revision += layers; // all changed
+    EXPECT_EQ(sent_before(layers), 0U) << "the layers are gathered one by one";
+    int places = layers;
+    while (sent_before(places) == 0 && places < 100 * layers) ++places;
+    EXPECT_LT(sent_before(places), whole / 2) << "the vertices go up in pieces";
+    EXPECT_LT(sent_before(places + 1), whole);
+}
+
+TEST_P(GivenUpUploadTest, TransparentPoints) {
+    add_layers(true);
+    EXPECT_EQ(sent_before(layers), 0U) << "the layers are gathered one by one";
+}
+
+TEST_P(GivenUpUploadTest, AnOpaqueMesh) {
+    const Shape fine = sphere(0.6, {}, 1200); // 8.6 MB of positions
+    add(frame, fine, 1);
+    int places = 0;
+    while (sent_before(places) == 0) ++places;
+    EXPECT_LT(sent_before(places), fine.positions.size() * sizeof(Vec3f));
+    frame.check_wanted = nullptr;
+    Painter fresh(Gl::load(chosen.context->loader()));
+    const Image whole = fresh.draw(frame, {});
+    EXPECT_TRUE(picture_of(frame).rgb == whole.rgb) << "half a mesh is not taken for the mesh";
+}
+
+TEST_P(GivenUpUploadTest, TheOrderOfATurnedView) {
+    add_layers(false);
+    for (Mesh& mesh : frame.meshes) mesh.color[0] = 0.02F * static_cast<float>(mesh.identity);
+    add(frame, plane, 0.5F);
+    (void)picture_of(frame);
+    std::swap(frame.camera.position[0], frame.camera.position[1]);
+    Painter fresh(Gl::load(chosen.context->loader()));
+    const Image turned = fresh.draw(frame, {});
+    for (int places = 1; places < layers; places += 3) {
+        ASSERT_TRUE(give_up_after(places));
+        EXPECT_TRUE(picture_of(frame).rgb == turned.rgb) << "given up at " << places;
+        std::swap(frame.camera.position[0], frame.camera.position[1]);
+        (void)picture_of(frame);
+        std::swap(frame.camera.position[0], frame.camera.position[1]);
+    }
+}
+
 // What is divided, because somebody asks, is the same picture.
 TEST_P(GivenUpTest, NothingIsMadeOrSentForTheQuestions) {
     add(frame, ball, 0.5F);

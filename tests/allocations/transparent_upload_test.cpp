@@ -1,0 +1,70 @@
+// What transparent layers are copied to is asked for once, however many there are: growing it layer by layer copies
+// those before each time.
+#include "allocations/counted_new.hpp"
+#include "render/context.hpp"
+#include "render/transparency.hpp"
+#include "render/transparent_points.hpp"
+
+#include <gtest/gtest.h>
+
+namespace ciel::render {
+namespace {
+
+constexpr std::size_t layers = 384; // of one surface with patches
+constexpr std::size_t most = 8;     // vertices, triangles, their order and room to sort it, and what they are made of
+
+std::vector<Mesh> meshes_of(const std::vector<Vec3f>& positions, const std::vector<Index>& indices) {
+    std::vector<Mesh> meshes(layers);
+    for (std::size_t i = 0; i < layers; ++i) {
+        meshes[i].positions = positions;
+        meshes[i].indices = indices;
+        meshes[i].color[3] = 0.5F;
+        meshes[i].identity = meshes[i].revision = i + 1;
+    }
+    return meshes;
+}
+
+template <typename Transparent>
+std::vector<typename Transparent::Part> parts_of(const std::vector<Mesh>& meshes) {
+    std::vector<typename Transparent::Part> parts;
+    for (const Mesh& mesh : meshes) parts.push_back({&mesh, {}});
+    return parts;
+}
+
+class TransparentUpload : public testing::Test {
+protected:
+    TransparentUpload() : chosen(make_context(Backend::automatic)) {
+        EXPECT_TRUE(make_current(*chosen.context));
+        gl = Gl::load(chosen.context->loader());
+        // Mesa is C++ in part: only what asks for memory on this side of the GL is counted.
+        gl.BufferData = [](GLenum, GLsizeiptr, const void*, GLenum) {};
+    }
+    template <typename Load>
+    static void expect_few(const Load& load) {
+        const std::size_t before = test::allocations();
+        load();
+        EXPECT_LE(test::allocations() - before, most);
+    }
+
+    ChosenContext chosen;
+    Gl gl;
+    std::vector<Vec3f> positions = std::vector<Vec3f>(300);
+    std::vector<Index> indices = std::vector<Index>(3000);
+};
+
+TEST_F(TransparentUpload, TrianglesAreCopiedOnce) {
+    const std::vector<Mesh> meshes = meshes_of(positions, indices);
+    const auto parts = parts_of<TransparentTriangles>(meshes);
+    TransparentTriangles triangles(gl);
+    expect_few([&] { triangles.load(parts, {0, 0, 1, 0}, true); });
+}
+
+TEST_F(TransparentUpload, PointsAreCopiedOnce) {
+    const std::vector<Mesh> meshes = meshes_of(positions, indices);
+    const auto parts = parts_of<TransparentPoints>(meshes);
+    TransparentPoints points(gl);
+    expect_few([&] { points.load(parts, {0, 0, 1, 0}); });
+}
+
+} // namespace
+} // namespace ciel::render
