@@ -44,11 +44,13 @@ def test_frames_come_until_the_server_ends(tmp_path, stream, kind):
         async with Stream(f"ws://127.0.0.1:{running.port}/ws", TOKEN) as viewer:
             session = (await viewer.call("session.open", dataset="box"))["session"]
             view = (await viewer.call("view.open", session=session, width=64, height=48, stream=stream))["view"]
-            revision = (await viewer.call("scene.patch", session=session, patch=iso(0.6)))["revision"]
-            async for frame in viewer.frames():
-                assert frame.kind == kind and frame.view == view
-                if frame.revision == revision:
-                    break
+            frames = viewer.frames()
+            for i in range(20):  # more than a server sends that are not acknowledged
+                revision = (await viewer.call("scene.patch", session=session, patch=iso(0.6 + 0.01 * i)))["revision"]
+                async for frame in frames:
+                    assert frame.kind == kind and frame.view == view
+                    if frame.revision == revision:
+                        break
             assert frame.triangles > 0 and frame.is_first
             if kind == GEOMETRY:
                 batch = read_batch(frame.payload)

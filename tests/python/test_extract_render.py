@@ -98,11 +98,15 @@ def pixels(path):
 
 
 def test_picture_shows_the_coloured_sphere(box, tmp_path):
-    works("render", box, "--iso", "r=0.75", "--color", "x", "--range", "-1,1", "--size", "320x200", "-o", "p.png", cwd=tmp_path)
+    """Colored by x, seen along z: violet at the left, green in the middle, yellow at the right. r is the same everywhere."""
+    works("render", box, "--iso", "r=0.75", "--color", "x", "--range", "-0.75,0.75", "--camera", "0,0,6,0,0,0", "--size", "320x200",
+          "-o", "p.png", cwd=tmp_path)
     picture = pixels(tmp_path / "p.png")
     assert picture.shape == (200, 320, 3)
-    middle = picture[100, 160]
-    assert middle[1] > 90 and middle[1] > middle[0], "viridis is green in the middle of its range"
+    left, middle, right = picture[100, [122, 160, 202]]
+    assert left[2] > left[1], "viridis begins with violet"
+    assert middle[1] > 90 and middle[1] > middle[0], "and is green in the middle of its range"
+    assert right[0] > right[2] and right[1] > 1.5 * right[2], "and ends with yellow"
     assert picture[2, 2].max() < 60
     assert 0.1 < (picture.max(axis=2) > 70).mean() < 0.5
 

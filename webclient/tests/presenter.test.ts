@@ -67,6 +67,17 @@ describe("images", () => {
     expect(drawn).toEqual([1]);
     expect(acknowledged).toEqual([1]);
     expect(decoding.get(1)?.image.closed).toBe(true);
+    image(1); // again
+    await finish(1);
+    runFrame();
+    runFrame();
+    expect(drawn).toEqual([1]);
+    image(2);
+    await finish(2);
+    runFrame();
+    runFrame();
+    expect(drawn).toEqual([1, 2]);
+    expect(acknowledged).toEqual([1, 1, 2]);
   });
 
   test("only the newest of two is drawn, both are acknowledged", async () => {
