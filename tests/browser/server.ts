@@ -7,7 +7,7 @@ import { fileURLToPath } from "node:url";
 
 const root = resolve(dirname(fileURLToPath(import.meta.url)), "../..");
 export const binary = process.env.CIEL_BINARY ?? join(root, "build/ciel");
-export const webclient = join(root, "webclient/dist");
+export const webclient = process.env.CIEL_WEBCLIENT ?? join(root, "webclient/dist");
 
 /** The datasets of CIEL_BROWSER_DATA: paths parted by colons, each a dataset or a folder of them. */
 export function datasets(): string[] {
@@ -43,7 +43,7 @@ export class Server {
   private process: ChildProcess | null = null;
   log = "";
 
-  private readonly port: number;
+  readonly port: number;
   private readonly data: string[];
   private readonly prefix: string;
   private readonly token: string;
