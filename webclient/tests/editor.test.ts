@@ -27,6 +27,7 @@ let stuck: string[] = [];
 let editor: SceneEditor;
 let held = scene; // what the server has
 let canUndo = false;
+let time = 0;
 let lost: Error | null = null; // why the step before cannot be shown
 
 const server = {
@@ -54,6 +55,7 @@ const setValue = (value: number, gesture?: string): void =>
 
 beforeEach(() => {
   [sent, wire, frames, refused, gone, stuck, held, canUndo, lost] = [[], [], [], [], [], [], scene, false, null];
+  time = 0;
   const events = {
     changed: () => undefined,
     accepted: () => undefined,
@@ -61,7 +63,7 @@ beforeEach(() => {
     gone: (layer: Layer) => void gone.push(layer.type),
     stuck: (step: string, { message }: Error) => void stuck.push(`${step}: ${message}`),
   };
-  editor = new SceneEditor(events, { now: () => 0, requestFrame: (callback) => void frames.push(callback) }, "g");
+  editor = new SceneEditor(events, { now: () => time, requestFrame: (callback) => void frames.push(callback) }, "g");
   editor.connected(server, state(scene));
 });
 
@@ -106,6 +108,20 @@ describe("scene editor", () => {
     expect(sent.length).toBe(3);
     expect(sent[2]?.patch).toEqual({ layers: { iso: { values: [50] } } });
     expect(editor.canUndo).toBe(true);
+  });
+
+  test("over a long line no change waits for the answer to another", async () => {
+    const gesture = editor.newGesture();
+    setValue(1, gesture);
+    runFrame();
+    time = 200;
+    sent[0]?.answer(taken(2));
+    await settled();
+    for (let value = 2; value <= 13; value += 1) {
+      setValue(value, gesture);
+      runFrame();
+    }
+    expect(sent.length).toBe(13);
   });
 
   test("what changes nothing is not sent", () => {

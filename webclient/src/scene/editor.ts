@@ -2,6 +2,7 @@
 import type { Layer, Revision, Scene, SessionState } from "../generated/protocol";
 import { applyPatch, composePatches, diff, equal, type Json, type JsonObject } from "../protocol/merge_patch";
 import { Disconnected } from "../protocol/rpc";
+import { PatchesAtOnce } from "./patches_at_once";
 import { removedBetween, strayLayers, withoutLayers } from "./stray_layers";
 
 export interface SceneServer {
@@ -41,9 +42,6 @@ interface Change {
   isVain?: boolean;
 }
 
-/** More would queue on the server; newer changes are merged here meanwhile. */
-const MAX_UNANSWERED = 2;
-
 export class SceneEditor {
   private document: Scene | null = null;
   private server: SceneServer | null = null;
@@ -55,6 +53,7 @@ export class SceneEditor {
   private asking = false;
   /** Undos, redos and followed links that are not answered yet. */
   private travelling = 0;
+  private patchesAtOnce = new PatchesAtOnce();
   private frameRequested = false;
   private gestures = 0;
   /** As they were last, layers that others have removed. */
@@ -131,6 +130,7 @@ export class SceneEditor {
   /** What a session that was just opened holds. Changes that were made while there was none are sent as one step. */
   connected(server: SceneServer, state: SessionState): void {
     this.server = server;
+    this.patchesAtOnce = new PatchesAtOnce();
     this.unanswered = [];
     this.queue = [];
     this.doubtful = this.asking = false;
@@ -233,16 +233,18 @@ export class SceneEditor {
   private flush(): void {
     const server = this.server;
     if (server === null) return;
-    while (this.queue.length > 0 && this.unanswered.length < MAX_UNANSWERED) this.sendOldest(server);
+    while (this.queue.length > 0 && this.unanswered.length < this.patchesAtOnce.count) this.sendOldest(server);
   }
 
   private sendOldest(server: SceneServer): void {
     const change = this.queue.shift();
     if (change === undefined) return;
     this.unanswered.push(change);
+    const sentAt = this.timing.now();
     server.patch(change.patch, change.gesture).then(
       (answer) => {
         if (this.server !== server) return;
+        this.patchesAtOnce.answered(this.timing.now() - sentAt);
         this.answered(change);
         if (this.canUndo !== answer.can_undo || this.canRedo !== answer.can_redo) {
           this.canUndo = answer.can_undo;
