@@ -1,13 +1,17 @@
-// What waits to be sent on one WebSocket. A slow client costs a bounded amount of memory: of each view only the newest
-// frame waits, and answers that pile up end the connection.
+// What waits to be sent on one WebSocket: texts first, then frames in pieces. A slow client costs a bounded amount of
+// memory: of each view only the newest frame waits, and answers that pile up end the connection.
 #pragma once
 
+#include "wire/frame_header.hpp"
+
+#include <array>
 #include <cstdint>
 #include <deque>
 #include <functional>
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -15,12 +19,18 @@ namespace ciel::gateway {
 
 using FrameBytes = std::shared_ptr<const std::vector<std::uint8_t>>;
 
+// Payload bytes of one message. A text waits for the piece under way: 52 ms on a line of 10 Mbit/s.
+inline constexpr std::uint32_t piece_bytes = 64 << 10;
+static_assert(wire::frame_header_bytes + piece_bytes <= wire::longest_message);
+
 // Thread-safe. Outlives its socket: pushing after close() does nothing.
 class Outbox {
 public:
     struct Message {
         std::string text;
-        FrameBytes frame; // null: a text
+        FrameBytes frame;                                          // null: a text. Owns the bytes of `payload`
+        std::array<std::uint8_t, wire::frame_header_bytes> header; // of a piece of the frame
+        std::span<const std::uint8_t> payload;
     };
 
     // on_push is called after every push, from the pushing thread, with the outbox locked: it must not call back.
@@ -29,23 +39,27 @@ public:
     // When the texts that wait already exceed the limit, the client does not read its answers: everything is dropped
     // and overflowed() is true from then on. (One answer may be larger than the limit.)
     void push_text(std::string text);
-    // A frame message (protocol/frame.md). The first message of a frame takes the place of every older one of its view.
-    // Throws Error when it does not begin with a frame header.
+    // A whole frame message (protocol/frame.md) of any length. The first message of a frame takes the place of every
+    // older one of its view, also of what is left of one that has been sent in part. Throws Error when it does not
+    // begin with a frame header.
     void push_frame(FrameBytes bytes);
     void close();
 
+    // The oldest text; without one the next piece of the oldest frame message.
     [[nodiscard]] std::optional<Message> pop();
     [[nodiscard]] bool overflowed() const;
     [[nodiscard]] std::uint64_t dropped_frames() const; // messages that were replaced
 
 private:
     struct Waiting {
-        Message message;
-        std::uint32_t view = 0;
+        FrameBytes bytes;
+        wire::FrameHeader header;
+        std::uint32_t sent = 0; // of the payload
     };
     mutable std::mutex mutex_;
     std::function<void()> on_push_; // empty: closed
-    std::deque<Waiting> waiting_;
+    std::deque<std::string> texts_;
+    std::deque<Waiting> frames_;
     std::size_t text_limit_, text_bytes_ = 0;
     std::uint64_t dropped_ = 0;
     bool overflowed_ = false;

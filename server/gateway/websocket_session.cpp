@@ -8,14 +8,18 @@
 #include <boost/beast/core/flat_buffer.hpp>
 #include <boost/beast/websocket/stream.hpp>
 #include <deque>
+#include <netinet/tcp.h>
 #include <optional>
 #include <spdlog/spdlog.h>
+#include <sys/socket.h>
 
 namespace ciel::gateway {
 namespace {
 
 namespace websocket = beast::websocket;
 using websocket::close_code;
+
+constexpr int unsent_bytes = 128 << 10;            // in the system's hands: a text cannot overtake them
 
 // Everything runs on the socket's strand, except what is handed to `workers` and the Connection's callbacks.
 class WebSocketSession : public std::enable_shared_from_this<WebSocketSession> {
@@ -69,6 +73,8 @@ private:
 asio::awaitable<bool> WebSocketSession::accept(HttpRequest upgrade) {
     const auto& limits = context_.server.limits();
     beast::get_lowest_layer(socket_).expires_never(); // the WebSocket has its own time-outs
+    ::setsockopt(beast::get_lowest_layer(socket_).socket().native_handle(), IPPROTO_TCP, TCP_NOTSENT_LOWAT,
+                 &unsent_bytes, sizeof unsent_bytes); // where it is missing, texts only wait longer
     websocket::stream_base::timeout timeouts{};
     timeouts.handshake_timeout = std::chrono::milliseconds(500) * limits.drain_seconds;
     timeouts.idle_timeout = std::chrono::seconds(limits.websocket_idle_seconds);
@@ -198,11 +204,14 @@ asio::awaitable<void> WebSocketSession::write() {
             co_await changed(outbox_changed_);
             continue;
         }
-        const auto bytes = message->frame ? asio::buffer(*message->frame) : asio::buffer(message->text);
-        socket_.binary(message->frame != nullptr);
+        const bool is_text = message->frame == nullptr;
+        const std::array<asio::const_buffer, 2> bytes{is_text ? asio::buffer(message->text)
+                                                              : asio::buffer(message->header),
+                                                      asio::buffer(message->payload.data(), message->payload.size())};
+        socket_.binary(!is_text);
         co_await socket_.async_write(bytes, asio::redirect_error(asio::use_awaitable, error));
-        ++(message->frame ? context_.counters.frames_sent : context_.counters.texts_sent);
-        context_.counters.bytes_sent += bytes.size();
+        ++(is_text ? context_.counters.texts_sent : context_.counters.frames_sent);
+        context_.counters.bytes_sent += asio::buffer_size(bytes);
     }
     cut(); // also ends a read that waits for a peer who is gone
 }

@@ -6,6 +6,7 @@
 #include "scene/read_json.hpp"
 #include "session/metrics.hpp"
 #include "session/slow_calls.hpp"
+#include "wire/frame_header.hpp"
 
 #include <future>
 
@@ -101,10 +102,21 @@ private:
         std::string text;
         try {
             if (!answers_.empty()) text = text_of(is_batch_ ? answers_ : answers_.front());
+            if (connection_->is_streaming() && text.size() > wire::longest_message) text = too_long(text.size());
         } catch (...) { // no memory for a text of that size
             text = text_of({{"jsonrpc", "2.0"}, {"id", nullptr}, {"error", error_of_current_exception()}});
         }
         answer_(std::move(text));
+    }
+
+    // Every answer of a batch is refused: which of them made it too long does not help who asks.
+    std::string too_long(std::size_t bytes) {
+        const std::string reason = "the answer is " + std::to_string(bytes) +
+                                   " bytes long, and a message of a WebSocket " +
+                                   std::to_string(wire::longest_message) + " at most; ask by POST /rpc";
+        for (json& one : answers_) one = {{"jsonrpc", "2.0"}, {"id", one["id"]}, {"error", too_long_error(reason)}};
+        context_.server.counters().count_error(protocol::AnswerTooLong);
+        return text_of(is_batch_ ? answers_ : answers_.front());
     }
 
     const std::shared_ptr<session::Connection> connection_;

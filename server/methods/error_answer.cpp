@@ -20,6 +20,9 @@ json error_at(int code, const char* message, const std::string& path, const std:
 json parse_error(const std::string& reason) { return error(-32700, "Parse error", reason); }
 json invalid_request(const std::string& reason) { return error(-32600, "Invalid Request", reason); }
 json limit_error(const std::string& reason) { return error(protocol::Limit, "Limit exceeded", reason); }
+json too_long_error(const std::string& reason) {
+    return error(protocol::AnswerTooLong, "Answer too long for a WebSocket", reason);
+}
 
 json error_of_current_exception() {
     try {

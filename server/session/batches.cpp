@@ -40,7 +40,7 @@ std::vector<std::vector<std::uint8_t>> geometry_messages(wire::FrameHeader& head
         header.flags = common;
         if (&message == &messages.front()) header.flags |= wire::first_of_frame;
         if (&message == &messages.back()) header.flags |= wire::last_of_frame;
-        header.payload_bytes = static_cast<std::uint32_t>(message.size());
+        header.payload_bytes = header.whole_bytes = static_cast<std::uint32_t>(message.size());
         std::array<std::uint8_t, wire::frame_header_bytes> bytes{};
         wire::write_frame_header(header, bytes);
         message.insert(message.begin(), bytes.begin(), bytes.end());

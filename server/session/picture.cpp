@@ -68,7 +68,7 @@ std::vector<std::uint8_t> image_message(wire::FrameHeader& header, const render:
     header.flags |= wire::first_of_frame | wire::last_of_frame;
     header.width = static_cast<std::uint32_t>(image.width);
     header.height = static_cast<std::uint32_t>(image.height);
-    header.payload_bytes = static_cast<std::uint32_t>(message.size() - wire::frame_header_bytes);
+    header.payload_bytes = header.whole_bytes = static_cast<std::uint32_t>(message.size() - wire::frame_header_bytes);
     wire::write_frame_header(
         header, std::span<std::uint8_t, wire::frame_header_bytes>(message.data(), wire::frame_header_bytes));
     return message;

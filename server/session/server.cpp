@@ -5,6 +5,7 @@
 #include "session/notify.hpp"
 #include "session/sessions.hpp"
 #include "session/slow_calls.hpp"
+#include "wire/frame_header.hpp"
 
 #include <set>
 
@@ -56,14 +57,19 @@ struct Server::State {
     }
 
     void tell_steps(const std::string& dataset) {
-        protocol::DatasetChanged note{dataset, {}};
+        protocol::DatasetChanged note{dataset, std::vector<double>()};
         try {
-            for (const auto& step : catalog.open(dataset)->dataset()->steps()) note.times.push_back(step.time);
+            for (const auto& step : catalog.open(dataset)->dataset()->steps()) note.times->push_back(step.time);
         } catch (const Error&) { // removed or damaged: clients are told, what sessions hold stays as it is
             connections.send_all(notification_text(note));
             return;
         }
-        connections.send_all(notification_text(note));
+        std::string text = notification_text(note);
+        if (text.size() > wire::longest_message) {
+            note.times.reset(); // clients ask for them
+            text = notification_text(note);
+        }
+        connections.send_all(text);
         sessions.dataset_changed(dataset);
     }
 };

@@ -5,6 +5,7 @@
 #include "session/notify.hpp"
 #include "session/open_dataset.hpp"
 #include "session/view.hpp"
+#include "wire/frame_header.hpp"
 
 #include <algorithm>
 #include <exception>
@@ -39,6 +40,19 @@ std::shared_ptr<const SceneVersion> make_version(const Services& services, nlohm
     return version;
 }
 
+namespace {
+
+std::string scene_changed(const std::string& session, const SceneVersion& version) {
+    protocol::SceneChanged note{session, static_cast<std::int64_t>(version.revision), std::nullopt};
+    note.scene.emplace(*version.document);
+    std::string text = notification_text(note);
+    if (text.size() <= wire::longest_message) return text;
+    note.scene.reset(); // the client asks for it
+    return notification_text(note);
+}
+
+} // namespace
+
 Session::Session(std::string id, const Services& services, std::shared_ptr<const SceneVersion> first)
     : id_(std::move(id)), services_(services), version_(std::move(first)), history_(services.limits.undo_steps),
       used_(Clock::now()), scene_geometry_(services.extraction) {}
@@ -64,9 +78,7 @@ SessionStatus Session::change(std::shared_ptr<const SceneVersion> next, std::uin
         if (connection_id == author) continue;
         const auto connection = services_.connections.find(connection_id);
         if (!connection || !connection->send_text) continue;
-        if (text.empty())
-            text = notification_text(
-                protocol::SceneChanged{id_, static_cast<std::int64_t>(version_->revision), *version_->document});
+        if (text.empty()) text = scene_changed(id_, *version_);
         connection->send_text(text);
     }
     for (const auto& [id, view] : views_) view->offer(version_);

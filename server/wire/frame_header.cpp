@@ -9,7 +9,7 @@ namespace ciel::wire {
 namespace {
 
 constexpr std::array<std::uint8_t, 4> magic{'C', 'I', 'E', 'L'};
-constexpr std::uint8_t version = 1;
+constexpr std::uint8_t version = 2;
 constexpr std::uint16_t known_flags = still | last_of_frame | first_of_frame;
 
 } // namespace
@@ -33,6 +33,8 @@ void write_frame_header(const FrameHeader& header, std::span<std::uint8_t, frame
     put(at + 52, header.encode_ms);
     put(at + 56, header.triangles);
     put(at + 60, header.payload_bytes);
+    put(at + 64, header.whole_bytes);
+    put(at + 68, header.piece_offset);
 }
 
 FrameHeader read_frame_header(std::span<const std::uint8_t> bytes) {
@@ -42,7 +44,7 @@ FrameHeader read_frame_header(std::span<const std::uint8_t> bytes) {
     const std::uint8_t* at = bytes.data();
     if (!std::equal(magic.begin(), magic.end(), at)) throw Error("a binary frame does not begin with 'CIEL'");
     if (at[4] != version) {
-        throw Error("a binary frame is of version " + std::to_string(at[4]) + "; this program reads version 1");
+        throw Error("a binary frame is of version " + std::to_string(at[4]) + "; this program reads version 2");
     }
     if (at[5] != static_cast<std::uint8_t>(FrameKind::image) &&
         at[5] != static_cast<std::uint8_t>(FrameKind::geometry)) {
@@ -70,7 +72,26 @@ FrameHeader read_frame_header(std::span<const std::uint8_t> bytes) {
         throw Error("a binary frame announces " + std::to_string(header.payload_bytes) +
                     " bytes after its header and has " + std::to_string(bytes.size() - frame_header_bytes));
     }
+    header.whole_bytes = get<std::uint32_t>(at + 64);
+    header.piece_offset = get<std::uint32_t>(at + 68);
+    if (header.piece_offset > header.whole_bytes || header.payload_bytes > header.whole_bytes - header.piece_offset) {
+        throw Error("a binary frame brings " + std::to_string(header.payload_bytes) + " bytes from " +
+                    std::to_string(header.piece_offset) + " on, and the whole has " +
+                    std::to_string(header.whole_bytes));
+    }
     return header;
+}
+
+FrameHeader piece_of(const FrameHeader& whole, std::uint32_t offset, std::uint32_t most) {
+    FrameHeader piece = whole;
+    piece.piece_offset = offset;
+    piece.payload_bytes = std::min(most, whole.whole_bytes - offset);
+    constexpr auto without = [](std::uint16_t flags, std::uint16_t flag) {
+        return static_cast<std::uint16_t>(flags & ~flag);
+    };
+    if (offset > 0) piece.flags = without(piece.flags, first_of_frame);
+    if (offset + piece.payload_bytes < whole.whole_bytes) piece.flags = without(piece.flags, last_of_frame);
+    return piece;
 }
 
 } // namespace ciel::wire

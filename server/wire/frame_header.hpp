@@ -24,12 +24,18 @@ struct FrameHeader {
     double time = 0; // simulation time shown
     float wait_ms = 0, extract_ms = 0, draw_ms = 0, encode_ms = 0;
     std::uint32_t triangles = 0;
-    std::uint32_t payload_bytes = 0;
+    std::uint32_t payload_bytes = 0;                 // of this message
+    std::uint32_t whole_bytes = 0, piece_offset = 0; // of the picture or batch, and where the message's bytes lie in it
 };
 
 inline constexpr std::size_t frame_header_bytes = 80;
+inline constexpr std::size_t longest_message = 512 << 10; // of the server, header included: proxies cut longer ones
+
 void write_frame_header(const FrameHeader& header, std::span<std::uint8_t, frame_header_bytes> out);
 // Throws Error on a bad magic, version or size.
 [[nodiscard]] FrameHeader read_frame_header(std::span<const std::uint8_t> bytes);
+// Header of the piece of a whole message that begins at `offset` of its payload and has at most `most` bytes of it. The
+// flags for the first and the last message of a frame stay with the first and the last piece.
+[[nodiscard]] FrameHeader piece_of(const FrameHeader& whole, std::uint32_t offset, std::uint32_t most);
 
 } // namespace ciel::wire

@@ -21,16 +21,24 @@ import websockets
 class Client:
     def __init__(self, socket):
         self.socket, self.next_id, self.answers, self.frames = socket, 0, {}, asyncio.Queue()
+        self.pieces = bytearray()  # of one view
         self.reader = asyncio.create_task(self.read())
 
     async def read(self):
         async for message in self.socket:
             if isinstance(message, bytes):
-                await self.frames.put((time.monotonic(), message))
+                await self.join(message)
             else:
                 answer = json.loads(message)
                 if answer.get("id") in self.answers:
                     self.answers.pop(answer["id"]).set_result(answer)
+
+    async def join(self, message):
+        """A whole frame is its first piece's header and all payloads."""
+        whole, offset = struct.unpack_from("<II", message, 64)
+        self.pieces = self.pieces + message[80:] if offset else bytearray(message)
+        if len(self.pieces) == 80 + whole:
+            await self.frames.put((time.monotonic(), bytes(self.pieces)))
 
     async def call(self, method, **params):
         self.next_id += 1
@@ -49,9 +57,9 @@ class Client:
 def fields(message):
     flags = struct.unpack_from("<H", message, 6)[0]
     frame, revision = struct.unpack_from("<IQ", message, 12)
-    wait, extract, draw, encode, triangles, payload = struct.unpack_from("<4f2I", message, 40)
+    wait, extract, draw, encode, triangles = struct.unpack_from("<4fI", message, 40)
     return {"flags": flags, "frame": frame, "revision": revision, "wait": wait, "extract": extract, "draw": draw,
-            "encode": encode, "triangles": triangles, "bytes": payload}
+            "encode": encode, "triangles": triangles, "bytes": len(message) - 80}
 
 
 async def sweep(options, port, process):

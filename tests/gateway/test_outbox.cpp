@@ -8,14 +8,17 @@
 namespace ciel::gateway {
 namespace {
 
-FrameBytes message(wire::FrameKind kind, std::uint32_t view, std::uint32_t frame, std::uint16_t flags) {
+FrameBytes message(wire::FrameKind kind, std::uint32_t view, std::uint32_t frame, std::uint16_t flags,
+                   std::uint32_t payload = 0) {
     auto bytes = std::make_shared<std::vector<std::uint8_t>>(wire::frame_header_bytes);
     wire::FrameHeader header;
     header.kind = kind;
     header.view = view;
     header.frame = frame;
     header.flags = flags;
+    header.payload_bytes = header.whole_bytes = payload;
     wire::write_frame_header(header, std::span<std::uint8_t, wire::frame_header_bytes>(bytes->data(), bytes->size()));
+    for (std::uint32_t i = 0; i < payload; ++i) bytes->push_back(static_cast<std::uint8_t>(i * 2654435761U >> 24));
     return bytes;
 }
 
@@ -28,6 +31,15 @@ FrameBytes batch(std::uint32_t view, std::uint32_t frame, bool first, bool last)
                    static_cast<std::uint16_t>((first ? wire::first_of_frame : 0) | (last ? wire::last_of_frame : 0)));
 }
 
+// As it is on the wire.
+std::vector<std::uint8_t> bytes_of(const Outbox::Message& message) {
+    std::vector<std::uint8_t> bytes(message.header.begin(), message.header.end());
+    bytes.insert(bytes.end(), message.payload.begin(), message.payload.end());
+    return bytes;
+}
+
+wire::FrameHeader header_of(const Outbox::Message& message) { return wire::read_frame_header(bytes_of(message)); }
+
 // "text" for texts, "view.frame" for frames, in the order they would be sent.
 std::vector<std::string> drained(Outbox& outbox) {
     std::vector<std::string> out;
@@ -36,7 +48,7 @@ std::vector<std::string> drained(Outbox& outbox) {
             out.push_back(next->text);
             continue;
         }
-        const auto header = wire::read_frame_header(*next->frame);
+        const auto header = header_of(*next);
         out.push_back(std::to_string(header.view) + "." + std::to_string(header.frame));
     }
     return out;
@@ -44,13 +56,13 @@ std::vector<std::string> drained(Outbox& outbox) {
 
 using Order = std::vector<std::string>;
 
-TEST(Outbox, KeepsTheOrderOfWhatItKeeps) {
+TEST(Outbox, TextsGoFirstAndKeepTheirOrder) {
     Outbox outbox(1000, [] {});
     outbox.push_text("a");
     outbox.push_frame(image(1, 1));
     outbox.push_text("b");
     outbox.push_frame(image(2, 1));
-    EXPECT_EQ(drained(outbox), (Order{"a", "1.1", "b", "2.1"}));
+    EXPECT_EQ(drained(outbox), (Order{"a", "b", "1.1", "2.1"}));
     EXPECT_EQ(outbox.dropped_frames(), 0U);
     EXPECT_FALSE(outbox.pop());
 }
@@ -76,6 +88,43 @@ TEST(Outbox, ReplacesWholeFramesOfBatches) {
     outbox.push_frame(batch(1, 2, false, true));
     EXPECT_EQ(drained(outbox), (Order{"2.7", "1.2", "1.2"}));
     EXPECT_EQ(outbox.dropped_frames(), 2U);
+}
+
+TEST(Outbox, FramesLeaveInPiecesThatMakeTheWhole) {
+    Outbox outbox(1000, [] {});
+    const std::uint32_t payload = 3 * piece_bytes + 5;
+    const FrameBytes whole = message(wire::FrameKind::image, 1, 1, wire::first_of_frame | wire::last_of_frame, payload);
+    outbox.push_frame(whole);
+    std::vector<std::uint8_t> joined;
+    std::vector<std::uint16_t> flags;
+    while (const auto next = outbox.pop()) {
+        const auto header = header_of(*next);
+        EXPECT_LE(bytes_of(*next).size(), std::size_t{512} << 10);
+        EXPECT_EQ(header.piece_offset, joined.size());
+        EXPECT_EQ(header.whole_bytes, payload);
+        joined.insert(joined.end(), next->payload.begin(), next->payload.end());
+        flags.push_back(header.flags);
+    }
+    EXPECT_TRUE(std::equal(joined.begin(), joined.end(), whole->begin() + wire::frame_header_bytes, whole->end()));
+    EXPECT_EQ(flags, (std::vector<std::uint16_t>{wire::first_of_frame, 0, 0, wire::last_of_frame}));
+}
+
+TEST(Outbox, ATextGoesBetweenThePiecesOfAFrame) {
+    Outbox outbox(1000, [] {});
+    outbox.push_frame(message(wire::FrameKind::geometry, 1, 1, wire::first_of_frame, 2 * piece_bytes));
+    outbox.push_frame(message(wire::FrameKind::geometry, 1, 1, wire::last_of_frame, 2 * piece_bytes));
+    EXPECT_TRUE(outbox.pop()->frame);
+    outbox.push_text("answer");
+    EXPECT_EQ(drained(outbox), (Order{"answer", "1.1", "1.1", "1.1"}));
+}
+
+TEST(Outbox, TheRestOfAFrameGivesWayToANewerOne) {
+    Outbox outbox(1000, [] {});
+    outbox.push_frame(
+        message(wire::FrameKind::image, 1, 1, wire::first_of_frame | wire::last_of_frame, 5 * piece_bytes));
+    EXPECT_TRUE(outbox.pop());
+    outbox.push_frame(image(1, 2));
+    EXPECT_EQ(drained(outbox), (Order{"1.2"}));
 }
 
 TEST(Outbox, OverflowsWhenAnswersAreNotRead) {

@@ -179,6 +179,44 @@ TEST_F(Methods, others_in_a_session_hear_of_changes_and_the_author_does_not) {
     EXPECT_EQ(client.next_text()["params"]["revision"], 3) << "the first it hears is the other's change";
 }
 
+// A scene of more than a message: hidden volumes with as many opacity points as they may have.
+json long_layers() {
+    json points = json::array();
+    for (int i = 0; i < 256; ++i) points.push_back({i / 255.0, 1.0 / (i + 3)});
+    json layers = json::object();
+    for (int i = 0; i < 60; ++i)
+        layers["volume" + std::to_string(i)] = {
+            {"type", "volume"}, {"array", "r"}, {"visible", false}, {"opacity_points", points}};
+    return layers;
+}
+
+TEST_F(Methods, a_change_too_long_for_a_message_is_told_without_the_scene) {
+    Client other(server, true), script(server, false);
+    other.call("session.open", in_session({}));
+    client.call("scene.patch", in_session({{"patch", {{"layers", long_layers()}}}}));
+    const json heard = other.next_text();
+    EXPECT_EQ(heard["method"], "scene.changed");
+    EXPECT_EQ(heard["params"]["revision"], 2);
+    EXPECT_FALSE(heard["params"].contains("scene"));
+    EXPECT_EQ(other.error_code("scene.get", in_session({})), -32006);
+    EXPECT_EQ(script.call("scene.get", in_session({}))["revision"], 2);
+}
+
+TEST_F(Methods, an_answer_too_long_for_a_message_is_refused_on_a_websocket_and_given_to_a_post) {
+    const json params = in_session({{"width", 2000}, {"height", 2000}});
+    const json refused = client.request("picture.render", params);
+    EXPECT_EQ(refused["error"]["code"], -32006);
+    EXPECT_NE(refused["error"]["data"]["reason"].get<std::string>().find("ask by POST /rpc"), std::string::npos);
+    Client script(server, false);
+    EXPECT_GT(script.call("picture.render", params)["data"].get<std::string>().size(), wire::longest_message);
+    json batch{Client::request_of("server.info", json::object()), Client::request_of("picture.render", params)};
+    batch[0]["id"] = "first";
+    const std::string text = client.send(batch.dump());
+    EXPECT_LT(text.size(), wire::longest_message);
+    EXPECT_EQ(json::parse(text)[0]["id"], "first");
+    EXPECT_EQ(json::parse(text)[0]["error"]["code"], -32006);
+}
+
 TEST_F(Methods, views_stream_pictures_that_are_refined) {
     const auto view =
         client.call("view.open", in_session({{"width", 320}, {"height", 200}}))["view"].get<std::uint32_t>();

@@ -101,14 +101,16 @@ class Server:
 
 
 class Frame:
-    """The header of protocol/frame.md and what follows it."""
+    """The header of protocol/frame.md and what follows it: of one message, or of the pieces that make a whole."""
 
     def __init__(self, message: bytes):
-        fields = struct.unpack_from("<4sBBHIIQIIdffffII", message)
+        assert len(message) <= 512 << 10
+        fields = struct.unpack_from("<4sBBHIIQIIdffffIIII", message)
         (self.magic, self.version, self.kind, self.flags, self.view, self.number, self.revision, self.width, self.height,
-         self.time, self.wait_ms, self.extract_ms, self.draw_ms, self.encode_ms, self.triangles, payload_bytes) = fields
+         self.time, self.wait_ms, self.extract_ms, self.draw_ms, self.encode_ms, self.triangles, payload_bytes,
+         self.whole_bytes, self.offset) = fields
         self.payload = message[80:]
-        assert self.magic == b"CIEL" and self.version == 1 and len(self.payload) == payload_bytes
+        assert self.magic == b"CIEL" and self.version == 2 and len(self.payload) == payload_bytes
 
     @property
     def still(self) -> bool:
@@ -122,6 +124,7 @@ class Client:
         self.socket = socket
         self.ids = itertools.count(1)
         self.frames: list[Frame] = []
+        self.begun: dict[int, Frame] = {}  # by view: of a frame of which pieces are missing
         self.looked_at = 0  # of the frames
         self.notifications: list[dict] = []
 
@@ -133,7 +136,15 @@ class Client:
     async def receive(self) -> dict | Frame:
         message = await self.socket.recv()
         if isinstance(message, bytes):
-            frame = Frame(message)
+            piece = Frame(message)
+            frame = piece if piece.offset == 0 else self.begun[piece.view]
+            if piece.offset > 0:
+                assert (piece.number, piece.offset) == (frame.number, len(frame.payload))
+                frame.payload += piece.payload
+                frame.flags |= piece.flags
+            self.begun[piece.view] = frame
+            if len(frame.payload) < frame.whole_bytes:
+                return await self.receive()
             self.frames.append(frame)
             return frame
         answer = json.loads(message)

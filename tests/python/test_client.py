@@ -5,7 +5,7 @@ import asyncio
 import pytest
 
 import box_dataset
-from ciel_client import Client, RpcError, Stream, read_batch, read_frame
+from ciel_client import Client, Pieces, RpcError, Stream, read_batch, read_frame
 from ciel_client.frames import GEOMETRY, HEADER, IMAGE
 from ciel_client.types import ERROR_CODES
 from serve_process import PATIENCE, Server, iso
@@ -58,6 +58,8 @@ def test_frames_come_until_the_server_ends(tmp_path, stream, kind):
                 assert max(batch.indices) < batch.description["vertices"]
             with pytest.raises(RpcError):
                 await viewer.call("scene.get", session="gone")
+            picture = await viewer.call("picture.render", session=session, width=1500, height=1500)
+            assert len(picture["data"]) > 512 << 10
             running.process.terminate()
             with pytest.raises(ConnectionError):
                 while True:
@@ -69,8 +71,29 @@ def test_frames_come_until_the_server_ends(tmp_path, stream, kind):
 
 
 def test_damaged_frames_are_refused():
-    whole = HEADER.pack(b"CIEL", 1, IMAGE, 7, 1, 1, 1, 4, 4, 0, 0, 0, 0, 0, 0, 3) + b"abc"
+    whole = HEADER.pack(b"CIEL", 2, IMAGE, 7, 1, 1, 1, 4, 4, 0, 0, 0, 0, 0, 0, 3, 3, 0) + b"abc"
     assert read_frame(whole).payload == b"abc"
     for damaged, words in [(whole[:79], "at least 80"), (b"X" + whole[1:], "not a CIEL frame"), (whole[:-1], "announces 3")]:
         with pytest.raises(ValueError, match=words):
             read_frame(damaged)
+
+
+def piece(frame: int, offset: int, payload: bytes, whole: int, flags: int = 0, view: int = 1):
+    return read_frame(HEADER.pack(b"CIEL", 2, IMAGE, flags, view, frame, 1, 4, 4, 0, 0, 0, 0, 0, 0, len(payload), whole, offset)
+                      + payload)
+
+
+def test_pieces_make_a_whole_and_a_newer_frame_takes_the_place_of_half_an_older_one():
+    pieces = Pieces()
+    assert pieces.add(piece(1, 0, b"ab", 5, flags=4)) is None
+    assert pieces.add(piece(9, 0, b"x", 1, view=2)).payload == b"x"
+    assert pieces.add(piece(1, 2, b"cd", 5)) is None
+    whole = pieces.add(piece(1, 4, b"e", 5, flags=2))
+    assert (whole.payload, whole.flags, whole.piece_offset) == (b"abcde", 6, 0)
+    assert pieces.add(piece(2, 0, b"ab", 5)) is None
+    assert pieces.add(piece(3, 0, b"new", 3)).payload == b"new"
+    with pytest.raises(ValueError, match="a piece of frame 2 of view 1 is missing"):
+        pieces.add(piece(2, 2, b"cd", 5))
+    assert pieces.add(piece(4, 0, b"ab", 5)) is None
+    with pytest.raises(ValueError, match="a piece of frame 4"):
+        pieces.add(piece(4, 3, b"d", 5))

@@ -1,11 +1,25 @@
 #include "decode.hpp"
 
+#include "wire/frame_header.hpp"
+
 #include <cstdio> // before jpeglib.h, which needs FILE
 #include <gtest/gtest.h>
 #include <jpeglib.h>
 #include <png.h>
 
 namespace ciel::wire {
+
+std::vector<std::uint8_t> joined(std::span<const std::vector<std::uint8_t>> messages) {
+    std::vector<std::uint8_t> whole;
+    for (const auto& message : messages) {
+        const FrameHeader header = read_frame_header(message);
+        EXPECT_LE(message.size(), longest_message);
+        EXPECT_EQ(header.piece_offset, whole.size());
+        whole.insert(whole.end(), message.begin() + frame_header_bytes, message.end());
+        EXPECT_EQ(whole.size() == header.whole_bytes, &message == &messages.back());
+    }
+    return whole;
+}
 
 std::vector<std::uint8_t> decoded_png(const std::vector<std::uint8_t>& file, int width, int height) {
     png_image image{};

@@ -3,12 +3,15 @@ import { Connection, HEARTBEAT_MS, LAST_RETRY_MS, retryDelay, type ConnectionSta
 import { Disconnected, Rpc, RpcError } from "../src/protocol/rpc";
 import { FakeClock, FakeNetwork, settled } from "./fake_socket";
 
+const noPost = (): Promise<string> => Promise.reject(new Error("nothing goes by POST here"));
+
 describe("JSON-RPC", () => {
   test("answers find their calls, in any order; errors reject", async () => {
     const sent: string[] = [];
     const rpc = new Rpc(
       (text) => sent.push(text),
       () => undefined,
+      noPost,
     );
     const first = rpc.call("dataset.list", {});
     const second = rpc.call("scene.get", { session: "a" });
@@ -25,6 +28,7 @@ describe("JSON-RPC", () => {
     const rpc = new Rpc(
       () => undefined,
       () => undefined,
+      noPost,
     );
     const call = rpc.call("dataset.list", {});
     rpc.close();
@@ -37,11 +41,57 @@ describe("JSON-RPC", () => {
     const rpc = new Rpc(
       (text) => sent.push(text),
       (name, params) => heard.push([name, params]),
+      noPost,
     );
     rpc.notify("view.ack", { view: 1, frame: 2 });
     expect(JSON.parse(sent[0] ?? "")).not.toHaveProperty("id");
     rpc.receive('{"jsonrpc":"2.0","method":"server.draining","params":{}}');
     expect(heard).toEqual([["server.draining", {}]]);
+  });
+});
+
+describe("long answers", () => {
+  const begun = (answers: object[]): { rpc: Rpc; sent: string[]; posted: string[] } => {
+    const [sent, posted]: [string[], string[]] = [[], []];
+    const post = (text: string): Promise<string> => {
+      posted.push(text);
+      return Promise.resolve(JSON.stringify(answers.shift()));
+    };
+    return {
+      rpc: new Rpc(
+        (text) => sent.push(text),
+        () => undefined,
+        post,
+      ),
+      sent,
+      posted,
+    };
+  };
+  const tooLong = (id: number): string =>
+    JSON.stringify({ jsonrpc: "2.0", id, error: { code: -32006, message: "long" } });
+  const methods = (texts: string[]): string[] => texts.map((text) => (JSON.parse(text) as { method: string }).method);
+
+  test("pictures and files of surfaces are asked for by POST", async () => {
+    const picture = { mime: "image/png", data: "AA==" };
+    const { rpc, sent, posted } = begun([{ result: picture }, { error: { code: -32001, message: "no layer" } }]);
+    expect(await rpc.call("picture.render", { session: "s", width: 16, height: 16 })).toEqual(picture);
+    await expect(rpc.call("surface.export", { session: "s", layer: "l", format: "ply" })).rejects.toThrow("no layer");
+    expect(sent).toEqual([]);
+    expect(JSON.parse(posted[0] ?? "")).toMatchObject({
+      method: "picture.render",
+      params: { session: "s", width: 16 },
+    });
+  });
+
+  test("what is too long for the socket is asked for again by POST, and what was done is not done twice", async () => {
+    const { rpc, sent, posted } = begun([{ result: { revision: 1 } }, { result: { revision: 2 } }]);
+    const got = rpc.call("scene.get", { session: "s" });
+    const undone = rpc.call("scene.undo", { session: "s" });
+    rpc.receive(tooLong(1));
+    rpc.receive(tooLong(2));
+    expect([await got, await undone]).toEqual([{ revision: 1 }, { revision: 2 }]);
+    expect(methods(sent)).toEqual(["scene.get", "scene.undo"]);
+    expect(methods(posted)).toEqual(["scene.get", "scene.get"]);
   });
 });
 
@@ -65,7 +115,7 @@ describe("reconnection", () => {
       binary: () => undefined,
       roundTrip: () => undefined,
     };
-    connection = new Connection(network.open, events, clock);
+    connection = new Connection(network.open, noPost, events, clock);
     connection.start();
   });
 

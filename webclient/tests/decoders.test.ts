@@ -43,6 +43,7 @@ describe("frame header", () => {
     );
     expect(decodeHeader(message)).toEqual({
       kind: 1,
+      flags: 5,
       still: true,
       last: false,
       first: true,
@@ -58,6 +59,8 @@ describe("frame header", () => {
       encodeMs: 4.5,
       triangles: 1234,
       payloadBytes: 8,
+      wholeBytes: 8,
+      pieceOffset: 0,
     });
   });
 
@@ -69,9 +72,10 @@ describe("frame header", () => {
   test.each([
     { name: "short", message: new ArrayBuffer(79), error: "shorter than its header" },
     { name: "foreign", message: changed(0, 0x58), error: "not a CIEL frame" },
-    { name: "another version", message: changed(4, 2), error: "frames of version 2" },
+    { name: "another version", message: changed(4, 1), error: "frames of version 1" },
     { name: "cut off", message: frameBytes({}, PNG_SIGNATURE).slice(0, 85), error: "announces 8 bytes and brings 5" },
     { name: "too long", message: changed(60, 7), error: "announces 7 bytes and brings 8" },
+    { name: "behind its whole", message: changed(68, 1), error: "ends behind its 8 bytes" },
   ])("refuses a message that is $name", ({ message, error }) => {
     expect(() => decodeHeader(message)).toThrow(error);
   });

@@ -8,12 +8,15 @@ export interface FrameFields {
   revision?: bigint;
   time?: number;
   triangles?: number;
+  /** Of the whole, where the payload is a piece of it. */
+  whole?: number;
+  offset?: number;
 }
 
 export function frameBytes(fields: FrameFields, payload: Uint8Array): ArrayBuffer {
   const bytes = new ArrayBuffer(80 + payload.length);
   const view = new DataView(bytes);
-  new Uint8Array(bytes).set([0x43, 0x49, 0x45, 0x4c, 1, fields.kind ?? 1]);
+  new Uint8Array(bytes).set([0x43, 0x49, 0x45, 0x4c, 2, fields.kind ?? 1]);
   view.setUint16(6, fields.flags ?? 6, true);
   view.setUint32(8, fields.view ?? 1, true);
   view.setUint32(12, fields.frame ?? 1, true);
@@ -24,6 +27,8 @@ export function frameBytes(fields: FrameFields, payload: Uint8Array): ArrayBuffe
   [1.5, 2.5, 3.5, 4.5].forEach((milliseconds, i) => view.setFloat32(40 + 4 * i, milliseconds, true));
   view.setUint32(56, fields.triangles ?? 0, true);
   view.setUint32(60, payload.length, true);
+  view.setUint32(64, fields.whole ?? payload.length, true);
+  view.setUint32(68, fields.offset ?? 0, true);
   new Uint8Array(bytes).set(payload, 80);
   return bytes;
 }

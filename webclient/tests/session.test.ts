@@ -62,7 +62,8 @@ beforeEach(() => {
     notified: () => undefined,
     failed: (error: Error) => void failures.push(error.message),
   };
-  session = new Session("s", host, editor, network.open, clock);
+  const noPost = (): Promise<string> => Promise.reject(new Error("nothing goes by POST here"));
+  session = new Session("s", host, editor, network.open, noPost, clock);
   session.start();
 });
 

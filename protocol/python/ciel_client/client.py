@@ -10,7 +10,7 @@ import urllib.request
 from collections.abc import AsyncIterator
 from typing import Any
 
-from .frames import Frame, read_frame
+from .frames import Frame, Pieces, read_frame
 
 
 class RpcError(Exception):
@@ -65,7 +65,7 @@ class Client:
 
 
 class Stream:
-    """Calls, notifications and frames over one WebSocket. Needs the package `websockets`.
+    """Calls, notifications and whole frames over one WebSocket. Needs the package `websockets`.
 
     async with Stream("ws://127.0.0.1:8080/ws") as stream:
         session = await stream.call("session.open")
@@ -76,10 +76,12 @@ class Stream:
 
     def __init__(self, url: str = "ws://127.0.0.1:8080/ws", token: str | None = None) -> None:
         self._url = url
+        self._by_post = Client(url.replace("ws", "http", 1).removesuffix("/ws"), token)
         self._headers = {"Authorization": f"Bearer {token}"} if token else {}
         self._ids = itertools.count(1)
         self._waiting: dict[int, asyncio.Future[Any]] = {}
         self._frames: asyncio.Queue[Frame | None] = asyncio.Queue()
+        self._pieces = Pieces()
         self.notifications: asyncio.Queue[dict[str, Any]] = asyncio.Queue()
 
     async def __aenter__(self) -> Stream:
@@ -96,6 +98,9 @@ class Stream:
         await self._reader
 
     async def call(self, method: str, **params: Any) -> Any:
+        """Pictures and exports come by POST: a message of a WebSocket has at most 512 KiB."""
+        if method in ("picture.render", "surface.export"):
+            return await asyncio.to_thread(self._by_post.call, method, **params)
         number = next(self._ids)
         self._waiting[number] = asyncio.get_running_loop().create_future()
         await self._socket.send(json.dumps({"jsonrpc": "2.0", "id": number, "method": method, "params": params}))
@@ -125,7 +130,9 @@ class Stream:
         try:
             async for message in self._socket:
                 if isinstance(message, bytes):
-                    self._frames.put_nowait(read_frame(message))
+                    whole = self._pieces.add(read_frame(message))
+                    if whole is not None:
+                        self._frames.put_nowait(whole)
                 else:
                     self._answer(json.loads(message))
         finally:

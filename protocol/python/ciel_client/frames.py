@@ -1,14 +1,14 @@
-"""Binary frames (protocol/frame.md)."""
+"""Binary frames and their pieces (protocol/frame.md)."""
 
 from __future__ import annotations
 
 import json
 import struct
 from array import array
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any
 
-HEADER = struct.Struct("<4sBBHIIQIIdffffII16x")
+HEADER = struct.Struct("<4sBBHIIQIIdffffIIII8x")
 IMAGE, GEOMETRY = 1, 2
 STILL, LAST, FIRST = 1, 2, 4
 
@@ -28,6 +28,8 @@ class Frame:
     draw_ms: float
     encode_ms: float
     triangles: int
+    whole_bytes: int
+    piece_offset: int
     payload: bytes = field(repr=False)
 
     @property
@@ -55,15 +57,38 @@ class Batch:
 
 
 def read_frame(message: bytes) -> Frame:
+    """One message: a piece of a frame, or a whole one."""
     if len(message) < HEADER.size:
         raise ValueError(f"a frame has at least {HEADER.size} bytes, this one {len(message)}")
-    magic, version, *fields, payload_bytes = HEADER.unpack_from(message)
-    if magic != b"CIEL" or version != 1:
-        raise ValueError("not a CIEL frame of version 1")
+    magic, version, *fields, payload_bytes, whole_bytes, piece_offset = HEADER.unpack_from(message)
+    if magic != b"CIEL" or version != 2:
+        raise ValueError("not a CIEL frame of version 2")
     payload = message[HEADER.size :]
     if len(payload) != payload_bytes:
         raise ValueError(f"the frame announces {payload_bytes} bytes of payload and has {len(payload)}")
-    return Frame(*fields, payload)
+    return Frame(*fields, whole_bytes, piece_offset, payload)
+
+
+class Pieces:
+    """Makes whole pictures and batches of the messages of one WebSocket."""
+
+    def __init__(self) -> None:
+        self._begun: dict[int, list[Frame]] = {}
+
+    def add(self, piece: Frame) -> Frame | None:
+        """The whole that `piece` completes, or None. Raises ValueError when a piece before it is missing."""
+        if piece.piece_offset == 0:
+            self._begun[piece.view] = []
+        pieces = self._begun.get(piece.view, [])
+        end = pieces[-1].piece_offset + len(pieces[-1].payload) if pieces else 0
+        if piece.piece_offset != end or any(piece.frame != other.frame for other in pieces):
+            raise ValueError(f"a piece of frame {piece.frame} of view {piece.view} is missing")
+        pieces.append(piece)
+        if end + len(piece.payload) < piece.whole_bytes:
+            return None
+        del self._begun[piece.view]
+        flags = pieces[0].flags | piece.flags
+        return replace(piece, flags=flags, piece_offset=0, payload=b"".join(one.payload for one in pieces))
 
 
 def read_batch(payload: bytes) -> Batch:

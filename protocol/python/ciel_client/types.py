@@ -587,15 +587,15 @@ class DatasetChangedParams(TypedDict):
     """dataset.changed: Steps were appended. No times: it can no longer be opened, and dataset.list says why."""
 
     dataset: str
-    times: list[float]
+    times: NotRequired[list[float]]  # absent where the message would be longer than 512 KiB: call dataset.describe
 
 
 class SceneChangedParams(TypedDict):
-    """scene.changed: Another client of this session changed its scene."""
+    """scene.changed: Another client of this session changed its scene. The scene is absent where the message would be longer than 512 KiB: call scene.get."""
 
     session: str
     revision: int
-    scene: Scene
+    scene: NotRequired[Scene]
 
 
 class ViewFailedParams(TypedDict):
@@ -628,4 +628,5 @@ ERROR_CODES: dict[str, int] = {
     "Limit": -32003,
     "NeedsWebSocket": -32004,
     "Failed": -32005,
+    "AnswerTooLong": -32006,
 }

@@ -12,7 +12,7 @@ import { Disconnected } from "../protocol/rpc";
 import { SceneEditor } from "../scene/editor";
 import { layerName } from "../scene/layer_names";
 import { ShownScenes } from "../scene/shown_scenes";
-import { openSocket, socketAddress } from "../session/browser_socket";
+import { openSocket, postTo, socketAddress } from "../session/browser_socket";
 import { Latency } from "../session/latency";
 import { Player } from "../session/player";
 import { Session, wordsFor } from "../session/session";
@@ -86,7 +86,8 @@ export class App {
       Math.random().toString(36).slice(2, 10), // other pages of the session name their gestures otherwise
     );
     const address = socketAddress(document.baseURI);
-    this.session = new Session(this.tab.id, sessionHost(this), this.editor, () => openSocket(address), clock);
+    const post = postTo(document.baseURI);
+    this.session = new Session(this.tab.id, sessionHost(this), this.editor, () => openSocket(address), post, clock);
     this.histograms = new Histograms(
       (dataset, array, time) => this.session.call("dataset.histogram", { dataset, array, time, bins: 160 }),
       () => this.store.set({ histogramsAt: now() }),

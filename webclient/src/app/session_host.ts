@@ -1,5 +1,5 @@
 // What the server's word does to the page.
-import type { Notifications } from "../generated/protocol";
+import type { Notifications, Scene } from "../generated/protocol";
 import { wordsFor, type SessionHost } from "../session/session";
 import type { App } from "./app";
 import { describeDatasets, listDatasets } from "./datasets";
@@ -82,22 +82,27 @@ export function sessionHost(app: App): SessionHost {
 }
 
 function notificationHandlers(app: App): Handlers {
+  const heard = ({ revision, scene }: { revision: number; scene: Scene }): void => {
+    app.store.set({ revision });
+    app.taken(revision, scene);
+    app.editor.overheard(scene);
+  };
   return {
     "dataset.changed": ({ dataset, times }) => {
       const { description } = app.store.get();
       void listDatasets(app); // it may have become one that cannot be opened, or can be again
       if (description?.name !== dataset) return;
-      const more = times.length - description.times.length;
-      const appended = more > 0 && description.times.every((time, step) => time === times[step]);
+      const more = times === undefined ? 0 : times.length - description.times.length;
+      const appended = more > 0 && description.times.every((time, step) => time === times?.[step]);
       if (appended) app.toasts.show(`${more} more time ${more === 1 ? "step has" : "steps have"} arrived`);
       else app.histograms.clear(); // another dataset of the name; an appended one keeps the steps that it had
       void describeDatasets(app, true);
     },
     "scene.changed": ({ session, revision, scene }) => {
       if (session !== app.tab.id) return;
-      app.store.set({ revision });
-      app.taken(revision, scene);
-      app.editor.overheard(scene);
+      if (scene === undefined) {
+        void app.session.call("scene.get", { session }).then(heard, (error: unknown) => app.fail(error));
+      } else heard({ revision, scene });
     },
     "view.failed": ({ message, revision }) => {
       app.player.stop();

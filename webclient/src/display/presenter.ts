@@ -2,6 +2,7 @@
 import type { GeometryBatch } from "../decoders/geometry";
 import { EarlyFrames } from "./early_frames";
 import { decodeHeader, KIND_GEOMETRY, KIND_IMAGE, type FrameHeader } from "../protocol/frame_header";
+import { Pieces } from "../protocol/pieces";
 
 export interface Screen {
   showImage(image: ImageBitmap): void;
@@ -28,6 +29,7 @@ interface ReadyFrame {
 
 export class Presenter {
   private view = 0;
+  private readonly pieces = new Pieces();
   private lastFrame = 0;
   private ready: ReadyFrame | null = null;
   private parts: { frame: number; batches: GeometryBatch[]; bytes: number; damaged: boolean } | null = null;
@@ -55,6 +57,7 @@ export class Presenter {
     this.view = view;
     this.lastFrame = 0;
     this.parts = null;
+    this.pieces.clear();
     this.ready?.release();
     this.ready = null;
     for (const message of early) this.receive(message);
@@ -68,12 +71,17 @@ export class Presenter {
         return;
       }
       if (header.view !== this.view) return;
-      if (header.kind === KIND_IMAGE) this.receiveImage(header, message);
-      else if (header.kind === KIND_GEOMETRY) this.receiveGeometry(header, message);
-      else throw new Error(`The server sends frames of a kind ${header.kind} that this page does not know. Reload it`);
+      const whole = this.pieces.add(header, message);
+      if (whole !== null) this.receiveWhole(decodeHeader(whole), whole);
     } catch (error) {
       this.events.failed(error as Error);
     }
+  }
+
+  private receiveWhole(header: FrameHeader, message: ArrayBuffer): void {
+    if (header.kind === KIND_IMAGE) this.receiveImage(header, message);
+    else if (header.kind === KIND_GEOMETRY) this.receiveGeometry(header, message);
+    else throw new Error(`The server sends frames of a kind ${header.kind} that this page does not know. Reload it`);
   }
 
   private receiveImage(header: FrameHeader, message: ArrayBuffer): void {

@@ -1,5 +1,5 @@
 // One WebSocket that comes back by itself: exponential back-off with jitter, a heartbeat, and a state to show.
-import { Disconnected, Rpc } from "./rpc";
+import { Disconnected, Rpc, type Post } from "./rpc";
 
 export type ConnectionState =
   | { kind: "connecting"; attempt: number }
@@ -52,6 +52,7 @@ export class Connection {
 
   constructor(
     private readonly open: () => SocketLike,
+    private readonly post: Post,
     private readonly events: ConnectionEvents,
     private readonly clock: Clock,
   ) {}
@@ -82,6 +83,7 @@ export class Connection {
     const rpc = new Rpc(
       (text) => socket.send(text),
       (name, params) => this.events.notification(name, params),
+      this.post,
     );
     socket.binaryType = "arraybuffer";
     socket.onopen = () => {

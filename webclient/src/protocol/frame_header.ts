@@ -6,6 +6,7 @@ export const KIND_GEOMETRY = 2;
 
 export interface FrameHeader {
   kind: number;
+  flags: number;
   still: boolean;
   last: boolean;
   first: boolean;
@@ -20,11 +21,16 @@ export interface FrameHeader {
   drawMs: number;
   encodeMs: number;
   triangles: number;
+  /** Of this message. */
   payloadBytes: number;
+  /** Of the picture or batch. */
+  wholeBytes: number;
+  /** Where in it this message's bytes lie. */
+  pieceOffset: number;
 }
 
 const MAGIC = 0x4c454943; // "CIEL", little-endian
-const VERSION = 1;
+const VERSION = 2;
 
 /** Throws an Error that says what is wrong with the message. */
 export function decodeHeader(message: ArrayBuffer): FrameHeader {
@@ -41,6 +47,7 @@ export function decodeHeader(message: ArrayBuffer): FrameHeader {
   const flags = view.getUint16(6, true);
   const header = {
     kind: view.getUint8(5),
+    flags,
     still: (flags & 1) !== 0,
     last: (flags & 2) !== 0,
     first: (flags & 4) !== 0,
@@ -56,9 +63,21 @@ export function decodeHeader(message: ArrayBuffer): FrameHeader {
     encodeMs: view.getFloat32(52, true),
     triangles: view.getUint32(56, true),
     payloadBytes: view.getUint32(60, true),
+    wholeBytes: view.getUint32(64, true),
+    pieceOffset: view.getUint32(68, true),
   };
   if (header.payloadBytes !== message.byteLength - HEADER_BYTES) {
     throw new Error(`A frame announces ${header.payloadBytes} bytes and brings ${message.byteLength - HEADER_BYTES}`);
   }
+  if (header.pieceOffset + header.payloadBytes > header.wholeBytes) {
+    throw new Error(`A piece of a frame ends behind its ${header.wholeBytes} bytes`);
+  }
   return header;
+}
+
+/** Makes a message of all pieces' bytes and the first one's header say that it is whole. */
+export function setWhole(message: ArrayBuffer, flags: number): void {
+  const view = new DataView(message);
+  view.setUint16(6, flags, true);
+  view.setUint32(60, message.byteLength - HEADER_BYTES, true);
 }

@@ -1,5 +1,6 @@
-// JSON-RPC 2.0 over one text channel: calls, answers, notifications. It knows no socket.
-import type { Methods, Notifications } from "../generated/protocol";
+// JSON-RPC 2.0 over one text channel: calls, answers, notifications. It knows no socket. Answers that are too long for a
+// message of the socket come by POST.
+import { ErrorCode, type Methods, type Notifications } from "../generated/protocol";
 
 export type MethodName = keyof Methods;
 export type Params<M extends MethodName> = Methods[M]["params"];
@@ -25,7 +26,12 @@ export class Disconnected extends Error {
   }
 }
 
+/** Sends one request by POST and gives the answer's text. */
+export type Post = (request: string) => Promise<string>;
+
 interface Pending {
+  method: MethodName;
+  params: unknown;
   resolve: (result: unknown) => void;
   reject: (error: Error) => void;
 }
@@ -38,6 +44,15 @@ interface Message {
   error?: { code: number; message: string; data?: unknown };
 }
 
+/** Pictures and files of surfaces are longer than a message of the socket may be. */
+const BY_POST = new Set<MethodName>(["picture.render", "surface.export"]);
+
+/** What has been done must not be done twice where only the answer was too long. */
+const ASKED_AGAIN_AS: Partial<Record<MethodName, MethodName>> = {
+  "scene.undo": "scene.get",
+  "scene.redo": "scene.get",
+};
+
 export class Rpc {
   private nextId = 1;
   private readonly pending = new Map<number, Pending>();
@@ -45,12 +60,14 @@ export class Rpc {
   constructor(
     private readonly send: (text: string) => void,
     private readonly onNotification: (name: string, params: unknown) => void,
+    private readonly post: Post,
   ) {}
 
   call<M extends MethodName>(method: M, params: Params<M>): Promise<Result<M>> {
+    if (BY_POST.has(method)) return this.byPost(method, params) as Promise<Result<M>>;
     const id = this.nextId++;
     return new Promise<Result<M>>((resolve, reject) => {
-      this.pending.set(id, { resolve: resolve as (result: unknown) => void, reject });
+      this.pending.set(id, { method, params, resolve: resolve as (result: unknown) => void, reject });
       this.send(JSON.stringify({ jsonrpc: "2.0", id, method, params }));
     });
   }
@@ -68,9 +85,14 @@ export class Rpc {
     const call = typeof message.id === "number" ? this.pending.get(message.id) : undefined;
     if (call === undefined) return; // an answer to a call that was given up
     this.pending.delete(message.id as number);
-    const error = message.error;
-    if (error === undefined) call.resolve(message.result);
-    else call.reject(new RpcError(error.code, error.message, error.data));
+    if (message.error?.code === ErrorCode.AnswerTooLong)
+      this.byPost(ASKED_AGAIN_AS[call.method] ?? call.method, call.params).then(call.resolve, call.reject);
+    else settle(message, call);
+  }
+
+  private async byPost(method: MethodName, params: unknown): Promise<unknown> {
+    const text = await this.post(JSON.stringify({ jsonrpc: "2.0", id: this.nextId++, method, params }));
+    return new Promise((resolve, reject) => settle(JSON.parse(text) as Message, { resolve, reject }));
   }
 
   /** Rejects whatever is unanswered: a closed socket answers no more. */
@@ -78,4 +100,9 @@ export class Rpc {
     for (const call of this.pending.values()) call.reject(new Disconnected());
     this.pending.clear();
   }
+}
+
+function settle({ result, error }: Message, call: Pick<Pending, "resolve" | "reject">): void {
+  if (error === undefined) call.resolve(result);
+  else call.reject(new RpcError(error.code, error.message, error.data));
 }

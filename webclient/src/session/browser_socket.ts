@@ -1,5 +1,6 @@
 // Where the server is, as seen from this page: beside it, under whatever prefix.
 import type { SocketLike } from "../protocol/connection";
+import { Disconnected, type Post } from "../protocol/rpc";
 
 /** The server has turned a token in the address into a cookie; taken out here, it does not leave in a link. */
 export function hideToken(): void {
@@ -17,4 +18,16 @@ export function socketAddress(base: string): URL {
 
 export function openSocket(address: URL): SocketLike {
   return new WebSocket(address, ["ciel.v1"]) as unknown as SocketLike;
+}
+
+export function postTo(base: string): Post {
+  const headers = { "Content-Type": "application/json" };
+  return async (body) => {
+    const answer = await fetch(new URL("rpc", base), { method: "POST", headers, body }).catch(() => {
+      throw new Disconnected();
+    });
+    const text = await answer.text();
+    if (!answer.ok) throw new Error(text);
+    return text;
+  };
 }

@@ -1,7 +1,15 @@
 // One viewer's conversation with the server: opens or rejoins the session and its view after every (re)connection.
 import type { Notifications, Scene, SessionState } from "../generated/protocol";
 import { Connection, type Clock, type ConnectionState, type SocketLike } from "../protocol/connection";
-import { Disconnected, RpcError, type MethodName, type Params, type Result, type Rpc } from "../protocol/rpc";
+import {
+  Disconnected,
+  RpcError,
+  type MethodName,
+  type Params,
+  type Post,
+  type Result,
+  type Rpc,
+} from "../protocol/rpc";
 import type { SceneEditor } from "../scene/editor";
 
 export interface ViewSize {
@@ -51,10 +59,12 @@ export class Session {
     private readonly host: SessionHost,
     private readonly editor: SceneEditor,
     open: () => SocketLike,
+    post: Post,
     clock: Clock,
   ) {
     this.connection = new Connection(
       open,
+      post,
       {
         state: (state) => this.stateChanged(state),
         opened: (rpc) => void this.opened(rpc),

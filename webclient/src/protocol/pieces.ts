@@ -1,0 +1,47 @@
+// Pictures and batches come in pieces, since proxies cut long messages (protocol/frame.md).
+import { HEADER_BYTES, setWhole, type FrameHeader } from "./frame_header";
+
+interface Begun {
+  frame: number;
+  flags: number;
+  message: ArrayBuffer;
+  /** Of the payload. */
+  arrived: number;
+}
+
+/** Of one view. */
+export class Pieces {
+  private begun: Begun | null = null;
+
+  /** The whole as one message, once the last piece of it is here; else null. Throws where a piece is missing. */
+  add(header: FrameHeader, message: ArrayBuffer): ArrayBuffer | null {
+    if (header.payloadBytes === header.wholeBytes) {
+      this.begun = null;
+      return message;
+    }
+    if (header.pieceOffset === 0) this.begin(header, message);
+    const { begun } = this;
+    if (begun === null || begun.frame !== header.frame || begun.arrived !== header.pieceOffset) {
+      this.begun = null;
+      throw new Error(`A piece of frame ${header.frame} is missing`);
+    }
+    new Uint8Array(begun.message, HEADER_BYTES + begun.arrived).set(new Uint8Array(message, HEADER_BYTES));
+    begun.arrived += header.payloadBytes;
+    begun.flags |= header.flags;
+    if (begun.arrived < header.wholeBytes) return null;
+    this.begun = null;
+    setWhole(begun.message, begun.flags);
+    return begun.message;
+  }
+
+  /** What has arrived of a frame is dropped. */
+  clear(): void {
+    this.begun = null;
+  }
+
+  private begin({ frame, flags, wholeBytes }: FrameHeader, message: ArrayBuffer): void {
+    const whole = new ArrayBuffer(HEADER_BYTES + wholeBytes);
+    new Uint8Array(whole).set(new Uint8Array(message, 0, HEADER_BYTES));
+    this.begun = { frame, flags, message: whole, arrived: 0 };
+  }
+}
