@@ -19,7 +19,7 @@ constexpr unsigned most_ways_given = 3;            // by one still: then it is f
 View::View(std::uint32_t id, std::shared_ptr<Session> session, std::shared_ptr<Connection> connection,
            const Services& services, ViewSize size, Stream stream, MovingCodec moving)
     : id_(id), session_(std::move(session)), connection_(std::move(connection)), services_(services), size_(size),
-      stream_(stream), moving_(moving) {}
+      window_(services.limits.unacknowledged_frames), stream_(stream), moving_(moving) {}
 
 void View::offer(std::shared_ptr<const SceneVersion> version) {
     const std::scoped_lock lock(mutex_);
@@ -57,8 +57,7 @@ void View::set_stream(Stream stream, std::optional<MovingCodec> moving) {
 
 void View::acknowledge(std::uint32_t frame) {
     const std::scoped_lock lock(mutex_);
-    if (frame > sent_ || frame <= acknowledged_) return;
-    acknowledged_ = frame;
+    if (frame > sent_ || !window_.acknowledged(frame, Clock::now())) return;
     quiet_until_ = Clock::now() + quiet; // the hand answers to what it sees now
     schedule();
 }
@@ -70,7 +69,11 @@ void View::close() {
 }
 
 void View::schedule() {
-    if (closed_ || working_ || queued_ || !has_room()) return;
+    if (closed_ || working_ || queued_) return;
+    if (!window_.has_room()) {
+        if (!mailbox_.empty()) window_.held_back();
+        return;
+    }
     const std::weak_ptr<View> weak = weak_from_this();
     if (!mailbox_.empty()) {
         queued_ = services_.workers.post([weak](Worker& worker) {
@@ -87,7 +90,7 @@ std::optional<FrameRequest> View::take(bool still) {
     const std::scoped_lock lock(mutex_);
     (still ? still_queued_ : queued_) = false;
     const bool due = still ? still_wanted_ && !queued_ && Clock::now() >= quiet_until_ : !mailbox_.empty();
-    if (closed_ || working_ || !has_room() || !due) {
+    if (closed_ || working_ || !window_.has_room() || !due) {
         schedule();
         return {};
     }
@@ -100,7 +103,7 @@ std::optional<FrameRequest> View::take(bool still) {
     request.started = Clock::now();
     if (!still && stream_ == Stream::image) {
         request.moving = &pictures_now();
-        request.scale = preview_.scale(size_);
+        request.scale = preview_.scale(size_) * detail_.of(moving_).scale;
     }
     stop_ = std::stop_source();
     request.stop = stop_.get_token();
@@ -111,7 +114,9 @@ std::optional<FrameRequest> View::take(bool still) {
 }
 
 wire::PictureStream& View::pictures_now() {
-    if (!pictures_.stream || pictures_.codec != moving_) pictures_ = {moving_, wire::make_picture_stream(moving_)};
+    const int quality = detail_.of(moving_).quality;
+    if (!pictures_.stream || pictures_.codec != moving_ || pictures_.quality != quality)
+        pictures_ = {moving_, quality, wire::make_picture_stream(moving_, quality)};
     return *pictures_.stream;
 }
 
@@ -126,10 +131,12 @@ void View::deliver(const FrameRequest& request, std::vector<std::vector<std::uin
             bytes += message.size();
             connection_->send_binary(std::make_shared<const std::vector<std::uint8_t>>(std::move(message)));
         }
+        window_.sent(sent_, bytes, request.still, Clock::now());
     }
     still_wanted_ = nullptr;
     if (!request.still && request.stream == Stream::image) {
         preview_.took(request.size, times.draw);
+        detail_.sent(moving_, bytes, (times.extract + times.draw + times.encode) / 1000, window_.rate());
         if (mailbox_.empty()) still_wanted_ = request.version;
     }
     gave_up_ = false;

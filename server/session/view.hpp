@@ -1,7 +1,9 @@
 // A stream of frames of one session to one connection: which scene is drawn next, and when.
 #pragma once
 
+#include "session/frame_window.hpp"
 #include "session/mailbox.hpp"
+#include "session/picture_detail.hpp"
 #include "session/preview_size.hpp"
 #include "session/services.hpp"
 #include "session/session.hpp"
@@ -31,8 +33,8 @@ struct FrameRequest {
 // What identifies the content of a geometry frame: a camera change alone sends none.
 using ContentKey = std::string;
 
-// Thread-safe. The newest scene waits in a mailbox until a worker is free and at most one frame less than the limit is
-// unacknowledged. When nothing newer has come for a moment, the shown picture is followed by its still.
+// Thread-safe. The newest scene waits in a mailbox until a worker is free and the window has room for one more frame on
+// the way. When nothing newer has come for a moment, the shown picture is followed by its still.
 class View : public std::enable_shared_from_this<View> {
 public:
     View(std::uint32_t id, std::shared_ptr<Session> session, std::shared_ptr<Connection> connection,
@@ -69,7 +71,6 @@ private:
     void finish(); // REQUIRES: the lock
     [[nodiscard]] wire::PictureStream& pictures_now(); // REQUIRES: the lock, and that none has taken
     void schedule();
-    [[nodiscard]] bool has_room() const { return sent_ - acknowledged_ < services_.limits.unacknowledged_frames; }
 
     const std::uint32_t id_;
     const std::shared_ptr<Session> session_;
@@ -79,10 +80,13 @@ private:
     std::mutex mutex_;
     ViewSize size_;
     PreviewSize preview_;
+    PictureDetail detail_;
+    FrameWindow window_;
     Stream stream_;
     MovingCodec moving_;
     struct {
         MovingCodec codec{};
+        int quality = 0;
         std::unique_ptr<wire::PictureStream> stream; // null: none has been asked for
     } pictures_;                                     // for who has taken
     Mailbox<std::shared_ptr<const SceneVersion>> mailbox_;
@@ -93,7 +97,7 @@ private:
     bool queued_ = false, working_ = false, working_on_still_ = false, still_queued_ = false, closed_ = false;
     bool gave_up_ = false; // the last interactive frame: the next is not cancelled, or a steady drag would show nothing
     unsigned gave_way_ = 0; // times that the still did that is wanted now
-    std::uint32_t sent_ = 0, acknowledged_ = 0;
+    std::uint32_t sent_ = 0;
     ContentKey content_;
     std::vector<std::string> lacking_, drawn_lacking_; // of the last frame, and of the last still
     std::vector<EmptyLayer> empty_;                    // of the last frame

@@ -60,7 +60,7 @@ struct JpegBand::Libjpeg {
 
     // `first`: the upper left pixel, `stride` bytes below which the next row begins.
     std::span<const std::uint8_t> encode(const std::uint8_t* first, std::size_t stride, int width, int height,
-                                         int units) {
+                                         int units, int quality) {
         file.resize(4 * static_cast<std::size_t>(width + unit) * static_cast<std::size_t>(height + unit) + 1024);
         unsigned char* begin = file.data();
         unsigned long size = file.size();
@@ -71,7 +71,7 @@ struct JpegBand::Libjpeg {
         compress.input_components = 3;
         compress.in_color_space = JCS_RGB;
         jpeg_set_defaults(&compress);
-        jpeg_set_quality(&compress, 80, TRUE);
+        jpeg_set_quality(&compress, quality, TRUE);
         compress.restart_interval = static_cast<unsigned>(units);
         jpeg_start_compress(&compress, TRUE);
         for (int row = 0; row < height; ++row) {
@@ -83,8 +83,8 @@ struct JpegBand::Libjpeg {
     }
 };
 
-JpegBand::JpegBand(int width, int height, int top)
-    : width_(width), height_(height), top_(top), rows_(std::min(most_rows, height - top)),
+JpegBand::JpegBand(int width, int height, int top, int quality)
+    : width_(width), height_(height), top_(top), quality_(quality), rows_(std::min(most_rows, height - top)),
       piece_width_(unit * units_of_piece((width + unit - 1) / unit)),
       columns_((width + piece_width_ - 1) / piece_width_),
       last_(3 * static_cast<std::size_t>(width) * static_cast<std::size_t>(rows_)),
@@ -119,7 +119,7 @@ void JpegBand::encode(std::span<const std::uint8_t> rgb) {
     if (span.begin >= span.end) return;
     const int left = span.begin * piece_width_, right = std::min(span.end * piece_width_, width_);
     take(libjpeg_->encode(last_.data() + 3 * static_cast<std::size_t>(left), 3 * static_cast<std::size_t>(width_),
-                          right - left, rows_, piece_width_ / unit),
+                          right - left, rows_, piece_width_ / unit, quality_),
          span);
 }
 

@@ -14,8 +14,9 @@ class JpegBand {
 public:
     static constexpr int most_rows = 64; // of pixels
 
-    // The band from row `top` of pictures of this size. Throws Error where libjpeg does not start.
-    JpegBand(int width, int height, int top);
+    // The band from row `top` of pictures of this size, of a quality from 1 to 100. Throws Error where libjpeg does not
+    // start.
+    JpegBand(int width, int height, int top, int quality);
     ~JpegBand();
     JpegBand(JpegBand&&) noexcept;
     JpegBand& operator=(JpegBand&&) noexcept;
@@ -38,7 +39,7 @@ private:
     [[nodiscard]] Span changed(std::span<const std::uint8_t> rgb);
     void take(std::span<const std::uint8_t> file, Span span);
 
-    int width_, height_, top_;
+    int width_, height_, top_, quality_;
     int rows_;        // of pixels
     int piece_width_; // pixels
     int columns_;     // of pieces

@@ -8,7 +8,7 @@ constexpr std::uint8_t end_of_image = 0xD9;
 
 void JpegStream::encode(int width, int height, std::span<const std::uint8_t> rgb, std::vector<std::uint8_t>& out) {
     check_picture("JPEG", longest_side, width, height, rgb);
-    const std::vector<JpegBand>& bands = bands_.encode(width, height, rgb);
+    const std::vector<JpegBand>& bands = bands_.encode(width, height, rgb, quality_);
     const auto header = bands.front().header();
     out.insert(out.end(), header.begin(), header.end());
     std::size_t piece = 0;

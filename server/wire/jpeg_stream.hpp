@@ -1,4 +1,4 @@
-// JPEG (ITU-T T.81) by libjpeg, quality 80.
+// JPEG (ITU-T T.81) by libjpeg.
 #pragma once
 
 #include "wire/bands.hpp"
@@ -12,9 +12,11 @@ namespace ciel::wire {
 // makes of the same picture in one go.
 class JpegStream final : public PictureStream {
 public:
+    explicit JpegStream(int quality = 80) : quality_(quality) {}
     void encode(int width, int height, std::span<const std::uint8_t> rgb, std::vector<std::uint8_t>& out) override;
 
 private:
+    int quality_;
     Bands<JpegBand> bands_;
 };
 

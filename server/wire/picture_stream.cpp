@@ -9,8 +9,8 @@
 
 namespace ciel::wire {
 
-std::unique_ptr<PictureStream> make_picture_stream(MovingCodec codec) {
-    if (codec == MovingCodec::jpeg) return std::make_unique<JpegStream>();
+std::unique_ptr<PictureStream> make_picture_stream(MovingCodec codec, int jpeg_quality) {
+    if (codec == MovingCodec::jpeg) return std::make_unique<JpegStream>(jpeg_quality);
     return std::make_unique<PngStream>();
 }
 

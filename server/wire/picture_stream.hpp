@@ -23,7 +23,8 @@ public:
     virtual void encode(int width, int height, std::span<const std::uint8_t> rgb, std::vector<std::uint8_t>& out) = 0;
 };
 
-[[nodiscard]] std::unique_ptr<PictureStream> make_picture_stream(MovingCodec codec);
+// `jpeg_quality`: 1 to 100; a PNG has all of it.
+[[nodiscard]] std::unique_ptr<PictureStream> make_picture_stream(MovingCodec codec, int jpeg_quality = 80);
 
 // Throws Error, in words that name the format, unless `rgb` has 3 bytes for each pixel and no side is longer.
 void check_picture(const char* format, int longest_side, int width, int height, std::span<const std::uint8_t> rgb);

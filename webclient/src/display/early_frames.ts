@@ -1,7 +1,8 @@
 // Frames that are here before the answer to view.open, which says whose they are (protocol/frame.md).
 import type { FrameHeader } from "../protocol/frame_header";
 
-/** A server sends no more of a view unacknowledged, and nothing is acknowledged before it is known to be shown. */
+/** A server sends no more of a view before the first acknowledgement, and nothing is acknowledged before it is known to be
+ * shown. */
 const MOST_FRAMES = 2;
 
 interface EarlyFrame {

@@ -1,0 +1,83 @@
+#include "session/frame_window.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace ciel::session {
+namespace {
+
+using std::chrono::seconds;
+
+constexpr double tolerance = 0.03;   // seconds: a browser's animation frame and its decoder come and go by as much
+constexpr double very_late = 0.2;    // seconds, which is no stumble of the browser; less counts twice in a row
+constexpr double longest_route = 1;  // seconds; what takes longer does so by its own length
+constexpr seconds soonest_lasts{10}; // a route may have become longer for good
+constexpr seconds rate_lasts{30};
+constexpr std::size_t most_frames = 64;
+
+} // namespace
+
+void FrameWindow::sent(std::uint32_t frame, std::size_t bytes, bool still, Time now) {
+    sent_bytes_ += bytes;
+    on_the_way_.push_back({frame, bytes, still, now, bytes_on_the_way()});
+    if (!still) last_bytes_ = bytes;
+}
+
+bool FrameWindow::has_room() const {
+    if (on_the_way_.empty()) return true;
+    if (!window_) return on_the_way_.size() < unknown_line_;
+    return on_the_way_.size() < most_frames && static_cast<double>(bytes_on_the_way() + last_bytes_) <= *window_;
+}
+
+bool FrameWindow::acknowledged(std::uint32_t frame, Time now) {
+    std::optional<Frame> newest;
+    while (!on_the_way_.empty() && on_the_way_.front().number <= frame) {
+        newest = on_the_way_.front();
+        delivered_bytes_ += newest->bytes;
+        on_the_way_.pop_front();
+    }
+    if (!newest) return false;
+    if (!window_) window_ = static_cast<double>(unknown_line_ * newest->bytes);
+    if (!newest->still) learn(*newest, now);
+    held_back_ = held_back_ && !has_room();
+    return true;
+}
+
+void FrameWindow::learn(const Frame& frame, Time now) {
+    const double took = Seconds(now - frame.sent).count();
+    if (!soonest_ || took <= soonest_->value || now - soonest_->at > soonest_lasts) {
+        soonest_ = {took, now};
+        soonest_bytes_ = frame.bytes;
+    }
+    if (rate_ && now - rate_->at > rate_lasts) rate_.reset();
+    const double more_bytes = frame.bytes > soonest_bytes_ ? static_cast<double>(frame.bytes - soonest_bytes_) : 0;
+    const double late = took - soonest_->value - (rate_ ? more_bytes / rate_->value : 0);
+    late_frames_ = late > tolerance ? late_frames_ + 1 : 0;
+    if (late_frames_ > 1 || late > very_late)
+        shrink(frame, took, late, now);
+    else if (late_frames_ == 0 && held_back_ && took < longest_route)
+        grow(frame.bytes);
+}
+
+void FrameWindow::shrink(const Frame& frame, double took, double late, Time now) {
+    if (now < may_shrink_) return; // what was sent before the last time comes late as well
+    may_shrink_ = now + (now - frame.sent);
+    const auto bytes = static_cast<double>(frame.bytes);
+    if (std::exchange(doubles_, false) && late <= very_late) { // the line was not full all the time: no measure of it
+        window_ = static_cast<double>(bytes_on_the_way()) + bytes;
+        return;
+    }
+    const double rate = static_cast<double>(frame.bytes_on_the_way) / took; // Little's law
+    if (!rate_ || rate >= rate_->value) rate_ = {rate, now};
+    window_ = std::max(rate * (soonest_->value + tolerance), bytes);
+}
+
+void FrameWindow::grow(std::size_t bytes) {
+    const auto more = static_cast<double>(bytes);
+    if (doubles_)
+        *window_ += more;
+    else // in a round trip a frame, or what the line carries in the tolerance
+        *window_ += std::min(more, rate() > 0 ? rate() * tolerance : more) * more / *window_;
+}
+
+} // namespace ciel::session
