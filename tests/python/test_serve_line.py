@@ -11,12 +11,13 @@ import box_dataset
 from serve_process import PATIENCE, UPGRADE, Frame, Server, client, until
 
 LONGEST = 512 << 10
-POINTS = {f"points{i}": {"type": "points", "of": "all", "size": 1 + i, "color": {"array": "r"}} for i in range(4)}
+SURFACES = {f"iso{i}": {"type": "iso", "array": "r", "values": [0.3 + 0.01 * j + 0.005 * i for j in range(64)],
+                       "color": {"array": "x"}} for i in range(2)}
 
 
 @pytest.fixture(scope="module")
 def server(tmp_path_factory):
-    box = box_dataset.write_box(tmp_path_factory.mktemp("data") / "box.ciel", n=64)
+    box = box_dataset.write_box(tmp_path_factory.mktemp("data") / "box.ciel", n=24)
     with Server(box) as running:
         yield running
 
@@ -25,7 +26,7 @@ def test_no_message_is_longer_than_512_kib_and_a_picture_by_post_has_any_length(
     async def attempt():
         async with client(server, max_size=LONGEST) as caller:
             session = (await caller.call("session.open", dataset="box"))["session"]
-            await caller.call("scene.patch", session=session, patch={"layers": POINTS})
+            await caller.call("scene.patch", session=session, patch={"layers": SURFACES})
             await caller.call("view.open", session=session, width=1920, height=1080, stream="geometry")
             frame = await caller.next_frame()
             assert frame.kind == 2 and frame.flags & 4 and frame.whole_bytes > LONGEST
@@ -67,7 +68,7 @@ class SlowReader:
 
     def send(self, method: str, **params) -> int:
         number = next(self.ids)
-        payload = json.dumps({"jsonrpc": "2.0", "id": number, "method": method, "params": params}).encode()
+        payload = json.dumps({"jsonrpc": "2.0", "id": number, "method": method, "params": params}).encode().ljust(126)
         self.socket.sendall(bytes([0x81, 0xFE]) + len(payload).to_bytes(2, "big") + b"\0\0\0\0" + payload)
         return number
 
@@ -83,7 +84,7 @@ def test_an_answer_overtakes_the_polygons_that_a_slow_line_has_not_taken(server)
     """On 10 Mbit/s the bytes before the answer are what a person waits for."""
     reader = SlowReader(server)
     session = reader.answer(reader.send("session.open", dataset="box"))[0]["session"]
-    reader.answer(reader.send("scene.patch", session=session, patch={"layers": POINTS}))
+    reader.answer(reader.send("scene.patch", session=session, patch={"layers": SURFACES}))
     frames, asked = "ciel_frames_total{kind=\"interactive\"}", "ciel_rpc_requests_total{method=\"server.info\"}"
     made = server.metrics()[frames]
     reader.send("view.open", session=session, width=640, height=360, stream="geometry")
