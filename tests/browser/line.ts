@@ -25,7 +25,7 @@ class Direction {
 
   constructor(from: Socket, to: Socket, options: Required<LineOptions>) {
     [this.from, this.to, this.options] = [from, to, options];
-    from.on("data", (bytes) => this.take(bytes as Buffer));
+    from.on("data", (bytes) => this.take(bytes));
     from.on("end", () => this.after(this.freeAt, () => to.end()));
     from.on("error", () => to.destroy());
     from.on("close", () => this.after(this.freeAt, () => to.destroy()));

@@ -27,7 +27,7 @@ function listen(): void {
   const watch: Watch = { sent: {}, shown: [], drawn: [] };
   window.watch = watch;
   const asked = new Map<number, number>();
-  const send = WebSocket.prototype.send;
+  const send = Reflect.get(WebSocket.prototype, "send") as (data: unknown) => void;
   WebSocket.prototype.send = function (this: WebSocket & { heard?: boolean }, data) {
     if (this.heard !== true)
       this.addEventListener("message", ({ data: text }: MessageEvent<unknown>) => {
@@ -41,7 +41,7 @@ function listen(): void {
     if (method === "scene.patch" && id !== undefined) asked.set(id, performance.now());
     send.call(this, data);
   };
-  const draw = WebGL2RenderingContext.prototype.drawElements;
+  const draw = Reflect.get(WebGL2RenderingContext.prototype, "drawElements") as (...of: unknown[]) => void;
   let frame = false;
   WebGL2RenderingContext.prototype.drawElements = function (...of) {
     if (!frame) {

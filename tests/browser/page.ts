@@ -34,6 +34,8 @@ export class Client {
   readonly patches: { patch: Record<string, unknown>; gesture: string }[] = [];
 
   readonly page: Page;
+  private readonly unanswered = new Set<number>();
+  private patchListeners: { sent: () => void; answered: () => void } | null = null;
 
   private constructor(page: Page) {
     this.page = page;
@@ -41,15 +43,24 @@ export class Client {
     page.on("console", (message) => {
       if (message.type() === "error" && !/WebSocket|ERR_/.test(message.text())) this.problems.push(message.text());
     });
-    page.on("websocket", (socket) =>
+    page.on("websocket", (socket) => {
       socket.on("framesent", ({ payload }) => {
         const call = JSON.parse(String(payload)) as {
+          id: number;
           method: string;
           params: Client["patches"][number];
         };
-        if (call.method === "scene.patch") this.patches.push(call.params);
-      }),
-    );
+        if (call.method !== "scene.patch") return;
+        this.patches.push(call.params);
+        this.unanswered.add(call.id);
+        this.patchListeners?.sent();
+      });
+      socket.on("framereceived", ({ payload }) => {
+        if (typeof payload !== "string") return;
+        const { id } = JSON.parse(payload) as { id?: number };
+        if (id !== undefined && this.unanswered.delete(id)) this.patchListeners?.answered();
+      });
+    });
   }
 
   static async open(browser: Browser, address: string, options: PageOptions = {}): Promise<Client> {
@@ -164,20 +175,25 @@ export class Client {
   }
 
   /** By parts of the canvas's width and height. */
-  async dragCanvas(from: [number, number], to: [number, number]): Promise<void> {
+  async dragCanvas(from: [number, number], to: [number, number], steps?: number): Promise<void> {
     const box = await this.canvas.boundingBox();
     if (box === null) throw new Error("the canvas is not on the page");
     const at = ([x, y]: [number, number]): [number, number] => [box.x + x * box.width, box.y + y * box.height];
-    await this.drag(at(from), at(to));
+    await this.drag(at(from), at(to), steps);
   }
 
   /** The iso-value's handle, to a part of the range. */
-  async dragIso(to: number): Promise<void> {
+  async dragIso(to: number, steps = 12): Promise<void> {
     const handle = await this.isoValue.boundingBox();
     const track = await this.page.locator(".histogram-track").first().boundingBox();
     if (handle === null || track === null) throw new Error("the histogram is not on the page");
     const y = track.y + track.height / 2;
-    await this.drag([handle.x + handle.width / 2, y], [track.x + to * track.width, y], 12);
+    await this.drag([handle.x + handle.width / 2, y], [track.x + to * track.width, y], steps);
+  }
+
+  /** Of every change that the page sends from here on. */
+  onPatch({ sent, answered }: { sent: () => void; answered: () => void }): void {
+    this.patchListeners = { sent, answered };
   }
 
   toast(text: string | RegExp): Locator {

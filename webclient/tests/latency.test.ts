@@ -1,5 +1,4 @@
 import { describe, expect, test } from "vitest";
-import { chooseStream } from "../src/session/choose_stream";
 import { Latency } from "../src/session/latency";
 
 describe("latency", () => {
@@ -44,20 +43,5 @@ describe("latency", () => {
     for (let at = 0; at <= 1000; at += 50) latency.shown(at, at);
     expect(latency.framesPerSecond(1000)).toBeCloseTo(20, 6);
     expect(latency.framesPerSecond(5000)).toBe(0);
-  });
-});
-
-describe("the automatic stream", () => {
-  test.each([
-    { current: "image", triangles: 100_000, roundTripMs: 5, hardware: true, chosen: "geometry" },
-    { current: "image", triangles: 200_000, roundTripMs: 5, hardware: true, chosen: "image" },
-    { current: "geometry", triangles: 200_000, roundTripMs: 5, hardware: true, chosen: "geometry" }, // no flipping
-    { current: "geometry", triangles: 400_000, roundTripMs: 5, hardware: true, chosen: "image" },
-    { current: "image", triangles: 200_000, roundTripMs: 400, hardware: true, chosen: "geometry" }, // far away
-    { current: "geometry", triangles: 10, roundTripMs: 400, hardware: false, chosen: "image" },
-    { current: "image", triangles: 10, roundTripMs: null, hardware: true, chosen: "geometry" },
-  ] as const)("$triangles triangles, $current, round trip $roundTripMs, hardware $hardware: $chosen", (row) => {
-    const { chosen, ...facts } = row;
-    expect(chooseStream(facts)).toBe(chosen);
   });
 });

@@ -49,6 +49,7 @@ beforeEach(() => {
       geometry: decodeGeometry,
     },
     {
+      arrived: () => undefined,
       acknowledge: (_, frame) => void acknowledged.push(frame),
       presented: () => undefined,
       failed: (error) => void failures.push(error),

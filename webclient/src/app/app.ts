@@ -101,12 +101,14 @@ export class App {
       geometryCanvas,
       () => this.look(),
       () => this.size.pixels(),
+      (requestedAt) => this.streams.pace.drawn(requestedAt, now()),
     );
     this.viewport = viewport;
     this.presenter = new Presenter(
       viewport,
       { image: decodeImage, geometry: decodeGeometry },
       {
+        arrived: (header) => this.streams.rate.arrived(header, now()),
         acknowledge: (view, frame) => this.session.acknowledge(view, frame),
         presented: (header, bytes) => this.presented(header, bytes),
         failed: (error) => this.fail(error),
@@ -144,6 +146,7 @@ export class App {
 
   private sceneChanged(): void {
     const { editor, store } = this;
+    const before = store.get().scene;
     store.set({
       ...forgottenWith(store.get(), editor.scene),
       scene: editor.scene,
@@ -152,6 +155,7 @@ export class App {
       pending: editor.isPending,
     });
     this.viewport?.redraw();
+    this.streams.changed(before, editor.scene);
     this.links.sceneChanged();
     void describeDatasets(this);
     void this.seenFrom.reconsider();
@@ -194,7 +198,7 @@ export class App {
       },
     });
     this.player.presented(header.time);
-    this.streams.reconsider();
+    this.streams.presented(header, bytes);
   }
 
   private refreshRate(): void {

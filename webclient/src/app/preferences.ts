@@ -34,7 +34,7 @@ export const saveTheme = (theme: Theme): void => write(local, THEME, theme);
 
 export function savedStream(): StreamChoice {
   const stream = read(local, STREAM);
-  return stream === "jpeg" || stream === "geometry" || stream === "auto" ? stream : "image";
+  return stream === "image" || stream === "jpeg" || stream === "geometry" ? stream : "auto";
 }
 
 export const saveStream = (stream: string): void => write(local, STREAM, stream);

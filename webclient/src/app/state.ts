@@ -75,6 +75,8 @@ export interface AppState {
   /** Of the newest change that the server has taken. */
   revision: number;
   streamChoice: StreamChoice;
+  /** What `auto` has chosen, and why. */
+  streamWhy: string;
   readout: Readout;
   /** Of the picture that the server could not draw, until another comes. */
   failedRevision: number | null;
@@ -138,7 +140,8 @@ export const initialState: AppState = {
   canRedo: false,
   pending: false,
   revision: 0,
-  streamChoice: "image",
+  streamChoice: "auto",
+  streamWhy: "",
   readout: emptyReadout,
   failedRevision: null,
   lacking: [],

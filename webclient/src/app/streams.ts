@@ -1,14 +1,33 @@
-// Which stream the view gets: the person's choice, or for `auto` what the scene and the line suggest.
-import { chooseStream, hasHardwareWebGL } from "../session/choose_stream";
+// Which stream the view gets: the person's choice, or for `auto` what the scene, the hand and the line suggest.
+import type { Scene } from "../generated/protocol";
+import { KIND_IMAGE, type FrameHeader } from "../protocol/frame_header";
 import { layersOf } from "../scene/scalars";
+import { chooseStream, hasHardwareWebGL, type Gesture, type Kind } from "../session/choose_stream";
+import { DrawPace } from "../session/draw_pace";
+import { LineRate } from "../session/line_rate";
+import type { StreamWish } from "../session/session";
 import type { App } from "./app";
 import { saveStream } from "./preferences";
-import type { StreamWish } from "../session/session";
 import type { StreamChoice } from "./state";
 
+/** After it a hand has let go. */
+const REST_MS = 600;
+/** Before the first of a kind has come. */
+const USUAL_PICTURE = { bytesOfPixel: 0.07, ms: 60 };
+const USUAL_TRIANGLE_BYTES = 8;
+/** What the browser draws as soon costs nothing more for fewer triangles. */
+const SMOOTH_MS = 33;
+
 export class Streams {
+  readonly rate = new LineRate();
+  readonly pace = new DrawPace();
   private hardware: boolean | null = null;
   private asked: StreamWish | null = null;
+  private gesture: Gesture = "rest";
+  private resting = 0;
+  private said = "";
+  private picture: { bytes: number; ms: number } | null = null;
+  private polygons: { bytes: number; triangles: number } | null = null;
 
   constructor(private readonly app: App) {}
 
@@ -24,7 +43,27 @@ export class Streams {
     this.reconsider();
   }
 
-  reconsider(): void {
+  presented({ kind, still, triangles, extractMs, drawMs, encodeMs }: FrameHeader, bytes: number): void {
+    if (kind !== KIND_IMAGE) this.polygons = { bytes, triangles };
+    else if (!still) this.picture = { bytes, ms: extractMs + drawMs + encodeMs };
+    this.reconsider();
+  }
+
+  /** The hand, or another window, has changed the scene. */
+  changed(before: Scene | null, now: Scene | null): void {
+    if (before === null || now === null || before === now) return;
+    const keys = new Set([...Object.keys(before), ...Object.keys(now)]) as Set<keyof Scene>;
+    const others = [...keys].some((key) => key !== "camera" && before[key] !== now[key]);
+    this.gesture = others ? "value" : "camera";
+    window.clearTimeout(this.resting);
+    this.resting = window.setTimeout(() => {
+      this.gesture = "rest";
+      this.reconsider();
+    }, REST_MS);
+    this.reconsider();
+  }
+
+  private reconsider(): void {
     const wanted = this.wanted();
     if (wanted.stream === this.asked?.stream && wanted.moving === this.asked.moving) return;
     this.asked = wanted;
@@ -34,18 +73,56 @@ export class Streams {
   private wanted(): StreamWish {
     const { streamChoice } = this.app.store.get();
     if (streamChoice === "auto") return { stream: this.suggested(), moving: "jpeg" };
+    this.say("", "");
     if (streamChoice === "jpeg") return { stream: "image", moving: "jpeg" };
     return { stream: streamChoice, moving: "png" };
   }
 
-  private suggested(): "image" | "geometry" {
-    const { readout, scene } = this.app.store.get();
-    if (layersOf(scene, "volume").some(([, layer]) => layer.visible !== false)) return "image"; // no polygons to send
-    if (scene?.lighting?.on !== false && scene?.lighting?.ambient_occlusion?.on === true) return "image"; // is not drawn here
+  private suggested(): Kind {
+    const { readout } = this.app.store.get();
+    const { width, height } = this.app.size.pixels();
+    const { triangles, extractMs } = readout;
+    const held = this.polygons;
     this.hardware ??= hasHardwareWebGL();
-    const { triangles, roundTripMs } = readout;
-    const current = readout.stream === "geometry" ? "geometry" : "image";
-    if (readout.stream === "none") return "image"; // nothing is measured yet
-    return chooseStream({ current, triangles, roundTripMs, hardware: this.hardware });
+    const { stream, why } = chooseStream({
+      current: this.asked?.stream ?? "image",
+      gesture: this.gesture,
+      lineRate: this.rate.bytesPerSecond,
+      pictureBytes: this.picture?.bytes ?? USUAL_PICTURE.bytesOfPixel * width * height,
+      pictureMs: this.picture?.ms ?? USUAL_PICTURE.ms,
+      polygonBytes:
+        held === null || held.triangles === 0
+          ? USUAL_TRIANGLE_BYTES * triangles
+          : (held.bytes / held.triangles) * triangles,
+      extractMs,
+      drawMs: this.drawMs(triangles),
+      hardware: this.hardware,
+      onlyPictures: this.onlyPictures(),
+    });
+    const about = `${stream} ${this.gesture} ${this.rate.bytesPerSecond === null}`;
+    this.say(about, `${stream === "image" ? "Pictures" : "Polygons"}: ${why}.`);
+    return stream;
+  }
+
+  /** Once about the same: the numbers differ a little with every frame. */
+  private say(about: string, streamWhy: string): void {
+    if (about === this.said) return;
+    this.said = about;
+    this.app.store.set({ streamWhy });
+  }
+
+  /** As seen, or of so many triangles more. */
+  private drawMs(triangles: number): number | null {
+    const { milliseconds } = this.pace;
+    const drawn = this.polygons?.triangles ?? 0;
+    if (milliseconds === null || milliseconds <= SMOOTH_MS || drawn === 0) return milliseconds;
+    return (milliseconds * triangles) / drawn;
+  }
+
+  private onlyPictures(): string {
+    const { scene } = this.app.store.get();
+    if (layersOf(scene, "volume").some(([, layer]) => layer.visible !== false)) return "a volume";
+    if (scene?.lighting?.on !== false && scene?.lighting?.ambient_occlusion?.on === true) return "ambient occlusion";
+    return "";
   }
 }

@@ -10,6 +10,8 @@ export interface Screen {
 }
 
 export interface PresenterEvents {
+  /** A message of the view, which may be a piece of a frame. */
+  arrived(header: FrameHeader): void;
   acknowledge(view: number, frame: number): void;
   presented(header: FrameHeader, bytes: number): void;
   failed(error: Error): void;
@@ -71,6 +73,7 @@ export class Presenter {
         return;
       }
       if (header.view !== this.view) return;
+      this.events.arrived(header);
       const whole = this.pieces.add(header, message);
       if (whole !== null) this.receiveWhole(decodeHeader(whole), whole);
     } catch (error) {

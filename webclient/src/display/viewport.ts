@@ -24,6 +24,8 @@ export class Viewport implements Screen {
     private readonly look: () => Look | null,
     /** In device pixels. */
     readonly size: () => { width: number; height: number },
+    /** Polygons were drawn that `redraw` asked for at that time. */
+    private readonly drawn: (requestedAt: number) => void,
   ) {
     this.images = new ImageCanvas(imageCanvas);
   }
@@ -50,9 +52,12 @@ export class Viewport implements Screen {
   redraw(): void {
     if (this.shown !== "geometry" || this.redrawRequested) return;
     this.redrawRequested = true;
+    const requestedAt = performance.now();
     requestAnimationFrame(() => {
       this.redrawRequested = false;
-      if (this.shown === "geometry") this.drawGeometry(true);
+      if (this.shown !== "geometry") return;
+      this.drawGeometry(true);
+      this.drawn(requestedAt);
     });
   }
 

@@ -7,10 +7,10 @@ import { AnnotationFields } from "./annotation_fields";
 import { useApp, useAppState } from "./context";
 
 const STREAMS = [
+  { value: "auto", text: "Automatic" },
   { value: "image", text: "Images" },
   { value: "jpeg", text: "Images, JPEG while moving" },
   { value: "geometry", text: "Geometry" },
-  { value: "auto", text: "Automatic" },
 ];
 const CUSTOM = "custom";
 
@@ -18,6 +18,7 @@ export function ViewSection(): JSX.Element {
   const { actions, editor, streams } = useApp();
   const scene = useAppState((state) => state.scene);
   const choice = useAppState((state) => state.streamChoice);
+  const why = useAppState((state) => state.streamWhy);
   const [outline] = layersOf(scene, "outline");
   const background = scene?.background ?? "dark";
   const own = background.startsWith("#");
@@ -44,6 +45,11 @@ export function ViewSection(): JSX.Element {
           options={STREAMS}
           onChange={(value) => streams.choose(value as StreamChoice)}
         />
+        {choice === "auto" && why !== "" && (
+          <p class="hint" data-readout="stream-why">
+            {why}
+          </p>
+        )}
         {own && (
           <label class="field">
             <span>Colour</span>

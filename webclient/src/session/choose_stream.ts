@@ -1,25 +1,75 @@
-// `auto`: pictures or polygons. Polygons answer a camera at once but cost their size at every change of a value.
+// Automatic: pictures or polygons, by what a change costs as each. A function of what is known.
+
+export type Kind = "image" | "geometry";
+/** What the hand moves: the camera, which needs no new polygons; anything else, which does; or nothing. */
+export type Gesture = "camera" | "value" | "rest";
 
 export interface StreamFacts {
-  current: "image" | "geometry";
-  triangles: number;
-  roundTripMs: number | null;
-  /** WebGL2 by the graphics card. Software drawing here is no faster than on the server. */
+  current: Kind;
+  gesture: Gesture;
+  /** Bytes a second; null where no long frame has come yet. */
+  lineRate: number | null;
+  /** Of an interactive picture; `pictureMs`: the server's time for it. */
+  pictureBytes: number;
+  pictureMs: number;
+  /** Of all polygons of the scene; `extractMs`: the server's time for them. */
+  polygonBytes: number;
+  extractMs: number;
+  /** From the wish to the drawing of polygons here; null where it has not been seen. */
+  drawMs: number | null;
+  /** WebGL2 by the graphics card. */
   hardware: boolean;
+  /** What only pictures show, in words; empty: nothing. */
+  onlyPictures: string;
 }
 
-/** Below this many triangles a frame of polygons is no larger than some pictures (26 bytes each). */
-const FEW = 150_000;
-/** Hysteresis: a scene that hovers at the border must not flip. */
-const MANY = 300_000;
-const SLOW_ROUND_TRIP_MS = 150;
-
-export function chooseStream({ current, triangles, roundTripMs, hardware }: StreamFacts): "image" | "geometry" {
-  if (!hardware) return "image";
-  const far = (roundTripMs ?? 0) > SLOW_ROUND_TRIP_MS ? 2 : 1;
-  const border = (current === "geometry" ? MANY : FEW) * far;
-  return triangles <= border ? "geometry" : "image";
+export interface Choice {
+  stream: Kind;
+  /** For a person. */
+  why: string;
 }
+
+/** A drawing that has not been seen, by a graphics card. */
+const USUAL_DRAW_MS = 16;
+/** As slow as nobody wants to turn things, however slow pictures are. */
+const TOO_SLOW_MS = 100;
+/** A stream is left for one that is so much quicker: a scene at the border must not flip. */
+const BETTER = 1.3;
+/** Seconds that polygons may take to come while the hand holds still, and while it turns the view. */
+const FETCH_AT_REST = 3;
+const FETCH_IN_GESTURE = 0.3;
+
+const megabytes = (bytes: number): string => `${(bytes / 1e6).toFixed(bytes < 1e7 ? 1 : 0)} MB`;
+const seconds = (value: number): string => `${value < 1 ? value.toFixed(2) : value.toFixed(1)} s`;
+
+export function chooseStream(facts: StreamFacts): Choice {
+  const { current, hardware, drawMs, lineRate, polygonBytes } = facts;
+  if (facts.onlyPictures !== "") return pictures(`${facts.onlyPictures} is shown in pictures only`);
+  if (!hardware) return pictures("this browser draws without a graphics card");
+  if (lineRate === null) return { stream: current, why: "the line is not measured yet" };
+  const draw = drawMs ?? USUAL_DRAW_MS;
+  const fetch = polygonBytes / lineRate;
+  const picture = Math.max(facts.pictureMs / 1000, facts.pictureBytes / lineRate);
+  if (draw > TOO_SLOW_MS && draw / 1000 > picture)
+    return pictures(
+      `this browser needs ${seconds(draw / 1000)} to draw the polygons, a picture comes in ${seconds(picture)}`,
+    );
+  const line = `${megabytes(lineRate)}/s`;
+  if (facts.gesture === "value") {
+    const change = Math.max(facts.extractMs / 1000, fetch) + draw / 1000;
+    const compared = `a change is ${seconds(change)} of polygons (${megabytes(polygonBytes)} at ${line}) and ${seconds(picture)} of pictures`;
+    const border = current === "geometry" ? picture * BETTER : picture / BETTER;
+    return change <= border ? { stream: "geometry", why: compared } : pictures(compared);
+  }
+  if (current === "geometry") return { stream: "geometry", why: "the view turns without a picture from the server" };
+  const patience = facts.gesture === "rest" ? FETCH_AT_REST : FETCH_IN_GESTURE;
+  const cost = `the polygons (${megabytes(polygonBytes)}) come in ${seconds(fetch)} at ${line}`;
+  return fetch <= patience
+    ? { stream: "geometry", why: `${cost}, and the view turns without the server` }
+    : pictures(cost);
+}
+
+const pictures = (why: string): Choice => ({ stream: "image", why });
 
 /** Asks the browser who draws its WebGL2. */
 export function hasHardwareWebGL(): boolean {
