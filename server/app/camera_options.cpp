@@ -2,7 +2,6 @@
 
 #include "app/commands.hpp"
 #include "app/scene_options.hpp"
-#include "session/shown_bounds.hpp"
 
 #include <CLI/CLI.hpp>
 #include <cmath>
@@ -59,11 +58,12 @@ void CameraOptions::project(scene::Scene& scene) const {
     scene.camera->parallel_height = height_of(*scene.camera);
 }
 
-void CameraOptions::stand_back(scene::Scene& scene, const session::Geometry& geometry, session::ViewSize size) const {
+void CameraOptions::stand_back(scene::Scene& scene, const session::Geometry& geometry, session::ViewSize size,
+                               const session::BoundingBox& box) const {
     if (scene.camera) return;
-    const render::Camera seen = session::default_view(
-        geometry, scene, static_cast<int>(size.width), static_cast<int>(size.height),
-        field_of_view.value_or(render::Camera{}.fov_degrees), parallel, session::shown_bounds(geometry, scene));
+    const render::Camera seen =
+        session::default_view(geometry, scene, static_cast<int>(size.width), static_cast<int>(size.height),
+                              field_of_view.value_or(render::Camera{}.fov_degrees), parallel, box);
     scene.camera = {seen.position, seen.target, seen.up, seen.fov_degrees, seen.parallel, seen.parallel_height};
 }
 

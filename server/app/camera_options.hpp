@@ -24,8 +24,9 @@ struct CameraOptions {
     void apply(nlohmann::json& document) const;
     // How a camera that is known looks: from where it stands.
     void project(scene::Scene& scene) const;
-    // Where a scene has no camera and it matters how it looks: from where all is seen.
-    void stand_back(scene::Scene& scene, const session::Geometry& geometry, session::ViewSize size) const;
+    // A scene without a camera gets one that shows the whole box.
+    void stand_back(scene::Scene& scene, const session::Geometry& geometry, session::ViewSize size,
+                    const session::BoundingBox& box) const;
 };
 
 } // namespace ciel::app

@@ -10,6 +10,7 @@
 #include "session/default_scene.hpp"
 #include "session/errors.hpp"
 #include "session/picture.hpp"
+#include "session/shown_bounds.hpp"
 #include "store/files.hpp"
 #include "wire/png.hpp"
 
@@ -102,11 +103,11 @@ nlohmann::json document_of_options(const RenderCommand& render, const store::Dat
     return document;
 }
 
-nlohmann::json default_document(const RenderCommand& render, store::LoadedDataset& loaded) {
-    nlohmann::json document = session::default_scene(loaded, loaded.dataset()->info().name);
-    document.erase("camera"); // made for a page's canvas; the picture's own shape and annotations decide here
-    if (render.scene.time) document["time"] = time_of_step(*loaded.dataset(), *render.scene.time);
-    return document;
+session::DefaultScene default_document(const RenderCommand& render, store::LoadedDataset& loaded) {
+    session::DefaultScene shown = session::default_scene(loaded, loaded.dataset()->info().name);
+    shown.document.erase("camera"); // made for a page's canvas; the picture's own shape and annotations decide here
+    if (render.scene.time) shown.document["time"] = time_of_step(*loaded.dataset(), *render.scene.time);
+    return shown;
 }
 
 nlohmann::json document_of_file(const RenderCommand& render, const std::string& dataset) {
@@ -125,15 +126,24 @@ nlohmann::json document_of_file(const RenderCommand& render, const std::string& 
     return document;
 }
 
-nlohmann::json document_of(const RenderCommand& render, store::LoadedDataset& loaded) {
-    if (!render.scene_file.empty()) return document_of_file(render, loaded.dataset()->info().name);
-    const bool has_layers = render.scene.has_layers() || render.layers.has_layers();
-    nlohmann::json document =
-        has_layers ? document_of_options(render, *loaded.dataset()) : default_document(render, loaded);
-    render.layers.apply(document["layers"]);
-    color_layers(render, document["layers"]);
-    document["background"] = render.background.value_or("dark");
-    return document;
+struct Wanted {
+    nlohmann::json document;
+    std::optional<session::BoundingBox> box; // what a camera that nobody chose looks at; none: what is shown
+};
+
+Wanted wanted_by(const RenderCommand& render, store::LoadedDataset& loaded) {
+    if (!render.scene_file.empty()) return {document_of_file(render, loaded.dataset()->info().name), {}};
+    Wanted wanted;
+    if (render.scene.has_layers() || render.layers.has_layers()) {
+        wanted.document = document_of_options(render, *loaded.dataset());
+    } else {
+        session::DefaultScene shown = default_document(render, loaded);
+        wanted = {std::move(shown.document), shown.box};
+    }
+    render.layers.apply(wanted.document["layers"]);
+    color_layers(render, wanted.document["layers"]);
+    wanted.document["background"] = render.background.value_or("dark");
+    return wanted;
 }
 
 // What was asked for by name, and nothing else. Titles and sizes go with any scene.
@@ -162,7 +172,7 @@ int run_command(const RenderCommand& render) {
         throw UsageError("-o " + render.output + ": pictures are .png files");
     render.scene.check_time();
     const auto loaded = load_dataset(render.scene.dataset);
-    nlohmann::json document = document_of(render, *loaded);
+    auto [document, box] = wanted_by(render, *loaded);
     annotate(render, document);
     render.camera.apply(document);
     if (const auto patch = render.lighting.patch(); !patch.empty() && document.is_object())
@@ -170,7 +180,7 @@ int run_command(const RenderCommand& render) {
     scene::Scene scene = parse_scene(document);
     render.camera.project(scene);
     const auto geometry = make_geometry(scene, loaded, render.scene.extraction.chosen());
-    render.camera.stand_back(scene, *geometry, size);
+    render.camera.stand_back(scene, *geometry, size, box.value_or(session::shown_bounds(*geometry, scene)));
     render::Image image;
     render::Renderer renderer(backend);
     renderer.draw(session::picture_of(*geometry, scene, size), image);

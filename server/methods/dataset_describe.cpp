@@ -64,7 +64,10 @@ protocol::DatasetDescribeResult dataset_describe(Context& context, const protoco
     }
     for (const store::ArrayInfo& array : info.arrays) description.arrays.push_back(array_of(*dataset, array));
     description.notes = info.notes;
-    description.default_scene = session::default_scene(*loaded, params.dataset);
+    session::DefaultScene shown = session::default_scene(*loaded, params.dataset);
+    description.default_scene = std::move(shown.document);
+    const auto& [low, high] = shown.box;
+    description.default_bounds = {low[0], high[0], low[1], high[1], low[2], high[2]};
     return description;
 }
 

@@ -16,7 +16,7 @@ protocol::SessionOpenResult session_open(Context& context, const protocol::Sessi
     const auto document = [&] {
         if (params.scene) return *params.scene;
         const std::string name = params.dataset ? *params.dataset : first_dataset(context.server.catalog());
-        return session::default_scene(*context.dataset(name), name);
+        return session::default_scene(*context.dataset(name), name).document;
     };
     const auto session = context.server.sessions().open(params.session.value_or(""), document);
     if (context.streaming_connection()) session->subscribe(context.connection.id);

@@ -1,10 +1,13 @@
 #include "session/default_scene.hpp"
 
 #include "render/renderer.hpp"
+#include "session/bodies.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <nlohmann/json.hpp>
+#include <span>
+#include <string_view>
 
 namespace ciel::session {
 namespace {
@@ -57,70 +60,144 @@ double sensible_value(const std::vector<float>& values) {
     return (at(0) + at(1)) / 2;
 }
 
-// A patch inside the domain along two axes at least is a body in the flow; the others are its outer sides.
-bool is_obstacle(const store::Group& group, const FaceMeshView& mesh, const store::MeshInfo& info) {
-    std::array<double, 6> box{INFINITY, -INFINITY, INFINITY, -INFINITY, INFINITY, -INFINITY};
-    for (const Index face : group.ids)
-        for (const Index vertex : mesh.loop(face))
-            for (std::size_t axis = 0; axis < 3; ++axis) {
-                const double at = mesh.origin[axis] + mesh.positions[std::size_t{3} * vertex + axis];
-                box[2 * axis] = std::min(box[2 * axis], at);
-                box[2 * axis + 1] = std::max(box[2 * axis + 1], at);
-            }
-    int inside = 0;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        const double margin = 0.01 * (info.bounds[2 * axis + 1] - info.bounds[2 * axis]);
-        inside +=
-            box[2 * axis] > info.bounds[2 * axis] + margin && box[2 * axis + 1] < info.bounds[2 * axis + 1] - margin;
-    }
-    return inside >= 2;
-}
-
-json camera_of(const store::MeshInfo& mesh) {
-    const auto& b = mesh.bounds;
-    const render::Camera camera = render::default_camera({b[0], b[2], b[4]}, {b[1], b[3], b[5]}, default_aspect);
+json camera_of(const BoundingBox& box) {
+    const render::Camera camera = render::default_camera(box.low, box.high, default_aspect);
     return {{"position", camera.position}, {"target", camera.target}, {"up", camera.up}, {"fov", camera.fov_degrees}};
 }
 
-json obstacles(const store::Dataset& dataset, const store::Step& step) {
-    json names = json::array();
-    const FaceMeshView mesh = dataset.mesh(step.mesh, step.coordinates);
-    for (const store::Group& group : dataset.groups(step.mesh))
-        if (group.of == store::Group::Of::faces && !group.ids.empty() &&
-            is_obstacle(group, mesh, dataset.info().meshes[step.mesh]))
-            names.push_back(group.name);
-    return names;
+BoundingBox domain_of(const store::Dataset& dataset, const store::Step& step) {
+    const auto& b = dataset.info().meshes[step.mesh].bounds;
+    return {{b[0], b[2], b[4]}, {b[1], b[3], b[5]}};
 }
 
-} // namespace
+bool is_finite(const store::Step& step, const std::string& array) {
+    const auto written = step.arrays.find(array);
+    if (written == step.arrays.end() || written->second.invalid > 0) return false;
+    return std::isfinite(written->second.range[0]) && std::isfinite(written->second.range[1]);
+}
 
-json default_scene(store::LoadedDataset& loaded, const std::string& name) {
+// Of the steps with the most point arrays that are written and have finite values everywhere, the last: a run that blew
+// up is shown before that. REQUIRES: one step at least.
+std::size_t last_whole_step(const store::Dataset& dataset) {
+    std::size_t last = 0;
+    std::ptrdiff_t most = -1;
+    for (std::size_t i = 0; i < dataset.steps().size(); ++i) {
+        const auto finite = std::ranges::count_if(dataset.info().arrays, [&](const store::ArrayInfo& array) {
+            return array.association == store::Association::point && is_finite(dataset.steps()[i], array.name);
+        });
+        if (finite < most) continue;
+        most = finite;
+        last = i;
+    }
+    return last;
+}
+
+bool has_name(const store::ArrayInfo& array, std::span<const std::string_view> names) {
+    return std::ranges::any_of(names, [&](std::string_view name) {
+        return std::ranges::equal(array.name, name, {}, [](char c) { return 'A' <= c && c <= 'Z' ? c + 32 : int{c}; });
+    });
+}
+
+// The first of these names, in lower case, that a point array with so many components has at this step and varies; else
+// the first array that does; null without one.
+const store::ArrayInfo* preferred(const store::Dataset& dataset, const store::Step& step, int components,
+                                  std::span<const std::string_view> names) {
+    const store::ArrayInfo* first = nullptr;
+    for (const store::ArrayInfo& array : dataset.info().arrays) {
+        if (array.association != store::Association::point || array.components != components) continue;
+        const auto written = step.arrays.find(array.name);
+        if (written == step.arrays.end() || !(written->second.range[0] < written->second.range[1])) continue;
+        if (has_name(array, names)) return &array;
+        if (first == nullptr) first = &array;
+    }
+    return first;
+}
+
+// Through the middle of the bodies, across the axis along which they reach through the whole domain, as cylinders and
+// wings between walls do; else along which they are thinnest.
+std::size_t axis_of_slice(const BoundingBox& bodies, const BoundingBox& domain) {
+    constexpr double whole = 0.98, as_thin = 1.01;
+    const auto length = [](const BoundingBox& box, std::size_t axis) { return box.high[axis] - box.low[axis]; };
+    std::size_t axis = 1; // seen from the default camera's side
+    for (const std::size_t other : {0U, 2U})
+        if (as_thin * length(bodies, other) < length(bodies, axis)) axis = other;
+    for (const std::size_t other : {0U, 1U, 2U})
+        if (length(bodies, other) > whole * length(domain, other)) axis = other;
+    return axis;
+}
+
+json color_by(const store::ArrayInfo* array) {
+    if (array == nullptr) return json::object();
+    return {{"array", array->components == 1 ? array->name : array->name + ":magnitude"}};
+}
+
+// What an engineer looks at first: pressure on the bodies, speed around them, at the end of the run.
+void show_bodies(const store::Dataset& dataset, const store::Step& step, std::span<const Patch> bodies, json& scene) {
+    static constexpr std::array<std::string_view, 6> pressures{"p",     "pressure", "staticpressure", "static_pressure",
+                                                               "p_rgh", "pmean"};
+    static constexpr std::array<std::string_view, 6> velocities{"u", "velocity", "v", "vel", "umean", "ux"};
+    const store::ArrayInfo* scalar = preferred(dataset, step, 1, pressures);
+    const store::ArrayInfo* vector = preferred(dataset, step, 3, velocities);
+    json names = json::array();
+    for (const Patch& body : bodies) names.push_back(body.name);
+    json& layers = scene["layers"];
+    layers["surface"] = {{"type", "surface"},
+                         {"order", 1},
+                         {"groups", std::move(names)},
+                         {"color", color_by(scalar != nullptr ? scalar : vector)}};
+    if (scalar == nullptr && vector == nullptr) return;
+    const BoundingBox box = box_around(bodies);
+    const std::size_t axis = axis_of_slice(box, domain_of(dataset, step));
+    layers["slice"] = {{"type", "slice"},
+                       {"order", 2},
+                       {"axis", std::string(1, static_cast<char>('x' + axis))},
+                       {"value", (box.low[axis] + box.high[axis]) / 2},
+                       {"color", color_by(vector != nullptr ? vector : scalar)}};
+}
+
+// Where there are no bodies: the boundary where nothing varies, else an iso-surface.
+void show_iso_surface(store::LoadedDataset& loaded, const std::vector<Candidate>& scalars, json& scene) {
     const auto dataset = loaded.dataset();
-    json scene{{"dataset", name}};
-    json& layers = scene["layers"] = json::object();
-    layers["outline"] = {{"type", "outline"}, {"order", 0}};
-    if (dataset->steps().empty()) return scene;
-
-    const auto scalars = candidates(*dataset);
-    const std::size_t step_index = scalars.empty() ? 0 : scalars.front().step;
-    const store::Step& step = dataset->steps()[step_index];
-    scene["time"] = step.time;
-    scene["camera"] = camera_of(dataset->info().meshes[step.mesh]);
-    json bodies = obstacles(*dataset, step);
-    if (scalars.empty() || !bodies.empty())
-        layers["surface"] = {{"type", "surface"}, {"order", 1}, {"groups", std::move(bodies)}};
-    if (scalars.empty()) return scene;
-
-    const std::string& scalar = scalars.front().scalar;
+    json& layers = scene["layers"];
+    if (scalars.empty()) {
+        layers["surface"] = {{"type", "surface"}, {"order", 1}, {"groups", json::array()}};
+        return;
+    }
+    const auto& [scalar, step_index] = scalars.front();
     json color = json::object();
     for (const Candidate& other : scalars)
-        if (other.scalar != scalar && is_written(*dataset, step, other.scalar)) color["array"] = other.scalar;
+        if (other.scalar != scalar && is_written(*dataset, dataset->steps()[step_index], other.scalar))
+            color["array"] = other.scalar;
     layers["iso"] = {{"type", "iso"},
                      {"order", 2},
                      {"array", scalar},
                      {"values", {sensible_value(*loaded.scalar_values(scalar, step_index))}},
                      {"color", std::move(color)}};
-    return scene;
+}
+
+} // namespace
+
+DefaultScene default_scene(store::LoadedDataset& loaded, const std::string& name) {
+    const auto dataset = loaded.dataset();
+    DefaultScene shown;
+    json& scene = shown.document = {{"dataset", name}};
+    scene["layers"]["outline"] = {{"type", "outline"}, {"order", 0}};
+    if (dataset->steps().empty()) return shown;
+
+    const std::size_t last = last_whole_step(*dataset);
+    const store::Step& at_end = dataset->steps()[last];
+    const auto patches = patches_of(*dataset, at_end);
+    const auto bodies = bodies_of(patches, domain_of(*dataset, at_end));
+    const auto scalars = candidates(*dataset);
+    const store::Step& step = !bodies.empty() ? at_end : dataset->steps()[scalars.empty() ? 0 : scalars.front().step];
+    if (bodies.empty())
+        show_iso_surface(loaded, scalars, scene);
+    else
+        show_bodies(*dataset, step, bodies, scene);
+    shown.box = bodies.empty() ? domain_of(*dataset, step) : box_around(bodies);
+    scene["time"] = step.time;
+    scene["camera"] = camera_of(shown.box);
+    return shown;
 }
 
 } // namespace ciel::session

@@ -1,16 +1,23 @@
 // A first view of any dataset that shows something worth looking at.
 #pragma once
 
+#include "session/scene_geometry.hpp"
 #include "store/loaded.hpp"
 
-#include <nlohmann/json_fwd.hpp>
+#include <nlohmann/json.hpp>
 
 namespace ciel::session {
 
-// Outline, obstacles (patches that lie inside the domain) and an iso-surface of the first point scalar that is not
-// constant, halfway between the values that 5 % and 95 % of the vertices stay below: a plateau, such as the free
-// stream, does not hold it. Coloured by another scalar where there is one. The document has an explicit camera.
-// `name`: of the dataset in the catalog.
-[[nodiscard]] nlohmann::json default_scene(store::LoadedDataset& loaded, const std::string& name);
+struct DefaultScene {
+    nlohmann::json document; // with an explicit camera
+    BoundingBox box;         // what the camera looks at: the bodies, or the whole mesh
+};
+
+// With bodies (bodies.hpp): the last step whose arrays are written and finite; the bodies, colored by pressure or else
+// by the first scalar that varies; one slice through them, colored by speed; the camera on them.
+// Without: an iso-surface of the first point scalar that is not constant, at the first step where it is not, halfway
+// between the values that 5 % and 95 % of the vertices stay below: a plateau, such as the free stream, does not hold
+// it. Colored by another scalar where there is one. An outline in both. `name`: of the dataset in the catalog.
+[[nodiscard]] DefaultScene default_scene(store::LoadedDataset& loaded, const std::string& name);
 
 } // namespace ciel::session

@@ -277,7 +277,8 @@ class DatasetDescription(TypedDict):
     arrays: list[ArrayInfo]
     groups: list[DatasetDescriptionGroupsItem]
     notes: list[str]
-    default_scene: Scene
+    default_scene: Scene  # What is shown first: bodies in the flow colored by pressure, with a slice colored by speed, at the last step whose arrays are finite. Without bodies: an iso-surface.
+    default_bounds: list[float]  # The box that the camera of default_scene looks at, for a camera that fits another canvas: around the bodies, or bounds. xmin, xmax, ymin, ymax, zmin, zmax
 
 
 class SessionState(TypedDict):

@@ -25,7 +25,7 @@ function openingCamera(camera: Camera | null | undefined, bounds: Bounds, aspect
 /** The dataset's own first view, fitted to this canvas and theme. */
 export function openingScene(description: DatasetDescription, size: CanvasSize, background: "dark" | "light"): Scene {
   const scene = description.default_scene;
-  const bounds = description.bounds;
+  const bounds = description.default_bounds;
   const camera = size.clearOfCorner(openingCamera(scene.camera, bounds, size.aspect), bounds);
   return { ...scene, camera, background };
 }
