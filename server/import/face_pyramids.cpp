@@ -1,7 +1,7 @@
 #include "import/face_pyramids.hpp"
 
-#include "import/cell_geometry.hpp"
-#include "import/vectors.hpp"
+#include "ciel/cell_geometry.hpp"
+#include "ciel/vector_operators.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -2,8 +2,8 @@
 // and point data made from cell data.
 #pragma once
 
+#include "ciel/point_interpolation.hpp"
 #include "import/fields.hpp"
-#include "import/point_interpolation.hpp"
 #include "import/step_mesh.hpp"
 #include "import/wall_values.hpp"
 

@@ -1,19 +1,19 @@
-#include "import/cell_geometry.hpp"
+#include "ciel/cell_geometry.hpp"
 
 #include "ciel/parallel.hpp"
-#include "import/vectors.hpp"
+#include "ciel/vector_operators.hpp"
 
 #include <algorithm>
 
-namespace ciel::importer {
+namespace ciel {
 
 namespace {
 
 constexpr std::size_t grain = 4096;
+constexpr const char* damaged = "; the dataset is damaged: restore its files or import the data again";
 
 // A fan around the mean of the corners, each triangle weighted by its share of the area along the normal.
-FaceShape face_shape(const FaceMeshView& mesh, Index face) {
-    const auto loop = mesh.loop(face);
+FaceShape face_shape(const FaceMeshView& mesh, std::span<const Index> loop) {
     Vec3d mean{};
     for (const Index vertex : loop) mean = mean + position(mesh, vertex);
     mean = (1.0 / static_cast<double>(loop.size())) * mean;
@@ -39,10 +39,31 @@ FaceShape face_shape(const FaceMeshView& mesh, Index face) {
 
 } // namespace
 
+void read_loop(const FaceMeshView& mesh, Index face, std::vector<Index>& loop) {
+    const std::uint64_t begin = mesh.face_offset[face], end = mesh.face_offset[std::size_t{face} + 1];
+    if (begin > end || end > mesh.face_vertex.size())
+        fail("face " + std::to_string(face) + " has a loop outside of the mesh" + damaged);
+    const auto from = mesh.face_vertex.subspan(begin, end - begin);
+    loop.assign(from.begin(), from.end());
+    if (std::any_of(loop.begin(), loop.end(), [&](Index vertex) { return vertex >= mesh.vertex_count(); }))
+        fail("face " + std::to_string(face) + " has a vertex outside of the mesh" + damaged);
+}
+
+FaceCells read_cells(const FaceMeshView& mesh, Index face) {
+    const FaceCells cells{mesh.owner[face], mesh.neighbour[face]};
+    if (cells.owner >= mesh.cell_count() || (cells.neighbour != none && cells.neighbour >= mesh.cell_count()))
+        fail("face " + std::to_string(face) + " has a cell outside of the mesh" + damaged);
+    return cells;
+}
+
 std::vector<FaceShape> face_shapes(const FaceMeshView& mesh) {
     std::vector<FaceShape> faces(mesh.face_count());
     parallel_for(faces.size(), grain, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t face = begin; face < end; ++face) faces[face] = face_shape(mesh, static_cast<Index>(face));
+        std::vector<Index> loop;
+        for (std::size_t face = begin; face < end; ++face) {
+            read_loop(mesh, static_cast<Index>(face), loop);
+            faces[face] = face_shape(mesh, loop);
+        }
     });
     return faces;
 }
@@ -51,8 +72,9 @@ std::vector<Vec3d> cell_centres(const FaceMeshView& mesh, const std::vector<Face
     const std::size_t cells = mesh.cell_count();
     const auto for_each_side = [&](auto&& visit) {
         for (Index face = 0; face < mesh.face_count(); ++face) {
-            visit(mesh.owner[face], faces[face], 1.0);
-            if (mesh.neighbour[face] != none) visit(mesh.neighbour[face], faces[face], -1.0);
+            const FaceCells beside = read_cells(mesh, face);
+            visit(beside.owner, faces[face], 1.0);
+            if (beside.neighbour != none) visit(beside.neighbour, faces[face], -1.0);
         }
     };
     std::vector<Vec3d> guess(cells);
@@ -76,4 +98,4 @@ std::vector<Vec3d> cell_centres(const FaceMeshView& mesh, const std::vector<Face
     return guess;
 }
 
-} // namespace ciel::importer
+} // namespace ciel

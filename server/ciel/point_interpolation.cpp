@@ -1,14 +1,14 @@
-#include "import/point_interpolation.hpp"
+#include "ciel/point_interpolation.hpp"
 
+#include "ciel/cell_geometry.hpp"
 #include "ciel/parallel.hpp"
-#include "import/cell_geometry.hpp"
-#include "import/vectors.hpp"
+#include "ciel/vector_operators.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-namespace ciel::importer {
+namespace ciel {
 
 namespace {
 
@@ -39,19 +39,26 @@ PointInterpolation::PointInterpolation(const FaceMeshView& mesh) {
 
 void PointInterpolation::find_cells(const FaceMeshView& mesh) {
     const std::size_t vertices = mesh.vertex_count();
+    std::vector<Index> loop;
     const auto for_each_pair = [&](auto&& visit) {
-        for (Index face = 0; face < mesh.face_count(); ++face)
-            for (const Index vertex : mesh.loop(face)) {
-                visit(vertex, mesh.owner[face]);
-                if (mesh.neighbour[face] != none) visit(vertex, mesh.neighbour[face]);
+        for (Index face = 0; face < mesh.face_count(); ++face) {
+            read_loop(mesh, face, loop);
+            const FaceCells beside = read_cells(mesh, face);
+            for (const Index vertex : loop) {
+                visit(vertex, beside.owner);
+                if (beside.neighbour != none) visit(vertex, beside.neighbour);
             }
+        }
     };
     std::vector<std::uint64_t> begin(vertices + 1, 0);
     for_each_pair([&](Index vertex, Index) { ++begin[vertex + 1]; });
     for (std::size_t i = 0; i < vertices; ++i) begin[i + 1] += begin[i];
     std::vector<Index> all(begin.back());
     std::vector<std::uint64_t> next(begin.begin(), begin.end() - 1);
-    for_each_pair([&](Index vertex, Index cell) { all[next[vertex]++] = cell; });
+    for_each_pair([&](Index vertex, Index cell) {
+        if (next[vertex] == begin[vertex + 1]) fail("the mesh changed while it was read; restore its files");
+        all[next[vertex]++] = cell;
+    });
 
     offset_.assign(1, 0);
     for (std::size_t vertex = 0; vertex < vertices; ++vertex) {
@@ -116,4 +123,4 @@ std::vector<float> PointInterpolation::apply(std::span<const float> cell_values,
     return values;
 }
 
-} // namespace ciel::importer
+} // namespace ciel

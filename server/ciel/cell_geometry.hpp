@@ -5,12 +5,21 @@
 
 #include <vector>
 
-namespace ciel::importer {
+namespace ciel {
 
 [[nodiscard]] inline Vec3d position(const FaceMeshView& mesh, Index vertex) {
     const float* p = &mesh.positions[3 * std::size_t{vertex}];
     return {p[0], p[1], p[2]};
 }
+
+// Copies a face's loop, reading each index once. A mesh may be mapped from a file that changes after it was verified:
+// throws Error when an index leads out of the mesh. So do the next three.
+void read_loop(const FaceMeshView& mesh, Index face, std::vector<Index>& loop);
+
+struct FaceCells {
+    Index owner, neighbour; // neighbour may be `none`
+};
+[[nodiscard]] FaceCells read_cells(const FaceMeshView& mesh, Index face);
 
 struct FaceShape {
     Vec3d centre{}; // as an offset from the mesh's origin
@@ -22,4 +31,4 @@ struct FaceShape {
 // Centroids of the cells, as offsets from the mesh's origin.
 [[nodiscard]] std::vector<Vec3d> cell_centres(const FaceMeshView& mesh, const std::vector<FaceShape>& faces);
 
-} // namespace ciel::importer
+} // namespace ciel

@@ -9,9 +9,9 @@
 #include <span>
 #include <vector>
 
-namespace ciel::importer {
+namespace ciel {
 
-// Cells that share no vertex never mix: unwelded regions stay apart.
+// Cells that share no vertex never mix: unwelded regions stay apart. Throws Error when an index leads out of the mesh.
 class PointInterpolation {
 public:
     explicit PointInterpolation(const FaceMeshView& mesh);
@@ -29,4 +29,4 @@ private:
     std::vector<float> weight_; // >= 0, sum 1 per vertex
 };
 
-} // namespace ciel::importer
+} // namespace ciel

@@ -1,0 +1,12 @@
+// Sums and multiples of three-vectors of doubles.
+#pragma once
+
+#include "ciel/vectors.hpp"
+
+namespace ciel {
+
+[[nodiscard]] inline Vec3d operator+(Vec3d a, Vec3d b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
+[[nodiscard]] inline Vec3d operator-(Vec3d a, Vec3d b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
+[[nodiscard]] inline Vec3d operator*(double s, Vec3d a) { return {s * a[0], s * a[1], s * a[2]}; }
+
+} // namespace ciel
