@@ -42,7 +42,7 @@ ArrayLayout read_layout(const fs::path& directory, std::uint64_t items, int comp
 
 class MappedDataset final : public Dataset {
 public:
-    MappedDataset(fs::path directory, Documents documents, const MappedDataset* before)
+    MappedDataset(fs::path directory, Documents documents, Chunks chunks, const MappedDataset* before)
         : directory_(std::move(directory)), info_(std::move(documents.info)), marker_(std::move(documents.marker)) {
         if (before != nullptr) {
             chunks_ = before->chunks_;
@@ -58,9 +58,10 @@ public:
             (void)mesh(m, 0);
         }
         layouts_.resize(meshes_.size());
-        for (const MarkedStep& step : marker_.steps) add_step(step);
+        for (const MarkedStep& step : marker_.steps) add_step(step, chunks);
     }
 
+    const fs::path& directory() const override { return directory_; }
     const DatasetInfo& info() const override { return info_; }
     const std::vector<Step>& steps() const override { return steps_; }
 
@@ -71,7 +72,7 @@ public:
         if (now.info.id != info_.id || now.marker.steps.size() < steps_.size() || now.marker.meshes < meshes_.size())
             refuse(directory_, "was replaced by another dataset while it was open; open it again");
         if (now.marker.steps.size() == steps_.size()) return nullptr;
-        return std::make_shared<MappedDataset>(directory_, std::move(now), this);
+        return std::make_shared<MappedDataset>(directory_, std::move(now), Chunks::checked, this);
     }
 
     void check_intact() const override {
@@ -131,18 +132,20 @@ private:
         return parse_mesh_attributes(read_text(file, layout::document_bytes), file).coordinate_checksums;
     }
 
-    void add_step(const MarkedStep& marked) {
+    void add_step(const MarkedStep& marked, Chunks chunks) {
         const std::size_t index = next_step_++;
+        const bool is_known = index < steps_.size(); // from before the refresh
         if (marked.coordinates >= positions_[marked.mesh].chunks)
             refuse(directory_ / layout::commit_marker,
                    "step " + std::to_string(index) + " names coordinates that do not exist");
         for (const auto& [name, entry] : marked.arrays) {
             learn_array(marked.mesh, name, entry.chunk);
-            check_chunk(marked, name, entry);
+            if (!is_known && chunks == Chunks::checked) check_chunk(marked, name, entry);
         }
-        if (index < steps_.size()) return; // known from before the refresh
+        if (is_known) return;
         Step step{marked.time, marked.mesh, marked.coordinates, {}};
-        for (const auto& [name, entry] : marked.arrays) step.arrays.emplace(name, array_step(marked, name, entry));
+        for (const auto& [name, entry] : marked.arrays)
+            step.arrays.emplace(name, array_step(marked, name, entry, chunks));
         steps_.push_back(std::move(step));
     }
 
@@ -174,7 +177,8 @@ private:
                        std::to_string(chunk));
     }
 
-    ArrayStep array_step(const MarkedStep& step, const std::string& name, const MarkedArray& entry) const {
+    ArrayStep array_step(const MarkedStep& step, const std::string& name, const MarkedArray& entry,
+                         Chunks chunks) const {
         const ArrayInfo& array = *find(name);
         ArrayStep result;
         if (entry.statistics) {
@@ -182,7 +186,7 @@ private:
             if (result.component_ranges.size() != static_cast<std::size_t>(array.components))
                 refuse(directory_ / layout::commit_marker,
                        "'component_ranges' of '" + name + "' must have one entry per component");
-        } else if (entry.lazy && !is_written(step, name)) {
+        } else if (chunks == Chunks::unchecked || (entry.lazy && !is_written(step, name))) {
             result.component_ranges.resize(static_cast<std::size_t>(array.components));
         } else {
             const ArrayLayout& shape = layouts_[step.mesh].at(name);
@@ -208,8 +212,8 @@ private:
 
 } // namespace
 
-std::shared_ptr<Dataset> Dataset::open(const fs::path& directory) {
-    return std::make_shared<MappedDataset>(directory, read_documents(directory), nullptr);
+std::shared_ptr<Dataset> Dataset::open(const fs::path& directory, Chunks chunks) {
+    return std::make_shared<MappedDataset>(directory, read_documents(directory), chunks, nullptr);
 }
 
 const ArrayInfo* Dataset::find(const std::string& array) const {

@@ -67,18 +67,27 @@ struct DatasetInfo {
     std::vector<MeshInfo> meshes;
 };
 
+// What opening a dataset asks of the chunks of its steps. Whatever is chosen, a chunk is verified at first touch.
+enum class Chunks {
+    checked,  // each file's size; ranges that the commit marker lacks are made
+    unchecked // nothing: for those who only add steps, however many there are
+};
+
 // Immutable view of what was committed when it was opened or last refreshed. Everything borrowed from it stays valid as
 // long as the shared pointer lives: files are mapped, and are replaced, never truncated, by writers. Thread-safe.
 class Dataset : public std::enable_shared_from_this<Dataset> {
 public:
     // Throws Error naming the file when it is missing, damaged, truncated, of a newer version or not a dataset.
     // Topology checksums are verified here, chunks at first touch.
-    [[nodiscard]] static std::shared_ptr<Dataset> open(const std::filesystem::path& directory);
+    [[nodiscard]] static std::shared_ptr<Dataset> open(const std::filesystem::path& directory,
+                                                       Chunks chunks = Chunks::checked);
     virtual ~Dataset() = default;
 
+    [[nodiscard]] virtual const std::filesystem::path& directory() const = 0; // as it was given to open()
     [[nodiscard]] virtual const DatasetInfo& info() const = 0;
     [[nodiscard]] virtual const std::vector<Step>& steps() const = 0;
-    // The dataset with the steps committed since, or nullptr when there are none. Chunks stay mapped once.
+    // The dataset with the steps committed since, or nullptr when there are none. Chunks stay mapped once. Looks at the
+    // files of the new steps and at those that are mapped, not at those of the other steps.
     [[nodiscard]] virtual std::shared_ptr<Dataset> refreshed() const = 0;
 
     // Throws Error naming a file that was truncated while somebody read it: whatever was made since is worthless. To be

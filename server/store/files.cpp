@@ -14,16 +14,27 @@
 namespace ciel::store {
 namespace {
 
-void write_all(const std::filesystem::path& file, std::span<const std::byte> bytes, bool durable) {
-    const Descriptor out(::open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644));
+constexpr std::string_view beside_mark = ".new-"; // and the writer's process id
+
+Descriptor create(const std::filesystem::path& file) {
+    Descriptor out(::open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644));
     if (out.get() < 0) refuse_errno(file, "cannot be created");
+    return out;
+}
+
+void write_all(const Descriptor& out, const std::filesystem::path& file, std::span<const std::byte> bytes) {
     while (!bytes.empty()) {
         const ssize_t written = ::write(out.get(), bytes.data(), std::min<std::size_t>(bytes.size(), 1 << 30));
         if (written < 0 && errno == EINTR) continue;
         if (written < 0) refuse_errno(file, "cannot be written");
         bytes = bytes.subspan(static_cast<std::size_t>(written));
     }
-    if (durable && ::fsync(out.get()) != 0) refuse_errno(file, "cannot be flushed to the disk");
+}
+
+bool is_beside(const std::string& name) {
+    const auto mark = name.rfind(beside_mark);
+    if (mark == std::string::npos || mark + beside_mark.size() == name.size()) return false;
+    return name.find_first_not_of("0123456789", mark + beside_mark.size()) == std::string::npos;
 }
 
 } // namespace
@@ -62,21 +73,38 @@ std::string read_text(const std::filesystem::path& file, std::size_t limit) {
     return text;
 }
 
-void write_file(const std::filesystem::path& file, std::span<const std::byte> bytes) { write_all(file, bytes, false); }
+void write_file(const std::filesystem::path& file, std::span<const std::byte> bytes) {
+    write_all(create(file), file, bytes);
+}
 
 void replace_file(const std::filesystem::path& file, std::span<const std::byte> bytes) {
     std::error_code error;
     if (const auto folder = file.parent_path(); !std::filesystem::is_directory(folder, error))
         refuse(file, "cannot be written: there is no folder " + folder.string() + "; make it first");
-    const std::filesystem::path beside = file.string() + ".new-" + std::to_string(::getpid());
+    const std::filesystem::path beside = file.string() + std::string(beside_mark) + std::to_string(::getpid());
     try {
-        write_all(beside, bytes, true);
+        const Descriptor out = create(beside);
+        // The lock tells a file in use from one left behind. A process id does not: each container counts its own.
+        (void)::flock(out.get(), LOCK_EX | LOCK_NB);
+        write_all(out, beside, bytes);
+        if (::fsync(out.get()) != 0) refuse_errno(beside, "cannot be flushed to the disk");
         if (::rename(beside.c_str(), file.c_str()) != 0) refuse_errno(file, "cannot be replaced");
     } catch (...) {
         ::unlink(beside.c_str());
         throw;
     }
     sync_directory(file.parent_path());
+}
+
+void remove_left_beside(const std::filesystem::path& directory) {
+    std::error_code error;
+    for (auto entry = std::filesystem::recursive_directory_iterator(directory, error);
+         !error && entry != std::filesystem::recursive_directory_iterator(); entry.increment(error)) {
+        const std::filesystem::path& file = entry->path();
+        if (!is_beside(file.filename().string())) continue;
+        const Descriptor left(::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOFOLLOW));
+        if (left.get() >= 0 && ::flock(left.get(), LOCK_EX | LOCK_NB) == 0) ::unlink(file.c_str());
+    }
 }
 
 void make_directory(const std::filesystem::path& directory) {

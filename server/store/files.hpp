@@ -18,9 +18,12 @@ namespace ciel::store {
 
 // A new file; not flushed to the disk.
 void write_file(const std::filesystem::path& file, std::span<const std::byte> bytes);
-// Written beside, flushed and renamed over `file`: readers see the old or the new one, and a mapping of the old one
-// stays valid.
+// Written beside as FILE.new-PID, flushed and renamed over `file`: readers see the old or the new one, and a mapping of
+// the old one stays valid.
 void replace_file(const std::filesystem::path& file, std::span<const std::byte> bytes);
+// Removes what killed calls of replace_file have left in `directory` and below it. The files of living ones are locked
+// and stay.
+void remove_left_beside(const std::filesystem::path& directory);
 
 void make_directory(const std::filesystem::path& directory); // and its parents
 void sync_directory(const std::filesystem::path& directory);

@@ -13,6 +13,8 @@ namespace {
 
 namespace fs = std::filesystem;
 constexpr const char* extension = ".ciel";
+constexpr const char* sign = ".imported-by-ciel-serve"; // beside the copy: a copy of that is the user's own
+constexpr std::size_t longest_sign = 1 << 16;
 
 bool is_dataset(const fs::path& path) { return fs::exists(path / layout::commit_marker); }
 
@@ -39,9 +41,22 @@ fs::path target_of(const fs::path& input, const fs::path& folder) {
     return without_slash(folder) / sum.substr(sum.find(':') + 1) / (dataset_name(input) + extension);
 }
 
-// The marker carries the time of the input that was imported (import_one), or of what was appended since.
+// The marker carries the time of the input that was imported (import_one).
 bool is_imported(const fs::path& input, const fs::path& target) {
     return is_dataset(target) && fs::last_write_time(target / layout::commit_marker) >= last_change(input);
+}
+
+void put_sign(const fs::path& input, const fs::path& target) {
+    replace_file(target.parent_path() / sign, bytes_of(input.string() + "\n"));
+}
+
+// Of a copy that an earlier version made. Where nothing can be written, nothing can be appended either.
+void complete_sign(const fs::path& input, const fs::path& target) {
+    try {
+        put_sign(input, target);
+    } catch (const Error&) {
+        return;
+    }
 }
 
 // The importer's sentence; empty when a dataset stands at `target` now.
@@ -59,6 +74,7 @@ std::string import_one(const fs::path& input, const fs::path& target, const Impo
         return end.problem;
     }
     fs::last_write_time(target / layout::commit_marker, imported);
+    put_sign(input, target);
     if (!end.problem.empty()) listener.line(end.problem);
     return {};
 }
@@ -79,10 +95,20 @@ std::vector<Servable> import_missing(const std::vector<fs::path>& data, const fs
             continue;
         }
         const fs::path target = target_of(input, folder);
-        result.push_back(
-            {target, is_imported(input, target) ? "" : import_one(input, target, limits, listener, cancel)});
+        const bool is_there = is_imported(input, target);
+        result.push_back({target, is_there ? "" : import_one(input, target, limits, listener, cancel)});
+        if (is_there && input_of_copy(target).empty()) complete_sign(input, target);
     }
     return result;
+}
+
+std::string input_of_copy(const fs::path& dataset) {
+    std::error_code error;
+    const fs::path file = fs::weakly_canonical(dataset, error).parent_path() / sign;
+    if (error || !fs::exists(file, error)) return {};
+    std::string input = read_text(file, longest_sign);
+    if (input.ends_with('\n')) input.pop_back();
+    return input;
 }
 
 } // namespace ciel::store

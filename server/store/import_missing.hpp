@@ -12,10 +12,14 @@ struct Servable {
 
 // Datasets, and folders other than OpenFOAM cases, come back as they are. Everything else is imported to
 // folder/KEY/NAME.ciel, where KEY stands for the input's path and NAME is its name without extension, unless it stands
-// there and the input has not been changed since (freshness.hpp). Throws Error for a path that does not exist, before
-// anything is imported, and when `cancel` is set.
+// there and the input has not been changed since (freshness.hpp). A file beside the copy says what it is one of. Throws
+// Error for a path that does not exist, before anything is imported, and when `cancel` is set.
 [[nodiscard]] std::vector<Servable> import_missing(const std::vector<std::filesystem::path>& data,
                                                    const std::filesystem::path& folder, const ImportLimits& limits,
                                                    const ImportListener& listener, const std::atomic<bool>& cancel);
+
+// What `dataset` is such a copy of; empty when it is none. A copy is replaced when its input changes, and steps that
+// were appended to it would be lost.
+[[nodiscard]] std::string input_of_copy(const std::filesystem::path& dataset);
 
 } // namespace ciel::store

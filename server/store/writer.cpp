@@ -2,14 +2,17 @@
 
 #include "store/checksum.hpp"
 #include "store/files.hpp"
+#include "store/import_missing.hpp"
 #include "store/json_reader.hpp"
 #include "store/layout.hpp"
+#include "store/mapped_file.hpp"
 #include "store/marker.hpp"
 #include "store/mesh_counts.hpp"
 #include "store/place.hpp"
 #include "store/statistics.hpp"
 #include "store/write_mesh.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <ctime>
 #include <random>
@@ -41,7 +44,32 @@ struct WrittenMesh {
     MeshAttributes attributes;
     std::map<std::string, ArrayInfo> arrays;
     std::uint64_t steps = 0;
+
+    [[nodiscard]] std::uint64_t items(const ArrayInfo& array) const {
+        return array.association == Association::point ? attributes.info.vertices : attributes.info.cells;
+    }
 };
+
+// Between begin_step and end_step.
+struct StepUnderWay {
+    MarkedStep step;
+    std::vector<ArrayInfo> arrays;
+    std::vector<fs::path> chunks;
+};
+
+ArrayInfo with_valid_text(const ArrayInfo& info) {
+    return {valid_utf8(info.name), info.association, info.components, valid_utf8(info.units),
+            valid_utf8(info.description)};
+}
+
+// Coordinates that came by plain Zarr have no checksum yet.
+void complete_checksums(MeshAttributes& attributes, const Dataset& dataset, std::size_t mesh) {
+    const auto document = layout::mesh(dataset.directory(), mesh) / "positions" / layout::array_document;
+    auto& sums = attributes.coordinate_checksums;
+    for (const auto sets = parse_zarr_array(read_text(document, layout::document_bytes), document).shape[0];
+         sums.size() < sets;)
+        sums.push_back(checksum(std::as_bytes(dataset.mesh(mesh, sums.size()).positions)));
+}
 
 } // namespace
 
@@ -49,10 +77,16 @@ struct Writer::State {
     fs::path directory;           // where the files go now
     std::unique_ptr<Place> place; // none when appending
     Descriptor lock;              // appending: one process at a time
+    std::shared_ptr<Dataset> before;
     DatasetInfo info;
     Marker marker;
     std::vector<WrittenMesh> meshes;
+    std::optional<StepUnderWay> under_way;
     bool info_changed = false, finished = false;
+
+    State() = default;
+    ~State() { take_back(); }
+    State(const State&) = delete;
 
     [[nodiscard]] bool appending() const { return place == nullptr; }
 
@@ -73,10 +107,8 @@ struct Writer::State {
     }
 
     void put_array(const ArrayInfo& array, const WrittenMesh& on, const fs::path& path, std::uint64_t steps) const {
-        const std::uint64_t items =
-            array.association == Association::point ? on.attributes.info.vertices : on.attributes.info.cells;
         put_text(path / layout::attributes_document, to_text(array));
-        put_text(path / layout::array_document, to_text(values_shape(steps, items, array.components)));
+        put_text(path / layout::array_document, to_text(values_shape(steps, on.items(array), array.components)));
     }
 
     void put_mesh(std::size_t index) const {
@@ -99,8 +131,7 @@ struct Writer::State {
     void put_marker() const { put_text(directory / layout::commit_marker, to_text(marker)); }
 
     void check_array(const ArrayValues& array, const WrittenMesh& on) const {
-        const std::uint64_t items =
-            array.info.association == Association::point ? on.attributes.info.vertices : on.attributes.info.cells;
+        const std::uint64_t items = on.items(array.info);
         if (array.info.components < 1 || array.info.components > 64)
             throw Error("array '" + array.info.name + "' must have 1 to 64 components");
         if (array.values.size() != items * static_cast<std::uint64_t>(array.info.components))
@@ -115,12 +146,35 @@ struct Writer::State {
                             "' has another association or number of components than before");
     }
 
-    MarkedArray put_values(const ArrayValues& array, std::size_t mesh, std::uint64_t row) const {
-        const fs::path path = layout::values(layout::mesh(directory, mesh), array.info.name);
+    void put_values(const ArrayInfo& array, std::span<const float> values) {
+        MarkedStep& step = under_way->step;
+        const std::uint64_t row = mesh(step.mesh).steps;
+        const fs::path path = layout::values(layout::mesh(directory, step.mesh), array.name);
         make_directory(path);
-        const auto bytes = std::as_bytes(array.values);
-        put(layout::chunk(path, row, array.info.components > 1 ? 3 : 2), bytes);
-        return {row, checksum(bytes), statistics(array.values, array.info.components), false};
+        under_way->chunks.push_back(layout::chunk(path, row, array.components > 1 ? 3 : 2));
+        const auto bytes = std::as_bytes(values);
+        put(under_way->chunks.back(), bytes);
+        under_way->arrays.push_back(array);
+        step.arrays.emplace(array.name, MarkedArray{row, checksum(bytes), statistics(values, array.components), false});
+    }
+
+    void put_documents() const {
+        for (std::size_t m = 0; m < meshes.size(); ++m) put_mesh(m);
+        if (info_changed) put_root();
+    }
+
+    void learn_arrays(const StepUnderWay& of) {
+        WrittenMesh& written = mesh(of.step.mesh);
+        for (const ArrayInfo& array : of.arrays) written.arrays.emplace(array.name, array);
+        ++written.steps;
+    }
+
+    // No reader knows of the step: what it takes on a full disk is given back.
+    void take_back() noexcept {
+        std::error_code ignored;
+        if (under_way)
+            for (const fs::path& chunk : under_way->chunks) fs::remove(chunk, ignored);
+        under_way.reset();
     }
 };
 
@@ -143,24 +197,26 @@ Writer::Writer(const fs::path& directory, const DatasetHeader& header, bool over
     for (const std::string& note : header.notes) info.notes.push_back(valid_utf8(note));
 }
 
-Writer Writer::append(const fs::path& directory) {
+Writer Writer::append(const fs::path& directory) { return append(Dataset::open(directory, Chunks::unchecked)); }
+
+Writer Writer::append(std::shared_ptr<Dataset> dataset) {
     auto state = std::make_unique<State>();
-    state->directory = directory;
-    if (fs::is_directory(directory) && !lock_directory(directory, state->lock))
+    const fs::path& directory = state->directory = dataset->directory();
+    if (const std::string input = input_of_copy(directory); !input.empty())
+        refuse(directory, "is a copy that `ciel serve` made of " + input +
+                              " and makes anew when that changes, so appended steps would be lost; make a dataset of "
+                              "your own with `ciel import` and append to that");
+    if (!lock_directory(directory, state->lock))
         refuse(directory, "is being appended to by another process; wait for it to end");
-    const auto dataset = Dataset::open(directory); // refuses what is damaged before anything is added
+    if (auto now = dataset->refreshed()) dataset = std::move(now);
+    remove_left_beside(directory);
     const auto attributes = directory / layout::attributes_document, marker = directory / layout::commit_marker;
     state->info = parse_root_attributes(read_text(attributes, layout::document_bytes), attributes);
     state->marker = parse_marker(read_text(marker, layout::marker_bytes), marker);
     for (std::size_t m = 0; m < state->marker.meshes; ++m) {
         const auto file = layout::mesh(directory, m) / layout::attributes_document;
         state->meshes.push_back({parse_mesh_attributes(read_text(file, layout::document_bytes), file), {}, 0});
-        // Coordinates that came by plain Zarr have no checksum yet.
-        const auto positions = layout::mesh(directory, m) / "positions" / layout::array_document;
-        auto& sums = state->meshes.back().attributes.coordinate_checksums;
-        for (const auto sets = parse_zarr_array(read_text(positions, layout::document_bytes), positions).shape[0];
-             sums.size() < sets;)
-            sums.push_back(checksum(std::as_bytes(dataset->mesh(m, sums.size()).positions)));
+        complete_checksums(state->meshes.back().attributes, *dataset, m);
     }
     for (const MarkedStep& step : state->marker.steps) {
         WrittenMesh& mesh = state->meshes[step.mesh];
@@ -169,8 +225,11 @@ Writer Writer::append(const fs::path& directory) {
             mesh.steps = std::max(mesh.steps, array.chunk + 1);
         }
     }
+    state->before = std::move(dataset);
     return Writer(std::move(state));
 }
+
+const std::shared_ptr<Dataset>& Writer::before() const { return state_->before; }
 
 std::size_t Writer::add_mesh(const FaceMesh& mesh, std::span<const Index> original_vertex,
                              std::span<const Index> original_cell, std::span<const NamedGroup> groups) {
@@ -198,40 +257,85 @@ std::size_t Writer::add_coordinates(std::size_t mesh, std::span<const float> pos
     return index;
 }
 
+std::optional<std::size_t> Writer::find_coordinates(std::size_t mesh, std::span<const float> positions) const {
+    const auto bytes = std::as_bytes(positions);
+    const std::string sum = checksum(bytes);
+    const auto& sums = state_->mesh(mesh).attributes.coordinate_checksums;
+    for (std::size_t i = sums.size(); i-- > 0;) {
+        if (sums[i] != sum) continue;
+        const MappedFile file(layout::chunk(layout::mesh(state_->directory, mesh) / "positions", i, 3), bytes.size());
+        if (std::ranges::equal(file.bytes(), bytes)) return i;
+    }
+    return std::nullopt;
+}
+
 void Writer::add_step(double time, std::size_t mesh, std::size_t coordinates, std::span<const ArrayValues> arrays) {
+    begin_step(time, mesh, coordinates);
+    std::set<std::string> seen;
+    for (const ArrayValues& array : arrays) { // before anything is written
+        const ArrayValues named{with_valid_text(array.info), array.values};
+        state_->check_array(named, state_->mesh(mesh));
+        if (!seen.insert(named.info.name).second) throw Error("array '" + named.info.name + "' is given twice");
+    }
+    for (const ArrayValues& array : arrays) add_values(array);
+    end_step();
+}
+
+void Writer::begin_step(double time, std::size_t mesh, std::size_t coordinates) {
     State& state = *state_;
-    WrittenMesh& written = state.mesh(mesh);
+    state.take_back();
+    const WrittenMesh& written = state.mesh(mesh);
     if (!std::isfinite(time)) throw Error("a time step must have a finite time");
     if (!state.marker.steps.empty() && !(time > state.marker.steps.back().time))
         throw Error("time " + std::to_string(time) + " is not later than the last step, " +
                     std::to_string(state.marker.steps.back().time));
     if (coordinates >= written.attributes.coordinate_checksums.size())
         throw Error("mesh " + std::to_string(mesh) + " has no coordinates " + std::to_string(coordinates));
+    state.under_way = StepUnderWay{{time, mesh, coordinates, {}}, {}, {}};
+}
 
-    std::vector<ArrayValues> named(arrays.begin(), arrays.end());
-    std::set<std::string> seen;
-    for (ArrayValues& array : named) {
-        array.info = {valid_utf8(array.info.name), array.info.association, array.info.components,
-                      valid_utf8(array.info.units), valid_utf8(array.info.description)};
-        state.check_array(array, written);
-        if (!seen.insert(array.info.name).second) throw Error("array '" + array.info.name + "' is given twice");
-    }
-    MarkedStep step{time, mesh, coordinates, {}};
-    for (const ArrayValues& array : named)
-        step.arrays.emplace(array.info.name, state.put_values(array, mesh, written.steps));
-
-    for (const ArrayValues& array : named) written.arrays.emplace(array.info.name, array.info);
-    ++written.steps;
-    state.marker.meshes = state.meshes.size();
-    state.marker.steps.push_back(std::move(step));
-    if (!state.appending()) return;
+void Writer::add_values(const ArrayValues& array) {
+    State& state = *state_;
+    if (!state.under_way) throw Error("array '" + array.info.name + "' belongs to no step; begin one");
     try {
-        for (std::size_t m = 0; m < state.meshes.size(); ++m) state.put_mesh(m);
-        if (state.info_changed) state.put_root();
+        const ArrayInfo info = with_valid_text(array.info);
+        const MarkedStep& step = state.under_way->step;
+        state.check_array({info, array.values}, state.mesh(step.mesh));
+        if (step.arrays.count(info.name) > 0) throw Error("array '" + info.name + "' is given twice");
+        state.put_values(info, array.values);
+    } catch (...) {
+        state.take_back();
+        throw;
+    }
+}
+
+void Writer::end_step() {
+    State& state = *state_;
+    if (!state.under_way) throw Error("there is no step to end; begin one");
+    if (!state.appending()) {
+        state.learn_arrays(*state.under_way);
+        state.marker.steps.push_back(std::move(state.under_way->step));
+        return state.under_way.reset();
+    }
+    const std::vector<WrittenMesh> meshes = state.meshes;
+    const std::size_t known_meshes = state.marker.meshes;
+    try {
+        state.learn_arrays(*state.under_way);
+        state.put_documents();
+    } catch (...) {
+        state.meshes = meshes;
+        state.take_back();
+        throw;
+    }
+    state.marker.meshes = state.meshes.size();
+    state.marker.steps.push_back(state.under_way->step);
+    state.under_way.reset(); // its chunks stay: the marker may be in place although this fails
+    try {
         state.put_marker();
     } catch (...) {
+        state.meshes = meshes;
+        state.marker.meshes = known_meshes;
         state.marker.steps.pop_back();
-        --written.steps;
         throw;
     }
 }

@@ -2,6 +2,7 @@
 #include "ciel/types.hpp"
 #include "store/dataset.hpp"
 #include "store/import_missing.hpp"
+#include "store/writer.hpp"
 #include "support/folder.hpp"
 
 #include <chrono>
@@ -190,6 +191,25 @@ TEST_F(ImportMissing, what_cannot_be_imported_is_named_and_leaves_nothing) {
     cancel_ = true;
     EXPECT_THROW((void)serve({good}), Error) << "cancelled";
     EXPECT_TRUE(fs::is_empty(root_ / "imported"));
+}
+
+TEST_F(ImportMissing, nothing_is_appended_to_a_copy_that_will_be_replaced) {
+    const fs::path file = write_cube("cube.vtk");
+    const fs::path served = serve({file})[0];
+    try {
+        (void)Writer::append(served);
+        FAIL() << "its steps would be lost at the next start after a change";
+    } catch (const Error& error) {
+        EXPECT_THAT(error.what(),
+                    ::testing::AllOf(::testing::HasSubstr(file.string()), ::testing::HasSubstr("ciel import")));
+    }
+    for (const auto& entry : fs::directory_iterator(served.parent_path()))
+        if (entry.path() != served) fs::remove(entry.path()); // as a version left it that did not know
+    ASSERT_EQ(serve({file})[0], served);
+    EXPECT_FALSE(imported());
+    EXPECT_THROW((void)Writer::append(served), Error);
+    fs::copy(served, root_ / "own.ciel", fs::copy_options::recursive);
+    EXPECT_NO_THROW((void)Writer::append(root_ / "own.ciel")) << "a user's own copy";
 }
 
 TEST_F(ImportMissing, cancelled_at_the_last_moment_it_leaves_a_dataset_or_nothing) {

@@ -12,6 +12,7 @@ import numpy
 import pytest
 import zarr
 
+import box_dataset
 from import_support import NO_NEIGHBOUR
 from program import CIEL, ciel
 
@@ -136,6 +137,45 @@ def test_append_other_dataset(demo, copy, tmp_path):
     assert info(copy)["times"] == info(demo)["times"]
     again = ciel("append", copy, "--from", demo)
     assert again.returncode == 1 and "no step later" in again.stderr
+
+
+def write_moving_box(directory, steps, moved_from):
+    """A box that lies elsewhere from step `moved_from` on."""
+    box_dataset.write_box(directory, n=3, steps=steps)
+    mesh = directory / "meshes/0"
+    positions = (numpy.fromfile(mesh / "positions/0.0.0", "<f4") + 1).tobytes()
+    (mesh / "positions/1.0.0").write_bytes(positions)
+    shape = json.loads((mesh / "positions/.zarray").read_text())
+    shape["shape"][0] = 2
+    (mesh / "positions/.zarray").write_text(json.dumps(shape))
+    attributes = json.loads((mesh / ".zattrs").read_text())
+    attributes["ciel"]["coordinate_checksums"].append(box_dataset.checksum(positions))
+    (mesh / ".zattrs").write_text(json.dumps(attributes))
+    marker = json.loads((directory / "steps.json").read_text())
+    for step in marker["steps"][moved_from:]:
+        step["coordinates"] = 1
+    (directory / "steps.json").write_text(json.dumps(marker))
+    return directory
+
+
+def test_append_adds_positions_only_where_a_mesh_moves(tmp_path):
+    ours = box_dataset.write_box(tmp_path / "ours.ciel", n=3, steps=1)
+    moving = write_moving_box(tmp_path / "moving.ciel", steps=6, moved_from=2)
+    result = ciel("append", ours, "--from", moving)
+    assert result.returncode == 0 and "5 of 6" in result.stdout, result.stderr
+    assert [step["coordinates"] for step in json.loads((ours / "steps.json").read_text())["steps"]] == [0, 0, 1, 1, 1, 1]
+    assert sorted(path.name for path in (ours / "meshes/0/positions").glob("*.0.0")) == ["0.0.0", "1.0.0"]
+    assert info(ours)["times"] == info(moving)["times"]
+
+
+def test_appended_cell_values_have_point_values_as_imported_ones_do(tmp_path):
+    box = box_dataset.write_box(tmp_path / "box.ciel", n=3)
+    numpy.save(tmp_path / "w.npy", numpy.arange(27, dtype="f4"))
+    result = ciel("append", box, "--time", 9, "--array", f"cell:w={tmp_path}/w.npy")
+    assert result.returncode == 0 and "made from cell values: w" in result.stdout, result.stderr
+    arrays = {array["name"]: array for array in info(box)["arrays"]}
+    assert arrays["w"]["association"] == "point" and arrays["w"]["range"] == [0, 26]
+    assert "new arrays: cell:w, w" in result.stdout and "not written: r, x" in result.stdout
 
 
 @pytest.mark.parametrize(

@@ -1,0 +1,217 @@
+#include "store/append.hpp"
+
+#include "ciel/point_interpolation.hpp"
+#include "store/writer.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <sstream>
+
+namespace ciel::store {
+namespace {
+
+constexpr std::string_view cell_prefix = "cell:";
+constexpr std::size_t longest_name = 200, most_components = 64;
+
+bool has(const std::vector<ArrayInfo>& arrays, const std::string& name) {
+    return std::ranges::any_of(arrays, [&](const ArrayInfo& array) { return array.name == name; });
+}
+
+// A misspelt name must not become an array for good. Names that came with a file are not judged.
+void check_new_name(const std::string& name) {
+    const std::string plain = name.starts_with(cell_prefix) ? name.substr(cell_prefix.size()) : name;
+    const auto is_bad = [](unsigned char c) { return c < ' ' || c == 0x7f || c == '/' || c == '\\' || c == ':'; };
+    std::string problem;
+    if (plain.empty() || plain.front() == ' ' || plain.back() == ' ')
+        problem = "is empty, or begins or ends with a space";
+    else if (plain == "." || plain == "..")
+        problem = "stands for a folder";
+    else if (plain.size() > longest_name)
+        problem = "is longer than " + std::to_string(longest_name) + " bytes";
+    else if (std::ranges::any_of(plain, is_bad))
+        problem = "holds a '/', '\\', ':' or control character (only 'cell:' may stand before it)";
+    if (!problem.empty())
+        throw Error("array '" + name + "': the dataset has no such array, and a new one cannot have a name that " +
+                    problem);
+}
+
+ArrayInfo describe(const Dataset& dataset, const WantedArray& wanted) {
+    const ArrayInfo* known = dataset.find(wanted.name);
+    if (known == nullptr) check_new_name(wanted.name);
+    const auto usual = known == nullptr ? std::size_t{1} : static_cast<std::size_t>(known->components);
+    const std::size_t components = wanted.components.value_or(usual);
+    if (known != nullptr && components != usual)
+        throw Error("array '" + wanted.name + "' has " + std::to_string(usual) + " components, not " +
+                    std::to_string(components));
+    if (components < 1 || components > most_components)
+        throw Error("array '" + wanted.name + "' must have 1 to " + std::to_string(most_components) + " components");
+    if (known != nullptr) return *known;
+    const bool on_cells = wanted.name.starts_with(cell_prefix);
+    return {wanted.name, on_cells ? Association::cell : Association::point, static_cast<int>(components), "", ""};
+}
+
+std::span<const Index> original_ids(const Dataset& dataset, std::size_t mesh, Association association) {
+    return association == Association::point ? dataset.original_vertex(mesh) : dataset.original_cell(mesh);
+}
+
+PlannedArray plan_array(const Dataset& dataset, std::size_t mesh, const WantedArray& wanted) {
+    PlannedArray planned{describe(dataset, wanted), 0, std::nullopt};
+    const bool on_points = planned.info.association == Association::point;
+    planned.tuples = on_points ? dataset.info().input_vertices : dataset.info().input_cells;
+    const auto ids = original_ids(dataset, mesh, planned.info.association);
+    if (*std::ranges::max_element(ids) >= planned.tuples)
+        throw Error("the last step of " + dataset.info().name +
+                    " is on another mesh than the imported file's, so that '" + wanted.name +
+                    "' has no order to come in; append a dataset on this mesh with `ciel append --from`");
+    return planned;
+}
+
+// An import makes the point values of a cell array unless the file has some of this name, or nobody wanted them.
+std::optional<ArrayInfo> made_from(const Dataset& dataset, const StepPlan& plan, const ArrayInfo& cells) {
+    if (cells.association != Association::cell || !cells.name.starts_with(cell_prefix)) return std::nullopt;
+    ArrayInfo made = cells;
+    made.name = cells.name.substr(cell_prefix.size());
+    made.association = Association::point;
+    if (std::ranges::any_of(plan.arrays, [&](const auto& array) { return array.info.name == made.name; }))
+        return std::nullopt;
+    const ArrayInfo* known = dataset.find(made.name);
+    if (known == nullptr) return dataset.find(cells.name) == nullptr ? std::optional(made) : std::nullopt;
+    const bool is_the_same = known->association == made.association && known->components == made.components;
+    return is_the_same ? std::optional(*known) : std::nullopt;
+}
+
+std::uint64_t stored_bytes(const Dataset& dataset, std::size_t mesh, const ArrayInfo& array) {
+    return original_ids(dataset, mesh, array.association).size() * static_cast<std::uint64_t>(array.components) *
+           sizeof(float);
+}
+
+void check_time(const Dataset& dataset, double time) {
+    if (!std::isfinite(time)) throw Error("a time step must have a finite time");
+    if (dataset.steps().empty() || time > dataset.steps().back().time) return;
+    std::ostringstream sentence;
+    sentence << "time " << time << " is not later than the last step of " << dataset.info().name << ", "
+             << dataset.steps().back().time;
+    throw Error(sentence.str());
+}
+
+// From the order of the file that was imported to the order in which the dataset keeps it.
+std::vector<float> to_stored_order(std::span<const float> values, std::span<const Index> original,
+                                   std::size_t components) {
+    std::vector<float> stored(original.size() * components);
+    for (std::size_t i = 0; i < original.size(); ++i) {
+        const std::size_t from = original[i] * components; // read once: it is mapped, and was verified long ago
+        if (from >= values.size()) throw Error("the dataset's original ids are damaged; import the data again");
+        std::copy_n(&values[from], components, &stored[i * components]);
+    }
+    return stored;
+}
+
+void write_arrays(Writer& writer, const StepPlan& plan, const ValuesOf& values_of) {
+    const Dataset& dataset = *writer.before();
+    std::optional<PointInterpolation> points; // the same for all arrays
+    for (std::size_t i = 0; i < plan.arrays.size(); ++i) {
+        const PlannedArray& array = plan.arrays[i];
+        const auto values = values_of(i);
+        if (values.size() != array.values())
+            throw Error("array '" + array.info.name + "' has " + std::to_string(values.size()) + " values where " +
+                        std::to_string(array.tuples) + " x " + std::to_string(array.info.components) + " are needed");
+        const auto ids = original_ids(dataset, plan.mesh, array.info.association);
+        const auto stored = to_stored_order(values, ids, static_cast<std::size_t>(array.info.components));
+        writer.add_values({array.info, stored});
+        if (!array.made) continue;
+        if (!points) points.emplace(dataset.mesh(plan.mesh, plan.coordinates));
+        writer.add_values({*array.made, points->apply(stored, array.made->components)});
+    }
+    dataset.check_intact();
+}
+
+bool same_topology(const FaceMeshView& a, const FaceMeshView& b) {
+    using std::ranges::equal;
+    return equal(a.cell_types, b.cell_types) && equal(a.face_offset, b.face_offset) &&
+           equal(a.face_vertex, b.face_vertex) && equal(a.owner, b.owner) && equal(a.neighbour, b.neighbour) &&
+           a.vertex_count() == b.vertex_count();
+}
+
+std::size_t mesh_like(const Dataset& dataset, const Dataset& source, const FaceMeshView& wanted) {
+    for (std::size_t mesh = 0; mesh < dataset.info().meshes.size(); ++mesh)
+        if (same_topology(dataset.mesh(mesh, 0), wanted)) return mesh;
+    throw Error(source.directory().string() + ": is on another mesh than " + dataset.info().name +
+                "; only steps on the same mesh can be appended");
+}
+
+// The coordinates that a step of the other dataset stands on, offset to the origin of ours; added when none are the
+// same.
+std::size_t coordinates_like(Writer& writer, std::size_t mesh, const FaceMeshView& wanted) {
+    const Vec3d origin = writer.before()->mesh(mesh, 0).origin;
+    std::vector<float> positions(wanted.positions.begin(), wanted.positions.end());
+    if (origin != wanted.origin)
+        for (std::size_t i = 0; i < positions.size(); ++i)
+            positions[i] = static_cast<float>(wanted.origin[i % 3] - origin[i % 3] + double{positions[i]});
+    if (const auto found = writer.find_coordinates(mesh, positions)) return *found;
+    return writer.add_coordinates(mesh, positions);
+}
+
+} // namespace
+
+StepPlan plan_step(const Dataset& dataset, double time, std::span<const WantedArray> wanted) {
+    check_time(dataset, time);
+    StepPlan plan;
+    plan.time = time;
+    if (!dataset.steps().empty()) {
+        plan.mesh = dataset.steps().back().mesh;
+        plan.coordinates = dataset.steps().back().coordinates;
+    }
+    std::set<std::string> names;
+    for (const WantedArray& each : wanted) {
+        if (!names.insert(each.name).second) throw Error("array '" + each.name + "' is given twice");
+        plan.arrays.push_back(plan_array(dataset, plan.mesh, each));
+    }
+    std::vector<ArrayInfo> written;
+    for (PlannedArray& array : plan.arrays) {
+        array.made = made_from(dataset, plan, array.info);
+        written.push_back(array.info);
+        if (array.made) written.push_back(*array.made);
+    }
+    for (const ArrayInfo& array : written) {
+        plan.stored_bytes += stored_bytes(dataset, plan.mesh, array);
+        if (dataset.find(array.name) == nullptr) plan.added.push_back(array.name);
+    }
+    for (const ArrayInfo& known : dataset.info().arrays)
+        if (!has(written, known.name)) plan.lacking.push_back(known.name);
+    return plan;
+}
+
+AppendedStep append_step(const std::shared_ptr<Dataset>& dataset, double time, std::span<const WantedArray> wanted,
+                         const ValuesOf& values_of) {
+    Writer writer = Writer::append(dataset);
+    AppendedStep done{writer.before()->steps().size(), plan_step(*writer.before(), time, wanted)};
+    writer.begin_step(time, done.plan.mesh, done.plan.coordinates);
+    write_arrays(writer, done.plan, values_of);
+    writer.end_step();
+    writer.finish();
+    return done;
+}
+
+std::size_t append_dataset(const std::shared_ptr<Dataset>& dataset, const Dataset& source) {
+    Writer writer = Writer::append(dataset);
+    const Dataset& target = *writer.before();
+    std::size_t appended = 0;
+    for (std::size_t step = 0; step < source.steps().size(); ++step) {
+        const Step& at = source.steps()[step];
+        if (!target.steps().empty() && at.time <= target.steps().back().time) continue;
+        const FaceMeshView view = source.mesh(at.mesh, at.coordinates);
+        const std::size_t mesh = mesh_like(target, source, view);
+        std::vector<ArrayValues> arrays;
+        for (const auto& [name, array] : at.arrays) arrays.push_back({*source.find(name), source.values(name, step)});
+        writer.add_step(at.time, mesh, coordinates_like(writer, mesh, view), arrays);
+        ++appended;
+    }
+    writer.finish();
+    if (appended == 0)
+        throw Error(source.directory().string() + ": has no step later than the last of " +
+                    dataset->directory().string());
+    return appended;
+}
+
+} // namespace ciel::store
