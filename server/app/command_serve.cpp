@@ -37,6 +37,7 @@ struct ServeOptions {
     ExtractionOptions extraction;
     unsigned render_workers = 1, threads = 0;
     session::Limits limits;
+    bool allow_append = false;
     gateway::GatewayOptions gateway;
 };
 
@@ -84,9 +85,10 @@ void start_log(const std::string& level) {
 }
 
 // A token given by hand stays out of the process list and the shell's history in the environment.
-void complete_token(gateway::GatewayOptions& options) {
+void complete_token(gateway::GatewayOptions& options, bool allow_append) {
     if (const char* token = std::getenv("CIEL_TOKEN"); token != nullptr && options.token.empty()) options.token = token;
-    if (options.token.empty() && !gateway::is_loopback(options.host)) options.token = gateway::generate_token();
+    const bool needs_one = allow_append || !gateway::is_loopback(options.host);
+    if (options.token.empty() && needs_one) options.token = gateway::generate_token();
 }
 
 // The one line on stdout that scripts and people wait for.
@@ -105,7 +107,7 @@ void log_renderer(session::Server& server) {
 
 int serve(ServeOptions& options) {
     start_log(options.log_level);
-    complete_token(options.gateway);
+    complete_token(options.gateway, options.allow_append);
     set_thread_count(options.threads);
     if (options.gateway.webclient.empty()) options.gateway.webclient = find_webclient();
     if (options.gateway.webclient.empty()) spdlog::warn("no web client found; name its folder with --webclient");
@@ -118,6 +120,7 @@ int serve(ServeOptions& options) {
     server_options.extraction = options.extraction.chosen();
     server_options.render_workers = options.render_workers;
     server_options.limits = options.limits;
+    server_options.allow_append = options.allow_append;
     for (const auto& path : server_options.data) warn_of_files_to_import(path);
     session::Server server(std::move(server_options));
     for (const auto& each : servable)
@@ -158,6 +161,8 @@ void add_serve(CLI::App& app, Run& run) {
     command->add_option("--threads", options->threads, "threads of the extraction; 0: one per core")
         ->check(CLI::Range(0, 1024))
         ->capture_default_str();
+    command->add_flag("--allow-append", options->allow_append,
+                      "let clients that send the token push steps to datasets (append.begin)");
     command->add_option("--webclient", gateway.webclient, "folder of the built web client");
     command->add_option("--log-level", options->log_level, "how much to log on stderr")
         ->check(CLI::IsMember({"debug", "info", "warn", "error", "off"}))

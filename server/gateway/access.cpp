@@ -85,6 +85,10 @@ bool token_allowed(const AccessRules& rules, std::string_view presented) {
     return rules.token.empty() || same_in_constant_time(presented, rules.token);
 }
 
+bool carries_token(const AccessRules& rules, const Request& request, const Target& target) {
+    return !rules.token.empty() && same_in_constant_time(presented_token(rules, request, target), rules.token);
+}
+
 std::string cookie_value(std::string_view header, std::string_view name) {
     std::string value;
     any_part(header, ';', [&](std::string_view part) {

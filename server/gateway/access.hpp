@@ -30,6 +30,8 @@ struct AccessRules {
 // Where a token stands: Authorization: Bearer, ?token=, the cookie, in this order; empty when nowhere.
 [[nodiscard]] std::string presented_token(const AccessRules& rules, const Request& request, const Target& target);
 [[nodiscard]] bool token_allowed(const AccessRules& rules, std::string_view presented); // in constant time
+// More than being let in: whoever the server trusts without a token has none.
+[[nodiscard]] bool carries_token(const AccessRules& rules, const Request& request, const Target& target);
 
 // The value of a cookie in a Cookie header (RFC 6265); empty when it is not there.
 [[nodiscard]] std::string cookie_value(std::string_view header, std::string_view name);

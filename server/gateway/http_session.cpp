@@ -109,15 +109,15 @@ private:
         Request request = plain(parser.get(), remote_);
         Resolved resolved = resolve(context_, request);
         if (parser.get().count(http::field::host) != 1 && parser.get().version() >= 11)
-            resolved = {sentence(400, "HTTP/1.1 needs exactly one Host header."), nullptr, {}};
-        if (start_.over_limit) resolved = {too_many_connections(), nullptr, {}};
+            resolved = {sentence(400, "HTTP/1.1 needs exactly one Host header."), nullptr, {}, false};
+        if (start_.over_limit) resolved = {too_many_connections(), nullptr, {}, false};
         if (resolved.route != nullptr && resolved.route->kind == Route::Kind::websocket &&
             beast::websocket::is_upgrade(parser.get())) {
             if (auto problem = refused_upgrade(parser.get()))
-                resolved = {std::move(problem), nullptr, {}};
+                resolved = {std::move(problem), nullptr, {}, false};
             else {
                 HttpRequest message = parser.release();
-                co_await upgrade(std::move(message));
+                co_await upgrade(std::move(message), resolved.has_token);
                 co_return false;
             }
         }
@@ -158,11 +158,11 @@ private:
         return std::nullopt;
     }
 
-    asio::awaitable<void> upgrade(HttpRequest message) {
+    asio::awaitable<void> upgrade(HttpRequest message, bool has_token) {
         *start_.on_drain = nullptr;
         deadline_.stop();
-        co_await websocket_session(std::move(stream_), std::move(message), remote_, start_.on_drain, context_,
-                                   workers_);
+        const WebSocketPeer peer{remote_, has_token};
+        co_await websocket_session(std::move(stream_), std::move(message), peer, start_.on_drain, context_, workers_);
     }
 
     asio::awaitable<void> read_body(Parser& parser, error_code& error) {
@@ -178,7 +178,7 @@ private:
         Response response;
         const auto kind = resolved.route == nullptr ? Route::Kind::quick : resolved.route->kind;
         if (kind == Route::Kind::rpc)
-            response = co_await rpc_call(stream_, request, context_, workers_);
+            response = co_await rpc_call(stream_, request, resolved.has_token, context_, workers_);
         else if (kind != Route::Kind::on_worker)
             response = respond(context_, request, resolved);
         else
@@ -194,7 +194,7 @@ private:
         auto refusal = deadline_.passed() ? too_slow() : malformed(error);
         deadline_.stop();
         if (!refusal) co_return;
-        const Resolved resolved{std::move(refusal), nullptr, {}};
+        const Resolved resolved{std::move(refusal), nullptr, {}, false};
         const Request unknown;
         Response response = respond(context_, unknown, resolved);
         const bool written = co_await write(std::move(response), false, 11, false);

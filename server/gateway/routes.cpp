@@ -81,7 +81,7 @@ Response to_prefix(const Context& context, const Request& request) {
     return response;
 }
 
-Resolved refused(Response response) { return {std::move(response), nullptr, {}}; }
+Resolved refused(Response response) { return {std::move(response), nullptr, {}, false}; }
 
 } // namespace
 
@@ -98,7 +98,8 @@ Resolved resolve(const Context& context, const Request& request) {
     target->path = std::string(path);
     const Route& route = route_of(target->path);
     if (auto response = refusal(context, request, *target, route)) return refused(std::move(*response));
-    return {std::nullopt, &route, std::move(*target)};
+    const bool has_token = carries_token(context.access, request, *target);
+    return {std::nullopt, &route, std::move(*target), has_token};
 }
 
 Response respond(Context& context, const Request& request, const Resolved& resolved) {

@@ -35,12 +35,13 @@ void watch(beast::tcp_stream& stream, const std::shared_ptr<Pending>& pending, s
 
 } // namespace
 
-asio::awaitable<Response> rpc_call(beast::tcp_stream& stream, const Request& request, Context& context,
+asio::awaitable<Response> rpc_call(beast::tcp_stream& stream, const Request& request, bool has_token, Context& context,
                                    asio::thread_pool& workers) {
     const auto pending = std::make_shared<Pending>(stream.get_executor());
     const auto connection = std::make_shared<session::Connection>();
     connection->id = context.next_connection_id++;
     connection->remote = request.remote;
+    connection->has_token = has_token;
     connection->stop = pending->hung_up.get_token();
     const auto answer = [pending, executor = stream.get_executor()](std::string text) {
         asio::post(executor, [pending, text = std::move(text)]() mutable {

@@ -1,6 +1,7 @@
 #include "gateway/websocket_session.hpp"
 
 #include "gateway/outbox.hpp"
+#include "methods/binary_message.hpp"
 #include "methods/dispatcher.hpp"
 
 #include <boost/asio/post.hpp>
@@ -20,6 +21,7 @@ namespace websocket = beast::websocket;
 using websocket::close_code;
 
 constexpr int unsent_bytes = 128 << 10;            // in the system's hands: a text cannot overtake them
+constexpr std::size_t close_reason_bytes = 123; // RFC 6455, 5.5.1: a control frame has 125, its code two of them
 
 // Everything runs on the socket's strand, except what is handed to `workers` and the Connection's callbacks.
 class WebSocketSession : public std::enable_shared_from_this<WebSocketSession> {
@@ -31,11 +33,11 @@ public:
             timer->expires_at(std::chrono::steady_clock::time_point::max());
     }
 
-    asio::awaitable<void> run(HttpRequest upgrade, std::string remote, OnDrain on_drain);
+    asio::awaitable<void> run(HttpRequest upgrade, WebSocketPeer peer, OnDrain on_drain);
 
 private:
     asio::awaitable<bool> accept(HttpRequest upgrade);
-    void open(std::string remote);
+    void open(const WebSocketPeer& peer);
     asio::awaitable<void> read();
     asio::awaitable<void> handle_in_order();
     asio::awaitable<void> write();
@@ -47,11 +49,13 @@ private:
         error_code ignored;
         co_await timer.async_wait(asio::redirect_error(asio::use_awaitable, ignored));
     }
-    void request_close(close_code code, const char* reason) {
-        if (!close_) close_ = websocket::close_reason(code, reason);
+    void request_close(close_code code, std::string_view reason) {
+        const std::size_t bytes = std::min(reason.size(), close_reason_bytes);
+        if (!close_) close_ = websocket::close_reason(code, boost::string_view(reason.data(), bytes));
         outbox_changed_.cancel();
     }
     methods::Answer answer();
+    std::string take_piece(std::string_view bytes, const methods::Answer& reply);
     void outbox_pushed();
     void end();
     void cut() { beast::get_lowest_layer(socket_).close(); }
@@ -62,12 +66,16 @@ private:
     std::shared_ptr<Outbox> outbox_;
     std::shared_ptr<session::Connection> connection_;
     std::stop_source closed_;
-    std::deque<std::string> inbox_;
+    struct Inbound {
+        std::string bytes;
+        bool is_text;
+    };
+    std::deque<Inbound> inbox_;
     std::size_t inbox_bytes_ = 0;
     asio::steady_timer inbox_changed_, outbox_changed_, part_ended_;
     std::optional<websocket::close_reason> close_; // wanted; sent when nothing is under way
     bool ended_ = false;
-    int parts_ = 0, unanswered_ = 0; // texts that were taken from the inbox
+    int parts_ = 0, unanswered_ = 0; // messages that were taken from the inbox
 };
 
 asio::awaitable<bool> WebSocketSession::accept(HttpRequest upgrade) {
@@ -91,7 +99,7 @@ asio::awaitable<bool> WebSocketSession::accept(HttpRequest upgrade) {
     co_return !error;
 }
 
-void WebSocketSession::open(std::string remote) {
+void WebSocketSession::open(const WebSocketPeer& peer) {
     const std::weak_ptr<WebSocketSession> weak = weak_from_this();
     outbox_ = std::make_shared<Outbox>(context_.server.limits().waiting_text_bytes, [this, weak] {
         asio::post(socket_.get_executor(), [weak] {
@@ -100,19 +108,20 @@ void WebSocketSession::open(std::string remote) {
     });
     connection_ = std::make_shared<session::Connection>();
     connection_->id = context_.next_connection_id++;
-    connection_->remote = std::move(remote);
+    connection_->remote = peer.remote;
+    connection_->has_token = peer.has_token;
     connection_->stop = closed_.get_token();
     connection_->send_text = [outbox = outbox_](std::string text) { outbox->push_text(std::move(text)); };
     connection_->send_binary = [outbox = outbox_](FrameBytes bytes) { outbox->push_frame(std::move(bytes)); };
     context_.server.connection_opened(connection_);
 }
 
-asio::awaitable<void> WebSocketSession::run(HttpRequest upgrade, std::string remote, OnDrain on_drain) {
+asio::awaitable<void> WebSocketSession::run(HttpRequest upgrade, WebSocketPeer peer, OnDrain on_drain) {
     const bool accepted = co_await accept(std::move(upgrade));
     if (!accepted) co_return;
-    spdlog::debug("{}: WebSocket opened", remote);
+    spdlog::debug("{}: WebSocket opened", peer.remote);
     ++context_.counters.websockets_open;
-    open(remote);
+    open(peer);
     *on_drain = [this] { request_close(close_code::going_away, "the server stops"); };
     start([this] { return handle_in_order(); });
     start([this] { return write(); });
@@ -127,7 +136,7 @@ asio::awaitable<void> WebSocketSession::run(HttpRequest upgrade, std::string rem
         return std::string();
     });
     --context_.counters.websockets_open;
-    spdlog::debug("{}: WebSocket closed", remote);
+    spdlog::debug("{}: WebSocket closed", peer.remote);
 }
 
 template <typename Part>
@@ -147,13 +156,9 @@ asio::awaitable<void> WebSocketSession::read() {
         co_await socket_.async_read(buffer, asio::redirect_error(asio::use_awaitable, error));
         if (error) co_return; // closed, gone, silent for too long; Beast has answered 1002, 1007 or 1009 where due
         if (close_) continue;
-        if (!socket_.got_text()) {
-            request_close(close_code::unknown_data, "send JSON-RPC as text");
-            continue;
-        }
-        ++context_.counters.texts_received;
+        if (socket_.got_text()) ++context_.counters.texts_received;
         inbox_bytes_ += buffer.size();
-        inbox_.push_back(beast::buffers_to_string(buffer.data()));
+        inbox_.push_back({beast::buffers_to_string(buffer.data()), socket_.got_text()});
         inbox_changed_.cancel();
         while (inbox_bytes_ > context_.server.limits().waiting_call_bytes && !ended_) co_await changed(inbox_changed_);
     }
@@ -165,17 +170,29 @@ asio::awaitable<void> WebSocketSession::handle_in_order() {
             co_await changed(inbox_changed_);
             continue;
         }
-        const std::string text = std::move(inbox_.front());
+        const Inbound message = std::move(inbox_.front());
         inbox_.pop_front();
         ++unanswered_;
         const methods::Answer reply = answer();
-        co_await on_worker(workers_, [&] {
-            methods::dispatch(context_.server, connection_, text, reply);
+        const std::string problem = co_await on_worker(workers_, [&] {
+            if (message.is_text)
+                methods::dispatch(context_.server, connection_, message.bytes, reply);
+            else
+                return take_piece(message.bytes, reply);
             return std::string();
         });
-        inbox_bytes_ -= text.size();
+        if (!problem.empty()) request_close(close_code::unknown_data, problem);
+        inbox_bytes_ -= message.bytes.size();
         inbox_changed_.cancel();
     }
+}
+
+// Of a binary message; returns why the connection ends for it, or nothing.
+std::string WebSocketSession::take_piece(std::string_view bytes, const methods::Answer& reply) {
+    const std::span message(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size());
+    auto problem = methods::receive_binary(context_.server, *connection_, message);
+    reply({});
+    return problem.value_or(std::string());
 }
 
 // Slow methods answer later, from other threads, perhaps when the socket has gone; texts after theirs do not wait.
@@ -234,10 +251,10 @@ void WebSocketSession::end() {
 
 } // namespace
 
-asio::awaitable<void> websocket_session(beast::tcp_stream stream, HttpRequest upgrade, std::string remote,
+asio::awaitable<void> websocket_session(beast::tcp_stream stream, HttpRequest upgrade, WebSocketPeer peer,
                                         OnDrain on_drain, Context& context, asio::thread_pool& workers) {
     const auto session = std::make_shared<WebSocketSession>(std::move(stream), context, workers);
-    co_await session->run(std::move(upgrade), std::move(remote), std::move(on_drain));
+    co_await session->run(std::move(upgrade), std::move(peer), std::move(on_drain));
 }
 
 } // namespace ciel::gateway

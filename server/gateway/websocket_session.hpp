@@ -1,4 +1,5 @@
-// A WebSocket: texts in, handled in order on a worker thread; answers, notifications and frames out.
+// A WebSocket: texts and pieces of uploads in, handled in order on a worker thread; answers, notifications and frames
+// out.
 #pragma once
 
 #include "gateway/asio.hpp"
@@ -12,8 +13,13 @@ namespace ciel::gateway {
 
 using HttpRequest = beast::http::request<beast::http::string_body>;
 
+struct WebSocketPeer {
+    std::string remote;     // address, for logs
+    bool has_token = false; // session::Connection
+};
+
 // Ends when the connection, its last method and its last write have ended.
-asio::awaitable<void> websocket_session(beast::tcp_stream stream, HttpRequest upgrade, std::string remote,
+asio::awaitable<void> websocket_session(beast::tcp_stream stream, HttpRequest upgrade, WebSocketPeer peer,
                                         OnDrain on_drain, Context& context, asio::thread_pool& workers);
 
 } // namespace ciel::gateway

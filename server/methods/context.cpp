@@ -13,6 +13,14 @@ void Context::check_wanted() const {
         throw Error("the connection ended before the answer; keep it open until the answer has come");
 }
 
+void check_may_append(const session::Server& server, const session::Connection& connection) {
+    if (!server.options().allow_append)
+        throw session::NotAllowed("this server takes no steps; start it with `ciel serve --allow-append`");
+    if (!connection.has_token)
+        throw session::NotAllowed("only who has the server's token may append; send it with every request: "
+                                  "\"Authorization: Bearer TOKEN\"");
+}
+
 std::shared_ptr<session::View> Context::view(std::int64_t id) const {
     const bool possible = id > 0 && id <= UINT32_MAX;
     return server.sessions().view(possible ? static_cast<std::uint32_t>(id) : 0, connection.id);

@@ -10,6 +10,9 @@
 
 namespace ciel::methods {
 
+// Throws NotAllowed unless the server takes steps and the connection came with its token.
+void check_may_append(const session::Server& server, const session::Connection& connection);
+
 struct Context {
     session::Server& server;
     session::Connection& connection;
@@ -18,6 +21,7 @@ struct Context {
         return server.sessions().find(id);
     }
     void check_wanted() const; // throws Error when the connection has ended, and nobody waits for the answer
+    void check_may_append() const { methods::check_may_append(server, connection); }
     [[nodiscard]] std::shared_ptr<session::View> view(std::int64_t id) const;
     [[nodiscard]] std::shared_ptr<store::LoadedDataset> dataset(const std::string& name) const;
     // The connection as views and subscriptions keep it; null over HTTP.

@@ -37,6 +37,8 @@ json error_of_current_exception() {
         return error(protocol::NotFound, "Not found", e.what());
     } catch (const session::LimitReached& e) {
         return limit_error(e.what());
+    } catch (const session::NotAllowed& e) {
+        return error(protocol::NotAllowed, "Not allowed", e.what());
     } catch (const NeedsWebSocket& e) {
         return error(protocol::NeedsWebSocket, "Needs a WebSocket", e.what());
     } catch (const Error& e) {

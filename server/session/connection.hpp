@@ -15,8 +15,9 @@ namespace ciel::session {
 // view newest-wins when the socket is slow (the frame loop waits for acknowledgements anyway).
 struct Connection {
     std::uint64_t id = 0;
-    std::string remote;   // for logs
-    std::stop_token stop; // requested when the connection has ended: what is being made for it is given up
+    std::string remote;     // for logs
+    bool has_token = false; // it came with the server's token, which is more than being let in
+    std::stop_token stop;   // requested when the connection has ended: what is being made for it is given up
     std::function<void(std::string text)> send_text;
     std::function<void(std::shared_ptr<const std::vector<std::uint8_t>> bytes)> send_binary;
 

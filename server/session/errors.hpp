@@ -13,5 +13,9 @@ class LimitReached : public Error {
 public:
     using Error::Error;
 };
+class NotAllowed : public Error {
+public:
+    using Error::Error;
+};
 
 } // namespace ciel::session

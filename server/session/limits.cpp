@@ -30,6 +30,11 @@ constexpr auto rows = std::to_array<LimitRow>({
     {"image_pixels", &Limits::image_pixels, Unit::pixels, "pixels of a picture", 8192 * 8192},
     {"histogram_bins", &Limits::histogram_bins, Unit::count, "bins of a histogram", 4096},
     {"export_bytes", &Limits::export_bytes, Unit::bytes, "size of an exported surface", most_bytes},
+    {"uploads", &Limits::uploads, Unit::count, "steps that clients push at a time", 1024},
+    {"upload_bytes", &Limits::upload_bytes, Unit::bytes, "values of one pushed step", most_bytes},
+    {"upload_piece_bytes", &Limits::upload_piece_bytes, Unit::bytes, "size of one piece of a pushed step", 512 << 10},
+    {"upload_idle_seconds", &Limits::upload_idle_seconds, Unit::seconds,
+     "time without a piece after which a pushed step is forgotten", most_seconds},
     {"slow_calls", &Limits::slow_calls, Unit::count, "pictures, exports and other slow calls made at a time", 1024},
     {"slow_calls_waiting", &Limits::slow_calls_waiting, Unit::count, "slow calls that wait, of all connections",
      million},
@@ -77,10 +82,8 @@ std::uint64_t number_of(const LimitRow& row, std::string_view text) {
         const auto shift = 10 * (letter + 1);
         return value > most_bytes >> shift ? most_bytes + 1 : value << shift;
     }
-    std::string expected = "a whole number";
-    if (is_bytes(row)) expected += ", such as 64M";
-    if (row.unit == Unit::memory) expected += " or 25%";
-    throw Error(printable(text) + " is not " + expected);
+    const char* example = row.unit == Unit::memory ? ", such as 64M or 25%" : ", such as 64M";
+    throw Error(printable(text) + " is not a whole number" + (is_bytes(row) ? example : ""));
 }
 
 } // namespace

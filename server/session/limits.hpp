@@ -28,6 +28,10 @@ struct Limits {
     std::uint64_t image_pixels = 33'554'432;
     std::uint64_t histogram_bins = 4096;
     std::uint64_t export_bytes = 256 << 20;
+    std::uint64_t uploads = 4;
+    std::uint64_t upload_bytes = std::uint64_t{2} << 30;
+    std::uint64_t upload_piece_bytes = 512 << 10;
+    std::uint64_t upload_idle_seconds = 60;
     std::uint64_t slow_calls = 2;
     std::uint64_t slow_calls_waiting = 64;
     std::uint64_t slow_calls_of_connection = 16;

@@ -5,6 +5,7 @@
 #include "session/notify.hpp"
 #include "session/sessions.hpp"
 #include "session/slow_calls.hpp"
+#include "session/uploads.hpp"
 #include "wire/frame_header.hpp"
 
 #include <set>
@@ -20,6 +21,7 @@ struct Server::State {
     Services services;
     Sessions sessions;
     Locators locators;
+    Uploads uploads;
     SlowCalls slow_calls;
     std::mutex readiness_mutex;
     std::optional<Readiness> last_readiness;
@@ -33,7 +35,7 @@ struct Server::State {
           picture_workers(1, options.backend), services{options.limits, options.extraction,
                                                         catalog,        connections,
                                                         workers,        metrics},
-          sessions(services), slow_calls(options.limits) {
+          sessions(services), uploads(options.limits), slow_calls(options.limits) {
         watch = catalog.watch([this](const std::string& dataset) { tell_steps(dataset); });
         housekeeping = std::jthread([this](const std::stop_token& stop) {
             std::mutex mutex;
@@ -53,6 +55,7 @@ struct Server::State {
 
     void tidy(Clock::time_point now) {
         sessions.expire(now);
+        uploads.expire(now);
         if (catalog.give_back(now - std::chrono::seconds(options.limits.dataset_idle_seconds)) > 0) locators.forget();
     }
 
@@ -86,6 +89,7 @@ FrameWorkers& Server::picture_workers() { return state_->picture_workers; }
 Metrics& Server::counters() { return state_->metrics; }
 Locators& Server::locators() { return state_->locators; }
 SlowCalls& Server::slow_calls() { return state_->slow_calls; }
+Uploads& Server::uploads() { return state_->uploads; }
 const Services& Server::services() const { return state_->services; }
 
 void Server::connection_opened(std::shared_ptr<Connection> connection) {
@@ -96,6 +100,10 @@ void Server::connection_closed(std::uint64_t connection_id) {
     state_->connections.remove(connection_id);
     state_->slow_calls.drop(connection_id);
     state_->sessions.connection_closed(connection_id);
+}
+
+void Server::look_for_steps(const std::string& name, store::LoadedDataset& dataset) {
+    if (dataset.refresh()) state_->tell_steps(name);
 }
 
 void Server::tidy(std::chrono::steady_clock::time_point now) { state_->tidy(now); }

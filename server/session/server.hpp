@@ -18,6 +18,7 @@ struct ServerOptions {
     render::Backend backend = render::Backend::automatic;
     Extraction extraction;
     unsigned render_workers = 1;
+    bool allow_append = false; // by clients, who need the token
     Limits limits;
 };
 
@@ -32,6 +33,7 @@ class Metrics;      // metrics.hpp
 struct Services;    // services.hpp
 class Locators;     // locator.hpp
 class SlowCalls;    // slow_calls.hpp
+class Uploads;      // uploads.hpp
 
 // Draws a triangle and checks its pixels.
 [[nodiscard]] Readiness draw_test_picture(render::Renderer& renderer);
@@ -54,7 +56,10 @@ public:
     [[nodiscard]] const Services& services() const;
     [[nodiscard]] Locators& locators();
     [[nodiscard]] SlowCalls& slow_calls();
+    [[nodiscard]] Uploads& uploads();
 
+    // Tells clients of steps that were appended to a dataset of the catalog, without waiting for its watch.
+    void look_for_steps(const std::string& name, store::LoadedDataset& dataset);
     // Connections hear of appended steps (`dataset.changed`) while they are registered here.
     void connection_opened(std::shared_ptr<Connection> connection);
     void connection_closed(std::uint64_t connection_id);

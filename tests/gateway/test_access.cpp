@@ -103,6 +103,16 @@ TEST(Token, MustBeTheWholeToken) {
         EXPECT_FALSE(token_allowed(rules, wrong)) << wrong;
 }
 
+TEST(Token, WhoIsLetInWithoutATokenDoesNotCarryIt) {
+    AccessRules rules;
+    Request request;
+    EXPECT_FALSE(carries_token(rules, request, *parse_target("/"))) << "there is none to carry";
+    rules.token = "0123456789abcdef";
+    EXPECT_FALSE(carries_token(rules, request, *parse_target("/")));
+    EXPECT_FALSE(carries_token(rules, request, *parse_target("/?token=0123456789abcdeX")));
+    EXPECT_TRUE(carries_token(rules, request, *parse_target("/?token=0123456789abcdef")));
+}
+
 TEST(Token, GeneratedOnesAreLongAndDiffer) {
     std::set<std::string> seen;
     for (int i = 0; i < 100; ++i) {

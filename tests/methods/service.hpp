@@ -1,6 +1,7 @@
 // A whole server without a network, and clients of it that remember what they were sent.
 #pragma once
 
+#include "methods/binary_message.hpp"
 #include "methods/dispatcher.hpp"
 #include "session/metrics.hpp"
 #include "session/server.hpp"
@@ -44,6 +45,11 @@ public:
     Client(const Client&) = delete;
 
     std::string send(std::string_view text) { return methods::dispatch(server_, *connection_, text); }
+    void give_token() { connection_->has_token = true; }
+    // Why the connection would be closed, or nothing.
+    std::optional<std::string> send_bytes(std::span<const std::uint8_t> bytes) {
+        return methods::receive_binary(server_, *connection_, bytes);
+    }
     // Without waiting: the answer is a text.
     std::future<std::string> post(const json& request) {
         const auto answered = std::make_shared<std::promise<std::string>>();

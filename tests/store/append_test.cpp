@@ -2,9 +2,13 @@
 #include "store/append.hpp"
 #include "store/box/box.hpp"
 
+#include <csignal>
+#include <fstream>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <limits>
+#include <sys/wait.h>
+#include <unistd.h>
 
 namespace ciel::store {
 namespace {
@@ -124,6 +128,52 @@ TEST_F(AppendTest, AsAnImportDoesNotMakePointValuesThatAreThereOrThatNobodyWante
     EXPECT_THAT(fresh.plan.added, ElementsAre("cell:w", "w"));
     EXPECT_EQ(open()->find("w")->components, 3);
     EXPECT_THAT(open()->values("w", 3), ElementsAreArray(std::vector<float>(81, 1)));
+}
+
+TEST_F(AppendTest, AKillInTheMiddleOfTheCommitLeavesTheDatasetAsItWas) {
+    const std::vector<float> p(27, 1), u(81, 2);
+    const pid_t child = ::fork();
+    if (child == 0) {
+        (void)append_step(open(), 1, std::vector<WantedArray>{{"p", {}}, {"U", {}}}, [&](std::size_t i) {
+            if (i == 1) ::kill(::getpid(), SIGKILL); // p is written, the lock is held
+            return std::span<const float>(p);
+        });
+        ::_exit(0);
+    }
+    int status = 0;
+    ASSERT_EQ(::waitpid(child, &status, 0), child);
+    ASSERT_TRUE(WIFSIGNALED(status));
+    ASSERT_TRUE(fs::exists(directory / "meshes/0/arrays/p/1.0")) << "too early to prove anything";
+    const auto dataset = Dataset::open(directory);
+    EXPECT_EQ(dataset->steps().size(), 1U);
+    EXPECT_EQ(append(1, {{"p", {}}, {"U", {}}}, {p, u}).step, 1U);
+    EXPECT_THAT(dataset->refreshed()->values("U", 1), testing::Each(2.0F));
+}
+
+// As a disk does it, or who writes to a file in place.
+void overwrite_index(const fs::path& file, std::size_t at, Index value) {
+    std::fstream out(file, std::ios::in | std::ios::out | std::ios::binary);
+    out.seekp(static_cast<std::streamoff>(at * sizeof value));
+    out.write(reinterpret_cast<const char*>(&value), sizeof value);
+}
+
+TEST_F(AppendTest, AnIndexThatChangedAfterItWasVerifiedIsASentence) {
+    const std::vector<float> cells(8, 1);
+    for (const char* array : {"face_vertex/0", "owner/0", "neighbour/0"}) {
+        const auto dataset = open();
+        const fs::path file = directory / "meshes/0" / array;
+        const std::string good = test::read_file(file);
+        overwrite_index(file, 1, 4'000'000'000U);
+        try {
+            (void)append_step(dataset, 1, std::vector<WantedArray>{{"cell:p", {}}},
+                              [&](std::size_t) { return std::span<const float>(cells); });
+            ADD_FAILURE() << array;
+        } catch (const Error& error) {
+            EXPECT_THAT(error.what(), HasSubstr("outside of the mesh")) << array;
+        }
+        test::overwrite_file(file, good);
+        EXPECT_EQ(open()->steps().size(), 1U);
+    }
 }
 
 // Its positions at the times 1, 2, 3, ...: the box, offset by `moved`.

@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 import asyncio
+import base64
+import contextlib
 import itertools
 import json
 import urllib.error
 import urllib.request
-from collections.abc import AsyncIterator
+from collections.abc import AsyncIterator, Mapping
 from typing import Any
 
+from .append import check_sizes, message, pieces, pushed
 from .frames import Frame, Pieces, read_frame
 
 
@@ -54,6 +57,24 @@ class Client:
         for answer in self._post(requests) if calls else []:
             results[answer["id"]] = RpcError(answer["error"]) if "error" in answer else answer["result"]
         return results
+
+    def append(self, dataset: str, time: float, arrays: Mapping[str, Any]) -> Any:
+        """Pushes a step: `arrays` by name, values in the order of the imported file (of its cells for 'cell:NAME').
+
+        The server must run with --allow-append, and the client must have its token. Answers as append.commit does.
+        """
+        step = [pushed(name, values) for name, values in arrays.items()]
+        upload = self.call("append.begin", dataset=dataset, time=time, arrays=[one.wanted for one in step])
+        try:
+            check_sizes(step, upload)
+            for number, offset, data in pieces(step, upload["piece_bytes"]):
+                text = base64.b64encode(data).decode()
+                self.call("append.piece", upload=upload["upload"], array=number, offset=offset, data=text)
+            return self.call("append.commit", upload=upload["upload"])
+        except BaseException:
+            with contextlib.suppress(RpcError, OSError):
+                self.call("append.cancel", upload=upload["upload"])
+            raise
 
     def _post(self, body: Any) -> Any:
         request = urllib.request.Request(self._url, json.dumps(body).encode(), self._headers)
@@ -108,6 +129,20 @@ class Stream:
 
     async def notify(self, method: str, **params: Any) -> None:
         await self._socket.send(json.dumps({"jsonrpc": "2.0", "method": method, "params": params}))
+
+    async def append(self, dataset: str, time: float, arrays: Mapping[str, Any]) -> Any:
+        """As Client.append, with binary messages: a third fewer bytes."""
+        step = [pushed(name, values) for name, values in arrays.items()]
+        upload = await self.call("append.begin", dataset=dataset, time=time, arrays=[one.wanted for one in step])
+        try:
+            check_sizes(step, upload)
+            for number, offset, data in pieces(step, upload["piece_bytes"]):
+                await self._socket.send(message(upload["upload"], number, offset, data))
+            return await self.call("append.commit", upload=upload["upload"])
+        except Exception:
+            with contextlib.suppress(Exception):
+                await self.call("append.cancel", upload=upload["upload"])
+            raise
 
     async def next_frame(self) -> Frame:
         """Not acknowledged: call `acknowledge` when it has been presented."""

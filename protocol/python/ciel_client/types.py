@@ -281,6 +281,29 @@ class DatasetDescription(TypedDict):
     default_bounds: list[float]  # The box that the camera of default_scene looks at, for a camera that fits another canvas: around the bodies, or bounds. xmin, xmax, ymin, ymax, zmin, zmax
 
 
+class WantedArray(TypedDict):
+    name: str  # of an array of the dataset, or of a new one; begins with 'cell:' for values of the cells
+    components: NotRequired[int]  # of a new array, 1 when absent; that of another must be the same
+
+
+class ExpectedArray(TypedDict):
+    name: str
+    association: Literal["point", "cell"]
+    components: int
+    tuples: int  # values of each component: in the order of the imported file's points or cells
+    bytes: int  # 4 x tuples x components
+
+
+class Upload(TypedDict):
+    upload: str  # names the upload in pieces, commit and cancel; a secret of its clients
+    piece_bytes: int  # that a piece may have at most
+    idle_seconds: int  # without a piece, after which the upload is forgotten
+    arrays: list[ExpectedArray]
+    made: list[str]  # arrays of the points that are made from arrays of the cells, as an import makes them
+    added: list[str]  # arrays that the dataset does not have yet: a misspelt name is among them
+    lacking: list[str]  # arrays of the dataset that have no values at this step
+
+
 class SessionState(TypedDict):
     session: str
     revision: int
@@ -584,6 +607,50 @@ class SurfaceExportResult(TypedDict):
     vertices: int
 
 
+class AppendBeginParams(TypedDict):
+    """append.begin: Begins to push a step to a dataset, and checks it: time, names, sizes, limits, free disk. Needs `ciel serve --allow-append` and the server's token."""
+
+    dataset: str  # a name of dataset.list
+    time: float  # of the step; later than the last one
+    arrays: list[WantedArray]  # the arrays of the step
+
+
+AppendBeginResult = Upload
+
+
+class AppendPieceParams(TypedDict):
+    """append.piece: Adds bytes to an array of an upload. On a WebSocket a binary message does the same (frame.md)."""
+
+    upload: str  # as append.begin answered
+    array: int  # its place among the arrays of append.begin, from 0
+    offset: int  # of the first byte among the array's; at most as many as have come, so that a piece may be sent again
+    data: str  # base64 (RFC 4648) of little-endian float32 values, interleaved by component; at most `piece_bytes` bytes
+
+
+class AppendPieceResult(TypedDict):
+    received: int  # bytes of the array that have come
+
+
+class AppendCommitParams(TypedDict):
+    """append.commit: Writes the step of an upload whose arrays have all come; every client then hears of it. When it fails, the upload stays."""
+
+    upload: str  # as append.begin answered
+
+
+class AppendCommitResult(TypedDict):
+    step: int  # its number, from 0
+    time: float
+
+
+class AppendCancelParams(TypedDict):
+    """append.cancel: Forgets an upload."""
+
+    upload: str  # as append.begin answered
+
+
+AppendCancelResult = None
+
+
 class DatasetChangedParams(TypedDict):
     """dataset.changed: Steps were appended. No times: it can no longer be opened, and dataset.list says why."""
 
@@ -617,6 +684,13 @@ class ViewLackingParams(TypedDict):
     missing: list[str]  # layers whose colours have places without a value
 
 
+class AppendRefusedParams(TypedDict):
+    """append.refused: A binary piece of an upload was not taken; the upload stays as it was."""
+
+    upload: str  # as append.begin answered
+    reason: str  # a sentence
+
+
 class ServerDrainingParams(TypedDict):
     """server.draining: The server is about to stop."""
 
@@ -630,4 +704,5 @@ ERROR_CODES: dict[str, int] = {
     "NeedsWebSocket": -32004,
     "Failed": -32005,
     "AnswerTooLong": -32006,
+    "NotAllowed": -32007,
 }

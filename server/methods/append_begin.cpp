@@ -1,0 +1,33 @@
+#include "methods/context.hpp"
+#include "session/uploads.hpp"
+
+namespace ciel::methods {
+namespace {
+
+protocol::ExpectedArray expected(const store::PlannedArray& array) {
+    const bool on_points = array.info.association == store::Association::point;
+    return {array.info.name, on_points ? "point" : "cell", array.info.components,
+            static_cast<std::int64_t>(array.tuples), static_cast<std::int64_t>(session::upload_bytes(array))};
+}
+
+} // namespace
+
+protocol::AppendBeginResult append_begin(Context& context, const protocol::AppendBeginParams& params) {
+    context.check_may_append();
+    std::vector<store::WantedArray> wanted;
+    for (const auto& array : params.arrays) wanted.push_back({array.name, array.components});
+    const auto begun =
+        context.server.uploads().begin(params.dataset, context.dataset(params.dataset), params.time, std::move(wanted));
+    const session::Limits& limits = context.server.limits();
+    protocol::Upload upload{session::to_text(begun.id), static_cast<std::int64_t>(limits.upload_piece_bytes),
+                            static_cast<std::int64_t>(limits.upload_idle_seconds)};
+    for (const auto& array : begun.plan.arrays) {
+        upload.arrays.push_back(expected(array));
+        if (array.made) upload.made.push_back(array.made->name);
+    }
+    upload.added = begun.plan.added;
+    upload.lacking = begun.plan.lacking;
+    return upload;
+}
+
+} // namespace ciel::methods

@@ -1,0 +1,70 @@
+#include "methods/raw_ids.hpp"
+
+#include <nlohmann/json.hpp>
+
+namespace ciel::methods {
+namespace {
+
+using nlohmann::json;
+
+class IdReader final : public json::json_sax_t {
+public:
+    [[nodiscard]] std::vector<std::string> take() { return std::move(ids_); }
+
+    bool null() override { return value(); }
+    bool boolean(bool) override { return value(); }
+    bool string(string_t&) override { return value(); }
+    bool binary(binary_t&) override { return value(); }
+    // A number that begins with a minus comes here; -0 is the only one that would lose it.
+    bool number_integer(number_integer_t number) override { return value(number == 0 ? "-0" : std::to_string(number)); }
+    bool number_unsigned(number_unsigned_t number) override { return value(std::to_string(number)); }
+    bool number_float(number_float_t, const string_t& token) override { return value(token); } // also beyond 64 bits
+
+    bool start_object(std::size_t) override { return open(); }
+    bool end_object() override { return close(); }
+    bool start_array(std::size_t) override {
+        if (depth_ == 0)
+            request_depth_ = 1; // a batch
+        else
+            (void)value();
+        ++depth_;
+        return true;
+    }
+    bool end_array() override { return close(); }
+    bool key(string_t& name) override {
+        is_id_ = depth_ == request_depth_ + 1 && name == "id";
+        return true;
+    }
+    bool parse_error(std::size_t, const std::string&, const json::exception&) override { return false; }
+
+private:
+    bool value(const std::string& number = {}) {
+        if (depth_ == request_depth_) ids_.emplace_back(); // a request, or what stands in the place of one
+        if (is_id_) ids_.back() = number;
+        is_id_ = false;
+        return true;
+    }
+    bool open() {
+        (void)value();
+        ++depth_;
+        return true;
+    }
+    bool close() {
+        --depth_;
+        return true;
+    }
+
+    std::vector<std::string> ids_;
+    std::size_t depth_ = 0, request_depth_ = 0;
+    bool is_id_ = false;
+};
+
+} // namespace
+
+std::vector<std::string> raw_ids(std::string_view text) {
+    IdReader reader;
+    (void)json::sax_parse(text.begin(), text.end(), &reader);
+    return reader.take();
+}
+
+} // namespace ciel::methods

@@ -1,0 +1,38 @@
+#include "wire/upload_piece.hpp"
+
+#include "ciel/types.hpp"
+#include "wire/bytes.hpp"
+
+#include <algorithm>
+
+namespace ciel::wire {
+namespace {
+
+constexpr std::array<std::uint8_t, 4> magic{'C', 'I', 'E', 'L'};
+constexpr std::uint8_t version = 1, kind = 16;
+
+} // namespace
+
+UploadPiece read_upload_piece(std::span<const std::uint8_t> message) {
+    if (message.size() < upload_header_bytes)
+        throw Error("a piece of an upload has " + std::to_string(message.size()) + " bytes; its header alone has 40");
+    const std::uint8_t* at = message.data();
+    if (!std::equal(magic.begin(), magic.end(), at)) throw Error("a binary message does not begin with 'CIEL'");
+    if (at[4] != version)
+        throw Error("a binary message is of version " + std::to_string(at[4]) + "; this server reads version 1");
+    if (at[5] != kind)
+        throw Error("a binary message is of kind " + std::to_string(at[5]) + "; this server takes 16 (upload)");
+    if (get<std::uint16_t>(at + 6) != 0) throw Error("a piece of an upload has flags; there are none");
+    UploadPiece piece;
+    std::copy_n(at + 8, piece.upload.size(), piece.upload.begin());
+    piece.array = get<std::uint32_t>(at + 24);
+    const auto bytes = get<std::uint32_t>(at + 28);
+    piece.offset = get<std::uint64_t>(at + 32);
+    piece.bytes = message.subspan(upload_header_bytes);
+    if (piece.bytes.size() != bytes)
+        throw Error("a piece of an upload announces " + std::to_string(bytes) + " bytes after its header and has " +
+                    std::to_string(piece.bytes.size()));
+    return piece;
+}
+
+} // namespace ciel::wire

@@ -1,0 +1,23 @@
+// The binary WebSocket message by which a client sends a piece of an upload (protocol/frame.md).
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+
+namespace ciel::wire {
+
+using UploadId = std::array<std::uint8_t, 16>;
+
+struct UploadPiece {
+    UploadId upload{};
+    std::uint32_t array = 0;             // in the order of append.begin
+    std::uint64_t offset = 0;            // of the first byte among the array's values
+    std::span<const std::uint8_t> bytes; // borrowed from the message
+};
+
+inline constexpr std::size_t upload_header_bytes = 40;
+// Throws Error on a bad magic, version, kind or length, and when a reserved byte is not zero.
+[[nodiscard]] UploadPiece read_upload_piece(std::span<const std::uint8_t> message);
+
+} // namespace ciel::wire

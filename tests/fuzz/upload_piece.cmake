@@ -1,0 +1,1 @@
+ciel_fuzz(upload_piece LINKS wire ciel)
