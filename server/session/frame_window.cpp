@@ -18,9 +18,16 @@ constexpr std::size_t most_frames = 64;
 } // namespace
 
 void FrameWindow::sent(std::uint32_t frame, std::size_t bytes, bool still, Time now) {
+    if (still) {
+        newest_still_ = frame;
+        on_the_way_.push_back({frame, 0, false, now, 0});
+        return;
+    }
+    const bool is_behind_still =
+        !on_the_way_.empty() && newest_still_ >= on_the_way_.front().number; // which is not acknowledged
     sent_bytes_ += bytes;
-    on_the_way_.push_back({frame, bytes, still, now, bytes_on_the_way()});
-    if (!still) last_bytes_ = bytes;
+    last_bytes_ = bytes;
+    on_the_way_.push_back({frame, bytes, !is_behind_still, now, bytes_on_the_way()});
 }
 
 bool FrameWindow::has_room() const {
@@ -37,8 +44,10 @@ bool FrameWindow::acknowledged(std::uint32_t frame, Time now) {
         on_the_way_.pop_front();
     }
     if (!newest) return false;
-    if (!window_) window_ = static_cast<double>(unknown_line_ * newest->bytes);
-    if (!newest->still) learn(*newest, now);
+    if (newest->measures) {
+        if (!window_) window_ = static_cast<double>(unknown_line_ * newest->bytes);
+        learn(*newest, now);
+    }
     held_back_ = held_back_ && !has_room();
     return true;
 }

@@ -19,7 +19,8 @@ public:
     // `unknown_line`: frames that may be on their way before the first acknowledgement.
     explicit FrameWindow(std::uint64_t unknown_line) : unknown_line_(unknown_line) {}
 
-    // Frames count up. A still says nothing about the line: it is many times as long as what else is sent.
+    // Frames count up. A still takes no room, for a newer frame takes the place of what is left of it; and what follows
+    // it says nothing about the line, for it comes later by the still's length.
     void sent(std::uint32_t frame, std::size_t bytes, bool still, Time now);
     // A frame and all before it. Returns whether any was on the way.
     bool acknowledged(std::uint32_t frame, Time now);
@@ -38,7 +39,7 @@ private:
     struct Frame {
         std::uint32_t number;
         std::size_t bytes;
-        bool still;
+        bool measures; // neither a still nor behind one
         Time sent;
         std::size_t bytes_on_the_way; // itself included
     };
@@ -53,6 +54,7 @@ private:
 
     std::uint64_t unknown_line_;
     std::deque<Frame> on_the_way_;
+    std::uint32_t newest_still_ = 0;
     std::size_t sent_bytes_ = 0, delivered_bytes_ = 0, last_bytes_ = 0;
     std::optional<Known> soonest_; // of acknowledgements, seconds
     std::size_t soonest_bytes_ = 0;

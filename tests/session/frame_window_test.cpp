@@ -123,6 +123,21 @@ TEST(FrameWindow, AClientThatStopsReadingCostsNoMoreThanALineful) {
     EXPECT_FALSE(window.has_room());
 }
 
+TEST(FrameWindow, AStillDoesNotKeepTheHandWaiting) {
+    FrameWindow window(2);
+    FrameWindow::Time now{};
+    window.sent(1, 40'000, false, now);
+    window.acknowledged(1, now += std::chrono::milliseconds(200));
+    window.sent(2, 800'000, true, now);
+    EXPECT_TRUE(window.has_room());
+    window.sent(3, 40'000, false, now);
+    window.sent(4, 40'000, false, now);
+    window.held_back();
+    for (const std::uint32_t frame : {2U, 3U, 4U}) window.acknowledged(frame, now += std::chrono::milliseconds(800));
+    EXPECT_EQ(window.rate(), 0) << "what is late behind a still is no sign of a queue";
+    EXPECT_EQ(window.bytes_on_the_way(), 0U);
+}
+
 TEST(FrameWindow, AcknowledgesAllBeforeAndIgnoresWhatWasNotSent) {
     FrameWindow window(2);
     const FrameWindow::Time start{};
