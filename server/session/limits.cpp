@@ -82,8 +82,10 @@ std::uint64_t number_of(const LimitRow& row, std::string_view text) {
         const auto shift = 10 * (letter + 1);
         return value > most_bytes >> shift ? most_bytes + 1 : value << shift;
     }
-    const char* example = row.unit == Unit::memory ? ", such as 64M or 25%" : ", such as 64M";
-    throw Error(printable(text) + " is not a whole number" + (is_bytes(row) ? example : ""));
+    const char* expected = " is not a whole number";
+    if (is_bytes(row)) expected = " is not a whole number, such as 64M";
+    if (row.unit == Unit::memory) expected = " is not a whole number, such as 64M or 25%";
+    throw Error(printable(text) + expected);
 }
 
 } // namespace
