@@ -23,7 +23,7 @@ protected:
     }
 
     session::ServerOptions options(const session::Limits& limits) {
-        write_small_dataset(folder_ / "box.ciel");
+        if (!std::filesystem::exists(folder_ / "box.ciel")) write_small_dataset(folder_ / "box.ciel");
         session::ServerOptions made;
         made.data = {folder_.path()};
         made.extraction = chosen_engine();
@@ -40,7 +40,7 @@ protected:
         return answer.value("/error/data/reason"_json_pointer, std::string());
     }
     static Bytes bytes_of(const json& expected, float value) {
-        Bytes bytes(expected["bytes"]);
+        Bytes bytes(expected["bytes"].get<std::size_t>());
         for (std::size_t i = 0; i < bytes.size(); i += sizeof value) std::memcpy(&bytes[i], &value, sizeof value);
         return bytes;
     }

@@ -356,7 +356,7 @@ class ServerInfoResult(TypedDict):
     gl_renderer: str
     backend: str
     engine: str
-    limits: dict[str, float]
+    limits: dict[str, float]  # by name, as `ciel serve --help` lists them: bytes, seconds, pixels, counts
     color_maps: list[str]
 
 
