@@ -49,8 +49,12 @@ Response preflight(const Request& request, const Route& route) {
     return response;
 }
 
+// A media type is the same in any case, and parameters such as a charset follow it (RFC 9110, 8.3.1).
 bool is_json(std::string_view content_type) {
-    const auto type = content_type.substr(0, content_type.find(';'));
+    std::string type(content_type.substr(0, content_type.find(';')));
+    while (!type.empty() && (type.back() == ' ' || type.back() == '\t')) type.pop_back();
+    for (char& c : type)
+        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
     return type == "application/json" || type == "application/json-rpc" || type == "application/jsonrequest";
 }
 

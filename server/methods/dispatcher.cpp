@@ -2,12 +2,14 @@
 
 #include "methods/context.hpp"
 #include "methods/error_answer.hpp"
+#include "methods/raw_ids.hpp"
 #include "methods/request.hpp"
 #include "scene/read_json.hpp"
 #include "session/metrics.hpp"
 #include "session/slow_calls.hpp"
 #include "wire/frame_header.hpp"
 
+#include <algorithm>
 #include <future>
 
 namespace ciel::methods {
@@ -41,12 +43,30 @@ bool is_deeper_than(std::string_view text, std::size_t limit) {
 // A name from a file system may not be UTF-8.
 std::string text_of(const json& answer) { return answer.dump(-1, ' ', false, json::error_handler_t::replace); }
 
+// With an id that a json would change, as it came.
+std::string text_of(const json& answer, const std::string& id) {
+    if (id.empty() || !answer["id"].is_number()) return text_of(answer);
+    json rest = answer;
+    rest.erase("id");
+    return text_of(rest).insert(1, "\"id\":" + id + ",");
+}
+
+// Integers of 64 bits come back as they are, but for -0.
+bool changes_id(const json& request) {
+    const auto id = request.is_object() ? request.find("id") : request.end();
+    if (!request.is_object() || id == request.end()) return false;
+    return id->is_number_float() || (id->is_number_integer() && !id->is_number_unsigned() && *id == 0);
+}
+
 // The requests of one text, in order: quick ones on the thread that comes by, each slow one when its turn has come.
 class Requests : public std::enable_shared_from_this<Requests> {
 public:
-    Requests(session::Server& server, std::shared_ptr<session::Connection> connection, json requests, Answer answer)
+    // ids: of raw_ids, or empty when the requests have them all as they came.
+    Requests(session::Server& server, std::shared_ptr<session::Connection> connection, json requests,
+             std::vector<std::string> ids, Answer answer)
         : connection_(std::move(connection)), context_{server, *connection_}, is_batch_(requests.is_array()),
-          requests_(is_batch_ ? std::move(requests) : json::array({std::move(requests)})), answer_(std::move(answer)) {}
+          requests_(is_batch_ ? std::move(requests) : json::array({std::move(requests)})), ids_(std::move(ids)),
+          answer_(std::move(answer)) {}
 
     void go_on() {
         for (; next_ < requests_.size(); ++next_) {
@@ -95,13 +115,24 @@ private:
     }
 
     void add(std::optional<json> one) {
-        if (one) answers_.push_back(std::move(*one));
+        if (!one) return;
+        answers_.push_back(std::move(*one));
+        answered_.push_back(ids_.empty() ? std::string() : ids_[next_]);
+    }
+
+    [[nodiscard]] std::string text_of_answers() const {
+        if (answers_.empty()) return {};
+        if (!is_batch_) return text_of(answers_.front(), answered_.front());
+        std::string text;
+        for (std::size_t i = 0; i < answers_.size(); ++i)
+            text += (i == 0 ? '[' : ',') + text_of(answers_[i], answered_[i]);
+        return text + ']';
     }
 
     void finish() {
         std::string text;
         try {
-            if (!answers_.empty()) text = text_of(is_batch_ ? answers_ : answers_.front());
+            text = text_of_answers();
             if (connection_->is_streaming() && text.size() > wire::longest_message) text = too_long(text.size());
         } catch (...) { // no memory for a text of that size
             text = text_of({{"jsonrpc", "2.0"}, {"id", nullptr}, {"error", error_of_current_exception()}});
@@ -116,15 +147,17 @@ private:
                                    std::to_string(wire::longest_message) + " at most; ask by POST /rpc";
         for (json& one : answers_) one = {{"jsonrpc", "2.0"}, {"id", one["id"]}, {"error", too_long_error(reason)}};
         context_.server.counters().count_error(protocol::AnswerTooLong);
-        return text_of(is_batch_ ? answers_ : answers_.front());
+        return text_of_answers();
     }
 
     const std::shared_ptr<session::Connection> connection_;
     Context context_;
     const bool is_batch_;
     const json requests_;
+    const std::vector<std::string> ids_;
     const Answer answer_;
-    json answers_ = json::array();
+    std::vector<json> answers_;
+    std::vector<std::string> answered_; // the id of each, when it is among ids_
     std::size_t next_ = 0;
     bool has_had_a_turn_ = false, given_up_ = false;
 };
@@ -160,7 +193,11 @@ void dispatch(session::Server& server, std::shared_ptr<session::Connection> conn
         server.counters().count_error((*error)["code"].get<int>());
         return answer(text_of({{"jsonrpc", "2.0"}, {"id", nullptr}, {"error", std::move(*error)}}));
     }
-    std::make_shared<Requests>(server, std::move(connection), std::move(requests), std::move(answer))->go_on();
+    const bool changes_ids =
+        requests.is_array() ? std::any_of(requests.begin(), requests.end(), changes_id) : changes_id(requests);
+    auto ids = changes_ids ? raw_ids(text) : std::vector<std::string>();
+    std::make_shared<Requests>(server, std::move(connection), std::move(requests), std::move(ids), std::move(answer))
+        ->go_on();
 }
 
 std::string dispatch(session::Server& server, session::Connection& connection, std::string_view text) {

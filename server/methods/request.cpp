@@ -17,8 +17,7 @@ json answer(const json& id, const char* member, json content) {
     return {{"jsonrpc", "2.0"}, {"id", id}, {member, std::move(content)}};
 }
 
-// Other numbers would come back rounded, and the client would not know its request again.
-bool is_id(const json& id) { return id.is_string() || id.is_number_integer() || id.is_null(); }
+bool is_id(const json& id) { return id.is_string() || id.is_number() || id.is_null(); }
 
 // The id of a request as far as it can be told, else null.
 json id_of(const json& request) {
@@ -71,8 +70,7 @@ std::optional<json> handle(Context& context, const json& request) {
     if (!is_request(request))
         return failed(context, request, invalid_request("a request is an object with jsonrpc \"2.0\" and a method"));
     if (const auto id = request.find("id"); id != request.end() && !is_id(*id))
-        return failed(context, request,
-                      invalid_request("an id is a text, null, or a whole number of 64 bits; write others as text"));
+        return failed(context, request, invalid_request("an id is a text, a number or null"));
     try {
         json result = call(context, request);
         if (!request.contains("id")) return {};

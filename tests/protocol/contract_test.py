@@ -30,9 +30,33 @@ class Document(unittest.TestCase):
     def test_required_members(self):
         self.assertRegex(DOCUMENT["openrpc"], r"^1\.2\.\d+$")
         self.assertTrue({"title", "version"} <= DOCUMENT["info"].keys())
-        self.assertEqual(
-            [key for key in DOCUMENT if key not in ("openrpc", "info", "methods", "components") and key[:2] != "x-"], []
-        )
+        known = ("openrpc", "info", "servers", "methods", "components")
+        self.assertEqual([key for key in DOCUMENT if key not in known and key[:2] != "x-"], [])
+
+    def test_servers(self):
+        for server in DOCUMENT["servers"]:
+            self.assertTrue({"name", "url"} <= server.keys())
+            used = set(re.findall(r"\{(\w+)\}", server["url"] + server["summary"]))
+            self.assertEqual(used, set(server["variables"]))
+            for variable in server["variables"].values():
+                self.assertIn("default", variable)
+
+    def test_each_param_has_a_description(self):
+        for method in DOCUMENT["methods"] + DOCUMENT["x-notifications"]:
+            for param in method["params"]:
+                self.assertTrue(param.get("description"), f"{method['name']}: {param['name']}")
+
+    def test_each_method_has_an_example(self):
+        """Values are checked against the schemas, and given to a server, by tests/methods."""
+        for method in DOCUMENT["methods"]:
+            with self.subTest(method["name"]):
+                self.assertTrue(method["examples"])
+                params = {param["name"]: param.get("required", False) for param in method["params"]}
+                for example in method["examples"]:
+                    given = [param["name"] for param in example["params"]]
+                    self.assertLessEqual(set(given), set(params))
+                    self.assertLessEqual({name for name, required in params.items() if required}, set(given))
+                    self.assertIn("value", example["result"])
 
     def test_methods(self):
         names = [method["name"] for method in DOCUMENT["methods"]]

@@ -377,7 +377,7 @@ DatasetListResult = list[DatasetListResultItem]
 class DatasetDescribeParams(TypedDict):
     """dataset.describe: Arrays, times, bounds, patches and a scene to start from."""
 
-    dataset: str
+    dataset: str  # a name of dataset.list
 
 
 DatasetDescribeResult = DatasetDescription
@@ -386,8 +386,8 @@ DatasetDescribeResult = DatasetDescription
 class DatasetOpenParams(TypedDict):
     """dataset.open: Shows a dataset's default scene in a session, as an undoable change."""
 
-    session: str
-    dataset: str
+    session: str  # the id that session.open answered with
+    dataset: str  # a name of dataset.list
 
 
 DatasetOpenResult = SessionState
@@ -396,10 +396,10 @@ DatasetOpenResult = SessionState
 class DatasetHistogramParams(TypedDict):
     """dataset.histogram: Counts of a scalar's values at one time."""
 
-    dataset: str
-    array: str
+    dataset: str  # a name of dataset.list
+    array: str  # a scalar name of an array of the points, such as `p` or `U:x`
     time: NotRequired[float]  # the first time when absent
-    bins: NotRequired[int]
+    bins: NotRequired[int]  # of equal width; the last one holds its upper end, too
     range: NotRequired[Range]  # the array's own when absent
 
 
@@ -415,7 +415,7 @@ class SessionOpenParams(TypedDict):
     """session.open: A new session, or one that exists; over WebSocket the connection then hears of its changes."""
 
     session: NotRequired[str]  # an id to join or recreate
-    dataset: NotRequired[str]
+    dataset: NotRequired[str]  # whose default scene a new session shows; the first of dataset.list when absent
     scene: NotRequired[Scene]  # the scene of a new session
 
 
@@ -425,7 +425,7 @@ SessionOpenResult = SessionState
 class SessionCloseParams(TypedDict):
     """session.close: Forgets the session."""
 
-    session: str
+    session: str  # the id that session.open answered with
 
 
 SessionCloseResult = None
@@ -434,7 +434,7 @@ SessionCloseResult = None
 class SceneGetParams(TypedDict):
     """scene.get: The session's scene."""
 
-    session: str
+    session: str  # the id that session.open answered with
 
 
 SceneGetResult = SessionState
@@ -443,9 +443,9 @@ SceneGetResult = SessionState
 class ScenePatchParams(TypedDict):
     """scene.patch: Applies an RFC 7396 merge patch. Patches with the same gesture are one undo step."""
 
-    session: str
-    patch: dict[str, Any]
-    gesture: NotRequired[str]
+    session: str  # the id that session.open answered with
+    patch: dict[str, Any]  # an RFC 7396 merge patch of the scene: null removes a member
+    gesture: NotRequired[str]  # any text that names what the user is doing, such as one drag of a slider
 
 
 ScenePatchResult = Revision
@@ -454,7 +454,7 @@ ScenePatchResult = Revision
 class SceneUndoParams(TypedDict):
     """scene.undo: Takes the last step back."""
 
-    session: str
+    session: str  # the id that session.open answered with
 
 
 SceneUndoResult = SessionState
@@ -463,7 +463,7 @@ SceneUndoResult = SessionState
 class SceneRedoParams(TypedDict):
     """scene.redo: Does it again."""
 
-    session: str
+    session: str  # the id that session.open answered with
 
 
 SceneRedoResult = SessionState
@@ -472,11 +472,11 @@ SceneRedoResult = SessionState
 class ViewOpenParams(TypedDict):
     """view.open: A stream of frames of the session on this WebSocket."""
 
-    session: str
-    width: int
-    height: int
+    session: str  # the id that session.open answered with
+    width: int  # in pixels
+    height: int  # in pixels
     pixel_ratio: NotRequired[float]  # pixels of the pictures for one of lines and points: what the page is shown with (devicePixelRatio)
-    stream: NotRequired[Literal["image", "geometry"]]
+    stream: NotRequired[Literal["image", "geometry"]]  # pictures, or polygons for the client to draw (frame.md)
     moving: NotRequired[Literal["png", "jpeg"]]  # How interactive pictures are coded; a still is a PNG.
 
 
@@ -487,9 +487,9 @@ class ViewOpenResult(TypedDict):
 class ViewResizeParams(TypedDict):
     """view.resize: Changes the size of a view's pictures."""
 
-    view: int
-    width: int
-    height: int
+    view: int  # the number that view.open answered with
+    width: int  # in pixels
+    height: int  # in pixels
     pixel_ratio: NotRequired[float]  # as in view.open; without it this stays as it is
 
 
@@ -499,8 +499,8 @@ ViewResizeResult = None
 class ViewStreamParams(TypedDict):
     """view.stream: Chooses pictures or polygon batches."""
 
-    view: int
-    stream: Literal["image", "geometry"]
+    view: int  # the number that view.open answered with
+    stream: Literal["image", "geometry"]  # pictures, or polygons for the client to draw (frame.md)
     moving: NotRequired[Literal["png", "jpeg"]]  # As in view.open; without it this stays as it is.
 
 
@@ -510,8 +510,8 @@ ViewStreamResult = None
 class ViewAckParams(TypedDict):
     """view.ack: The frame has been presented (usually a notification)."""
 
-    view: int
-    frame: int
+    view: int  # the number that view.open answered with
+    frame: int  # the number in the frame's header
 
 
 ViewAckResult = None
@@ -520,7 +520,7 @@ ViewAckResult = None
 class ViewCloseParams(TypedDict):
     """view.close: Ends the stream."""
 
-    view: int
+    view: int  # the number that view.open answered with
 
 
 ViewCloseResult = None
@@ -530,9 +530,9 @@ class PictureRenderParams(TypedDict):
     """picture.render: A lossless still picture."""
 
     session: NotRequired[str]  # without it, `scene` is used and nothing is kept
-    scene: NotRequired[Scene]
+    scene: NotRequired[Scene]  # the scene to be used in place of a session's; nothing is kept of it
     width: NotRequired[int]  # width times height may be at most 33554432
-    height: NotRequired[int]
+    height: NotRequired[int]  # in pixels; text and lines grow with it
 
 
 PictureRenderResult = Picture
@@ -542,11 +542,11 @@ class ProbePointParams(TypedDict):
     """probe.point: Values at a world position, or under a pixel of a picture of the given size."""
 
     session: NotRequired[str]  # without it, `scene` is used and nothing is kept
-    scene: NotRequired[Scene]
-    position: NotRequired[Vec3]
+    scene: NotRequired[Scene]  # the scene to be used in place of a session's; nothing is kept of it
+    position: NotRequired[Vec3]  # in the dataset's length units; either this or a pixel
     pixel: NotRequired[list[float]]  # x, y from the top left
-    width: NotRequired[int]
-    height: NotRequired[int]
+    width: NotRequired[int]  # of the picture that the pixel is of; with pixel
+    height: NotRequired[int]  # of the picture that the pixel is of; with pixel
 
 
 ProbePointResult = ProbeResult
@@ -556,9 +556,9 @@ class SceneCameraParams(TypedDict):
     """scene.camera: Where a scene is seen from: its own camera, or the one that pictures and views of a scene without one have."""
 
     session: NotRequired[str]  # without it, `scene` is used and nothing is kept
-    scene: NotRequired[Scene]
+    scene: NotRequired[Scene]  # the scene to be used in place of a session's; nothing is kept of it
     width: NotRequired[int]  # of the picture or the view: without a camera all of the bounds is seen, clear of what is written
-    height: NotRequired[int]
+    height: NotRequired[int]  # of the picture or the view, in pixels
 
 
 SceneCameraResult = Camera
@@ -568,7 +568,7 @@ class SceneBoundsParams(TypedDict):
     """scene.bounds: The box around what clip planes and thresholds leave of the mesh: what a view of everything frames. Iso-surfaces and slices do not narrow it; where nothing is left it is the dataset's."""
 
     session: NotRequired[str]  # without it, `scene` is used and nothing is kept
-    scene: NotRequired[Scene]
+    scene: NotRequired[Scene]  # the scene to be used in place of a session's; nothing is kept of it
 
 
 class SceneBoundsResult(TypedDict):
@@ -578,9 +578,9 @@ class SceneBoundsResult(TypedDict):
 class ColorRangeParams(TypedDict):
     """color.range: The range of the values that colour layers, as far as they are in view."""
 
-    layers: list[str]
+    layers: list[str]  # ids of layers of the scene
     session: NotRequired[str]  # without it, `scene` is used and nothing is kept
-    scene: NotRequired[Scene]
+    scene: NotRequired[Scene]  # the scene to be used in place of a session's; nothing is kept of it
     aspect: NotRequired[float]  # width / height of the view; without it, what lies beside the view counts, too
     of: NotRequired[Literal["layers", "contours"]]  # contours: of the values of the contour lines on the layers, which have a colour scale of their own
 
@@ -592,11 +592,11 @@ class ColorRangeResult(TypedDict):
 class SurfaceExportParams(TypedDict):
     """surface.export: A layer's surface as a file, cut by the visible clip planes and with their caps, as pictures show it."""
 
-    layer: str
-    format: Literal["ply", "stl", "vtp"]
+    layer: str  # the id of an iso-surface, slice or surface layer of the scene
+    format: Literal["ply", "stl", "vtp"]  # PLY (binary), STL (binary) or VTK's XML PolyData
     session: NotRequired[str]  # without it, `scene` is used and nothing is kept
-    scene: NotRequired[Scene]
-    triangles: NotRequired[bool]
+    scene: NotRequired[Scene]  # the scene to be used in place of a session's; nothing is kept of it
+    triangles: NotRequired[bool]  # true: polygons are cut into triangles; STL has triangles in any case
 
 
 class SurfaceExportResult(TypedDict):
@@ -654,33 +654,33 @@ AppendCancelResult = None
 class DatasetChangedParams(TypedDict):
     """dataset.changed: Steps were appended. No times: it can no longer be opened, and dataset.list says why."""
 
-    dataset: str
+    dataset: str  # a name of dataset.list
     times: NotRequired[list[float]]  # absent where the message would be longer than 512 KiB: call dataset.describe
 
 
 class SceneChangedParams(TypedDict):
     """scene.changed: Another client of this session changed its scene. The scene is absent where the message would be longer than 512 KiB: call scene.get."""
 
-    session: str
-    revision: int
-    scene: NotRequired[Scene]
+    session: str  # the id that session.open answered with
+    revision: int  # counts the changes of the session's scene
+    scene: NotRequired[Scene]  # the whole scene, as it is now
 
 
 class ViewFailedParams(TypedDict):
     """view.failed: A frame could not be made; the last one stays."""
 
-    view: int
-    revision: int
-    message: str
+    view: int  # the number that view.open answered with
+    revision: int  # of the scene that the frame was of
+    message: str  # a sentence for the user
 
 
 class ViewLackingParams(TypedDict):
     """view.lacking: What the next frame lacks, a sentence each: layers whose array was not written at its time, points that are too many to show all; and of which layers that are switched on it shows nothing. Empty when nothing is lacking any more."""
 
-    view: int
-    revision: int
-    sentences: list[str]
-    empty: list[EmptyLayer]
+    view: int  # the number that view.open answered with
+    revision: int  # of the scene that the frame is of
+    sentences: list[str]  # for the user
+    empty: list[EmptyLayer]  # layers that are switched on and show nothing
     missing: list[str]  # layers whose colours have places without a value
 
 
