@@ -87,6 +87,8 @@ export interface AppState {
   /** Layers whose colours have places without a value. */
   missing: string[];
   probe: Probe | null;
+  /** The layer that a hand has changed last. */
+  touched: string | null;
   playing: boolean;
   playRate: number;
   loop: boolean;
@@ -148,6 +150,7 @@ export const initialState: AppState = {
   empty: [],
   missing: [],
   probe: null,
+  touched: null,
   playing: false,
   playRate: 10,
   loop: true,
