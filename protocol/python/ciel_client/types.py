@@ -581,11 +581,11 @@ class SceneBoundsResult(TypedDict):
 class ScenePickParams(TypedDict):
     """scene.pick: The first polygon on the line of sight through a pixel of a picture of the given size. Nothing is drawn for it: lines, points and volumes are not met."""
 
-    session: NotRequired[str]  # without it, `scene` is used and nothing is kept
-    scene: NotRequired[Scene]  # the scene to be used in place of a session's; nothing is kept of it
     pixel: list[float]  # x, y from the top left
     width: int  # of the picture, pixels
     height: int  # of the picture, pixels
+    session: NotRequired[str]  # without it, `scene` is used and nothing is kept
+    scene: NotRequired[Scene]  # the scene to be used in place of a session's; nothing is kept of it
 
 
 class ScenePickResult(TypedDict):
