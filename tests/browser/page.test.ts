@@ -5,6 +5,7 @@ import { readFile } from "node:fs/promises";
 import { dirname, join, resolve } from "node:path";
 import { describe, test } from "node:test";
 import { fileURLToPath } from "node:url";
+import { sceneOf } from "./link.ts";
 import { decodePng, difference, distance, type Picture } from "./png.ts";
 import { nameOf, Server } from "./server.ts";
 import { data, skip, Stage } from "./stage.ts";
@@ -13,6 +14,30 @@ const modules = resolve(dirname(fileURLToPath(import.meta.url)), "../../webclien
 
 describe("page", { skip }, () => {
   const stage = new Stage();
+
+  test("the first picture is the body and a slice through it, at the last step, from nearby", async () => {
+    const client = await stage.open(stage.server.address);
+    await client.settled();
+    await client.addressed();
+    const { time, camera, layers } = sceneOf(client.page.url()) as {
+      time: number;
+      camera: { position: number[]; target: number[] };
+      layers: Record<string, { type: string; groups?: string[]; color?: { array?: string } }>;
+    };
+    assert.deepEqual(
+      Object.values(layers)
+        .map(({ type }) => type)
+        .sort(),
+      ["outline", "slice", "surface"],
+    );
+    assert.deepEqual(layers.surface?.groups, ["cylinder"]);
+    assert.equal(layers.slice?.color?.array, "U:magnitude");
+    assert.equal(time, 0.95);
+    const away = Math.hypot(...camera.position.map((at, i) => at - (camera.target[i] ?? 0)));
+    assert.ok(away < 20, `the domain is 21 long, and the camera ${away} away from the cylinder`);
+    await client.keep("first-picture");
+    await client.close();
+  });
 
   test("a link opens the same view in another browser", async () => {
     const client = await stage.fresh();

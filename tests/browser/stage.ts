@@ -1,11 +1,38 @@
 // A server, a browser and its pages: every suite needs the same, and so says only what is its own.
 import { after, before } from "node:test";
 import { launch, type Browser } from "./chromium.ts";
+import { fragmentOf } from "./link.ts";
 import { Client, type PageOptions } from "./page.ts";
-import { datasets, Server } from "./server.ts";
+import { datasets, nameOf, Server } from "./server.ts";
 
 export const data = datasets();
 export const skip = data.length === 0 ? "no dataset: set CIEL_BROWSER_DATA" : false;
+
+interface Described {
+  arrays: { scalars: string[]; components: number; range?: [number, number] }[];
+  times: number[];
+  default_scene: { layers: { surface?: { groups: string[] } } };
+}
+
+/** The address of a scene with what most suites take hold of: an iso-surface at the first step. */
+async function isoFragment(server: Server): Promise<string> {
+  const dataset = nameOf(data[0] ?? "");
+  const call = { jsonrpc: "2.0", id: 1, method: "dataset.describe", params: { dataset } };
+  const answer = await fetch(`${server.address}rpc`, {
+    method: "POST",
+    headers: { "Content-Type": "application/json" },
+    body: JSON.stringify(call),
+  });
+  const { arrays, times, default_scene: first } = ((await answer.json()) as { result: Described }).result;
+  const array = arrays.find(({ components, scalars }) => components === 1 && scalars.length > 0);
+  const vector = arrays.find(({ components }) => components === 3);
+  if (array?.range === undefined) return "";
+  const [low, high] = array.range;
+  const color = vector === undefined ? {} : { array: vector.scalars.find((name) => name.endsWith(":magnitude")) };
+  const iso = { type: "iso", order: 2, array: array.scalars[0], values: [(low + high) / 2], color };
+  const surface = first.layers.surface && { type: "surface", order: 1, groups: first.layers.surface.groups };
+  return fragmentOf({ dataset, time: times[0], layers: { outline: { type: "outline", order: 0 }, surface, iso } });
+}
 
 export class Stage {
   server!: Server;
@@ -31,10 +58,10 @@ export class Stage {
     return Client.open(this.browser, address, options);
   }
 
-  /** A page of its own, with a picture. */
-  async fresh(options: PageOptions = {}, fragment = ""): Promise<Client> {
+  /** A page of its own, with a picture: of an iso-surface, or of the fragment's scene. */
+  async fresh(options: PageOptions = {}, fragment?: string): Promise<Client> {
     await this.server.start(); // where a test before left it dead
-    const client = await this.open(this.server.address + fragment, options);
+    const client = await this.open(this.server.address + (fragment ?? (await isoFragment(this.server))), options);
     await client.settled();
     return client;
   }
@@ -42,7 +69,7 @@ export class Stage {
   /** One page for all who leave it as it was. */
   async same(): Promise<Client> {
     await this.server.start();
-    this.kept ??= await this.open(this.server.address, this.options);
+    this.kept ??= await this.open(this.server.address + (await isoFragment(this.server)), this.options);
     await this.kept.connected();
     await this.kept.settled();
     return this.kept;
