@@ -3,16 +3,28 @@
 #include "session/clip.hpp"
 #include "session/color_scale_of.hpp"
 #include "session/frame_workers.hpp"
-#include "wire/geometry_batch.hpp"
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 namespace ciel::session {
 
-std::vector<std::vector<std::uint8_t>> geometry_messages(wire::FrameHeader& header, const Geometry& geometry,
-                                                         double pixel_ratio) {
+namespace {
+
+// Colors have 256 steps a channel: a 16384th of their range is never seen. Logarithms of values near zero would be.
+double value_step(const render::ColorScale& scale) {
+    constexpr double steps = 16384;
+    const double width = static_cast<double>(static_cast<float>(scale.range[1])) - static_cast<float>(scale.range[0]);
+    return scale.log || !(width > 0) || !std::isfinite(width) ? 0 : width / steps;
+}
+
+} // namespace
+
+wire::EncodedGeometry geometry_messages(wire::FrameHeader& header, const Geometry& geometry, double pixel_ratio,
+                                        double grid, const wire::HeldParts& held) {
     const auto started = Clock::now();
-    const auto planes = shader_planes(geometry);
+    auto planes = shader_planes(geometry);
+    for (auto& plane : planes) plane[3] += static_cast<float>(grid); // caps lie in planes to within the grid
     std::vector<wire::GeometryMesh> meshes;
     for (const Drawable& drawable : geometry.drawables) {
         const Surface& surface = drawable.shape->surface;
@@ -21,6 +33,7 @@ std::vector<std::vector<std::uint8_t>> geometry_messages(wire::FrameHeader& head
         mesh.positions = surface.positions;
         if (drawable.polygons()) mesh.normals = surface.normals;
         if (drawable.scalars) mesh.scalars = *drawable.scalars;
+        mesh.value_step = value_step(drawable.scale);
         mesh.indices = drawable.indices();
         mesh.lines = drawable.lines();
         mesh.points = drawable.points();
@@ -33,7 +46,8 @@ std::vector<std::vector<std::uint8_t>> geometry_messages(wire::FrameHeader& head
         mesh.clip = planes;
         meshes.push_back(std::move(mesh));
     }
-    auto messages = wire::encode_geometry(meshes, geometry.origin);
+    auto encoded = wire::encode_geometry(meshes, geometry.origin, grid, held);
+    auto& messages = encoded.payloads;
     header.encode_ms = std::chrono::duration<float, std::milli>(Clock::now() - started).count();
     const auto common = header.flags;
     for (auto& message : messages) {
@@ -45,7 +59,7 @@ std::vector<std::vector<std::uint8_t>> geometry_messages(wire::FrameHeader& head
         wire::write_frame_header(header, bytes);
         message.insert(message.begin(), bytes.begin(), bytes.end());
     }
-    return messages;
+    return encoded;
 }
 
 ContentKey content_of(const Geometry& geometry) {

@@ -2,6 +2,9 @@
 
 #include "session/batches.hpp"
 #include "session/picture.hpp"
+#include "session/pixel_grid.hpp"
+
+#include <algorithm>
 
 namespace ciel::session {
 namespace {
@@ -46,6 +49,11 @@ std::vector<std::string> lacking_in(const Geometry& geometry, const scene::Light
     return lacking;
 }
 
+double needed_grid_of(const FrameRequest& request, const Geometry& geometry) {
+    const double aspect = static_cast<double>(request.size.width) / std::max(request.size.height, 1U);
+    return needed_grid(geometry, camera_of(geometry, request.version->scene, aspect), request.size);
+}
+
 } // namespace
 
 void show_frame(View& view, Worker& worker, bool still) {
@@ -58,6 +66,7 @@ void show_frame(View& view, Worker& worker, bool still) {
         header.extract_ms = elapsed_ms(request->started);
         const auto drawing = Clock::now();
         std::vector<std::vector<std::uint8_t>> messages;
+        wire::PartIds parts;
         std::optional<std::vector<std::string>> drawn;
         if (request->still || request->stream != Stream::image) drawn.emplace();
         if (request->stream == Stream::image) {
@@ -68,12 +77,14 @@ void show_frame(View& view, Worker& worker, bool still) {
             if (drawn) drawn = worker.renderer().remarks();
             if (request->still && request->stop.stop_requested()) return view.give_up();
             messages.push_back(image_message(header, image, request->moving));
-        } else if (view.is_new_content(content_of(*geometry))) {
-            messages = geometry_messages(header, *geometry, request->size.pixel_ratio);
+        } else if (const auto grid = view.grid_of_new(content_of(*geometry), needed_grid_of(*request, *geometry))) {
+            auto encoded = geometry_messages(header, *geometry, request->size.pixel_ratio, *grid, request->held);
+            messages = std::move(encoded.payloads);
+            parts = std::move(encoded.ids);
         }
         view.tell_lacking(*request, lacking_in(*geometry, request->version->scene.lighting, request->stream), *geometry,
                           drawn);
-        view.deliver(*request, std::move(messages),
+        view.deliver(*request, std::move(messages), std::move(parts),
                      {header.wait_ms, header.extract_ms, header.draw_ms, header.encode_ms});
     } catch (const GivenUp&) {
         view.give_up();

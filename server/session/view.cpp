@@ -37,6 +37,7 @@ void View::again() {
     mailbox_.put(newest_);
     still_wanted_ = nullptr;
     content_.clear();
+    parts_.clear(); // all of it is sent again: so a client that lost something gets it back
     if (working_) stop_.request_stop();
     schedule();
 }
@@ -58,6 +59,8 @@ void View::set_stream(Stream stream, std::optional<MovingCodec> moving) {
 void View::acknowledge(std::uint32_t frame) {
     const std::scoped_lock lock(mutex_);
     if (frame > sent_ || !window_.acknowledged(frame, Clock::now())) return;
+    held_ = frame;
+    parts_.erase(parts_.begin(), parts_.lower_bound(frame));
     quiet_until_ = Clock::now() + quiet; // the hand answers to what it sees now
     schedule();
 }
@@ -105,6 +108,8 @@ std::optional<FrameRequest> View::take(bool still) {
         request.moving = &pictures_now();
         request.scale = preview_.scale(size_) * detail_.of(moving_).scale;
     }
+    if (const auto held = parts_.find(held_); stream_ == Stream::geometry && held != parts_.end())
+        request.held = {held_, held->second};
     stop_ = std::stop_source();
     request.stop = stop_.get_token();
     started_ = request.started;
@@ -120,12 +125,13 @@ wire::PictureStream& View::pictures_now() {
     return *pictures_.stream;
 }
 
-void View::deliver(const FrameRequest& request, std::vector<std::vector<std::uint8_t>> messages,
+void View::deliver(const FrameRequest& request, std::vector<std::vector<std::uint8_t>> messages, wire::PartIds parts,
                    const FrameTimes& times) {
     std::unique_lock lock(mutex_);
     std::size_t bytes = 0;
     if (!closed_ && !messages.empty()) {
         ++sent_;
+        if (request.stream == Stream::geometry) parts_[sent_] = std::move(parts);
         for (auto& message : messages) {
             number_frame(message, sent_);
             bytes += message.size();
@@ -199,11 +205,15 @@ void View::finish() {
     schedule();
 }
 
-bool View::is_new_content(ContentKey key) {
+std::optional<double> View::grid_of_new(ContentKey key, double needed) {
+    constexpr double much_finer = 16; // costs bytes that nobody sees
     const std::scoped_lock lock(mutex_);
-    if (key == content_) return false;
+    const bool is_new = key != content_;
+    const bool fine_enough = grid_ > 0 && grid_ <= needed && (!is_new || much_finer * grid_ >= needed);
+    if (!is_new && fine_enough) return {};
     content_ = std::move(key);
-    return true;
+    if (!fine_enough) grid_ = needed; // else parts that have not changed stay what they are
+    return grid_;
 }
 
 } // namespace ciel::session

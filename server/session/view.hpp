@@ -7,8 +7,10 @@
 #include "session/preview_size.hpp"
 #include "session/services.hpp"
 #include "session/session.hpp"
+#include "wire/geometry_batch.hpp"
 #include "wire/picture_stream.hpp"
 
+#include <map>
 #include <memory>
 #include <stop_token>
 
@@ -26,6 +28,7 @@ struct FrameRequest {
     bool gives_way = false;                // to interactive frames of other views, when it takes long
     double scale = 1;                      // of an interactive picture, which is so much smaller than the view
     wire::PictureStream* moving = nullptr; // the view's, that an interactive picture is one of
+    wire::HeldParts held;                  // of polygons: what the client has
     std::stop_token stop;
     Clock::time_point started;
 };
@@ -57,14 +60,17 @@ public:
     // drawing added to that; none while something moves: as of the still before, or the sentence would come and go.
     void tell_lacking(const FrameRequest& request, std::vector<std::string> lacking, const Geometry& geometry,
                       const std::optional<std::vector<std::string>>& drawn);
-    // `messages` in order; their headers get the frame number. Empty: nothing new to see.
-    void deliver(const FrameRequest& request, std::vector<std::vector<std::uint8_t>> messages, const FrameTimes& times);
+    // `messages` in order; their headers get the frame number. Empty: nothing new to see. `parts`: of polygons, what
+    // the client has when it acknowledges the frame.
+    void deliver(const FrameRequest& request, std::vector<std::vector<std::uint8_t>> messages, wire::PartIds parts,
+                 const FrameTimes& times);
     void give_up();  // superseded, or nobody waits for it any more
     void give_way(); // and be taken again
     void fail(const FrameRequest& request, const std::string& sentence);
 
-    // True, and remembered, when it differs from the last geometry frame's.
-    [[nodiscard]] bool is_new_content(ContentKey key);
+    // The step of the grid that this content is sent on; none where the client has it on one that is fine enough. Both
+    // are remembered as the last geometry frame's.
+    [[nodiscard]] std::optional<double> grid_of_new(ContentKey key, double needed);
 
 private:
     void again();  // REQUIRES: the lock; the same scene, because size or stream changed
@@ -99,6 +105,9 @@ private:
     unsigned gave_way_ = 0; // times that the still did that is wanted now
     std::uint32_t sent_ = 0;
     ContentKey content_;
+    double grid_ = 0;                                  // step that content_ was sent on
+    std::uint32_t held_ = 0;                           // the frame acknowledged last
+    std::map<std::uint32_t, wire::PartIds> parts_;     // by frame: the acknowledged one and those after it
     std::vector<std::string> lacking_, drawn_lacking_; // of the last frame, and of the last still
     std::vector<EmptyLayer> empty_;                    // of the last frame
     std::vector<std::string> missing_;                 // layers with places without a value

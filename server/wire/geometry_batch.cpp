@@ -1,19 +1,31 @@
 #include "wire/geometry_batch.hpp"
 
 #include "wire/bytes.hpp"
+#include "wire/mesh_codec.hpp"
+#include "wire/quantize.hpp"
 
 #include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <string_view>
+#include <xxhash.h>
 
 namespace ciel::wire {
 namespace {
 
 struct Batch {
     const GeometryMesh* mesh = nullptr;
+    std::size_t first = 0;       // of the mesh's triangles, lines or points
     std::vector<Index> vertices; // of the mesh, in order of first use
     std::vector<Index> indices;  // into `vertices`
+};
+
+// Quantized, before compression.
+struct Part {
+    std::uint64_t id = 0;
+    std::vector<std::uint8_t> bytes; // records, one per vertex or value
+    std::size_t stride = 4;
+    std::array<std::int64_t, 3> low{}; // grid steps; of values the first
 };
 
 std::size_t corners_of(const GeometryMesh& mesh) { return mesh.points ? 1 : mesh.lines ? 2 : 3; }
@@ -22,6 +34,8 @@ void check(const GeometryMesh& mesh) {
     const std::size_t vertices = mesh.positions.size();
     const bool fits = (mesh.normals.empty() || mesh.normals.size() == vertices) &&
                       (mesh.scalars.empty() || mesh.scalars.size() == vertices) &&
+                      (mesh.values.empty() ||
+                       (mesh.scalars.empty() && mesh.values.size() * corners_of(mesh) == mesh.indices.size())) &&
                       mesh.indices.size() % corners_of(mesh) == 0 &&
                       std::all_of(mesh.indices.begin(), mesh.indices.end(), [&](Index v) { return v < vertices; });
     if (!fits) throw Error("the arrays of layer '" + mesh.layer + "' do not fit together and cannot be sent");
@@ -31,7 +45,7 @@ void check(const GeometryMesh& mesh) {
 void split(const GeometryMesh& mesh, std::size_t max_vertices, std::vector<Batch>& batches) {
     const std::size_t corners = corners_of(mesh);
     std::vector<Index> local(mesh.positions.size(), none); // valid when the batch's vertex there is this one
-    Batch batch{&mesh, {}, {}};
+    Batch batch{&mesh, 0, {}, {}};
     const auto is_known = [&](Index vertex) {
         return local[vertex] < batch.vertices.size() && batch.vertices[local[vertex]] == vertex;
     };
@@ -41,7 +55,7 @@ void split(const GeometryMesh& mesh, std::size_t max_vertices, std::vector<Batch
             std::count_if(primitive.begin(), primitive.end(), [&](Index vertex) { return !is_known(vertex); }));
         if (batch.vertices.size() + added > max_vertices && !batch.vertices.empty()) {
             batches.push_back(std::move(batch));
-            batch = {&mesh, {}, {}};
+            batch = {&mesh, i / corners, {}, {}};
         }
         for (const Index vertex : primitive) {
             if (!is_known(vertex)) {
@@ -96,16 +110,117 @@ void append_string(std::string& json, std::string_view text) {
 
 const char* name_of(bool value) { return value ? "true" : "false"; }
 
-std::string description(const GeometryMesh& mesh, const Batch& batch, Vec3d origin, std::size_t number,
-                        std::size_t batches) {
+// Positions on the grid less `low`, then the normal: 12 or 16 bytes. The bytes that no vertex needs cost next to
+// nothing compressed.
+Part mesh_part(const Batch& batch, double step) {
+    const GeometryMesh& mesh = *batch.mesh;
+    Part part;
+    part.stride = mesh.normals.empty() ? 12 : 16;
+    std::vector<std::array<std::int32_t, 3>> places;
+    places.reserve(batch.vertices.size());
+    std::array<std::int32_t, 3> low{INT32_MAX, INT32_MAX, INT32_MAX};
+    for (const Index vertex : batch.vertices) {
+        auto& place = places.emplace_back();
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            place[axis] = on_grid(mesh.positions[vertex][axis], 1 / step);
+            low[axis] = std::min(low[axis], place[axis]);
+        }
+    }
+    part.low = {low[0], low[1], low[2]};
+    part.bytes.resize(places.size() * part.stride);
+    std::uint8_t* at = part.bytes.data();
+    for (std::size_t i = 0; i < places.size(); ++i, at += part.stride) {
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            put(at + 4 * axis, static_cast<std::uint32_t>(places[i][axis] - low[axis]));
+        if (mesh.normals.empty()) continue;
+        const auto normal = octahedral(mesh.normals[batch.vertices[i]]);
+        std::memcpy(at + 12, normal.data(), normal.size());
+    }
+    const XXH64_hash_t vertices = XXH3_64bits(part.bytes.data(), part.bytes.size());
+    const std::array<double, 6> rest{step,           double(low[0]),      double(low[1]),
+                                     double(low[2]), double(part.stride), double(corners_of(mesh))};
+    part.id = XXH3_64bits_withSeed(rest.data(), sizeof rest,
+                                   XXH3_64bits_withSeed(batch.indices.data(), 4 * batch.indices.size(), vertices));
+    return part;
+}
+
+bool has_values(const GeometryMesh& mesh) { return !mesh.scalars.empty() || !mesh.values.empty(); }
+
+Part values_part(const Batch& batch) {
+    const GeometryMesh& mesh = *batch.mesh;
+    std::vector<float> values;
+    if (!mesh.scalars.empty()) {
+        values.reserve(batch.vertices.size());
+        for (const Index vertex : batch.vertices) values.push_back(mesh.scalars[vertex]);
+    } else if (!mesh.values.empty()) {
+        const auto own = mesh.values.subspan(batch.first, batch.indices.size() / corners_of(mesh));
+        values.assign(own.begin(), own.end());
+    }
+    Part part;
+    part.bytes.resize(4 * values.size());
+    if (mesh.value_step > 0) {
+        const QuantizedValues places = quantized(values, mesh.range[0], mesh.value_step);
+        part.low[0] = places.low;
+        for (std::size_t i = 0; i < values.size(); ++i) put(part.bytes.data() + 4 * i, places.places[i]);
+    } else {
+        for (std::size_t i = 0; i < values.size(); ++i) put(part.bytes.data() + 4 * i, values[i]);
+    }
+    const std::array<double, 4> rest{mesh.value_step, double(part.low[0]), mesh.range[0], double(mesh.values.empty())};
+    part.id = XXH3_64bits_withSeed(rest.data(), sizeof rest, XXH3_64bits(part.bytes.data(), part.bytes.size()));
+    return part;
+}
+
+std::string hexadecimal(std::uint64_t id) {
+    constexpr std::string_view hex = "0123456789abcdef";
+    std::string text(16, '0');
+    for (auto digit = text.rbegin(); digit != text.rend(); ++digit, id >>= 4U) *digit = hex[id & 15U];
+    return text;
+}
+
+struct Counts { // of compressed bytes; 0: the receiver has the part
+    std::size_t vertices = 0, indices = 0, values = 0;
+};
+
+void append_parts(std::string& json, const GeometryMesh& mesh, const Part& shape, const Part& values, double step,
+                  const Counts& counts) {
+    json += ", \"mesh\": {\"id\": \"" + hexadecimal(shape.id) + "\", \"step\": ";
+    append_number(json, step);
+    json += ", \"low\": ";
+    append_array(json, shape.low);
+    if (counts.vertices > 0)
+        json += ", \"bytes\": [" + std::to_string(counts.vertices) + ", " + std::to_string(counts.indices) + "]";
+    json += "}";
+    if (!has_values(mesh)) return;
+    json += std::string(", \"values\": {\"of\": \"") + (mesh.values.empty() ? "vertices"
+                                                        : mesh.points       ? "points"
+                                                        : mesh.lines        ? "lines"
+                                                                            : "triangles");
+    json += "\", \"id\": \"" + hexadecimal(values.id) + "\"";
+    if (mesh.value_step > 0) {
+        json += ", \"step\": ";
+        append_number(json, mesh.value_step);
+        json += ", \"origin\": ";
+        append_number(json, mesh.range[0]);
+        json += ", \"low\": " + std::to_string(values.low[0]);
+    }
+    if (counts.values > 0) json += ", \"bytes\": " + std::to_string(counts.values);
+    json += "}";
+}
+
+struct Place { // of a batch in its frame
+    std::size_t number = 0, batches = 0;
+    std::uint32_t base = 0;
+};
+
+std::string description(const Batch& batch, Vec3d origin, const std::string& parts, const Place& place) {
+    const GeometryMesh& mesh = *batch.mesh;
     std::string json = "{\"layer\": ";
     append_string(json, mesh.layer);
     json += std::string(", \"kind\": \"") + (mesh.points ? "points" : mesh.lines ? "lines" : "triangles") + "\"";
     json += ", \"vertices\": " + std::to_string(batch.vertices.size());
     json += ", \"indices\": " + std::to_string(batch.indices.size());
     json += std::string(", \"normals\": ") + name_of(!mesh.normals.empty());
-    json += std::string(", \"scalars\": ") + name_of(!mesh.scalars.empty());
-    json += ", \"map\": ";
+    json += parts + ", \"map\": ";
     append_string(json, mesh.map);
     json += ", \"range\": ";
     append_array(json, mesh.range);
@@ -122,54 +237,60 @@ std::string description(const GeometryMesh& mesh, const Batch& batch, Vec3d orig
     }
     json += ", \"origin\": ";
     append_array(json, origin);
-    json += ", \"batch\": " + std::to_string(number) + ", \"batches\": " + std::to_string(batches) + "}";
-    json.resize((json.size() + 3) / 4 * 4, ' '); // so that the arrays behind it are aligned
-    return json;
+    json += ", \"batch\": " + std::to_string(place.number) + ", \"batches\": " + std::to_string(place.batches);
+    return json + ", \"base\": " + std::to_string(place.base) + "}";
 }
 
-template <typename T>
-void append_gathered(std::vector<std::uint8_t>& out, std::span<const T> values, const std::vector<Index>& vertices) {
-    const std::size_t begin = out.size();
-    out.resize(begin + vertices.size() * sizeof(T));
-    std::uint8_t* at = out.data() + begin;
-    for (const Index vertex : vertices) {
-        std::memcpy(at, &values[vertex], sizeof(T));
-        at += sizeof(T);
-    }
-}
-
-std::vector<std::uint8_t> encode(const Batch& batch, Vec3d origin, std::size_t number, std::size_t batches) {
-    const GeometryMesh& mesh = *batch.mesh;
-    const std::string json = description(mesh, batch, origin, number, batches);
-    const std::size_t per_vertex = 12 + (mesh.normals.empty() ? 0 : 12) + (mesh.scalars.empty() ? 0 : 4);
+std::vector<std::uint8_t> with_description(const std::string& json, const std::vector<std::uint8_t>& parts) {
     std::vector<std::uint8_t> out(4);
-    out.reserve(4 + json.size() + per_vertex * batch.vertices.size() + 4 * batch.indices.size());
+    out.reserve(4 + json.size() + parts.size());
     put(out.data(), static_cast<std::uint32_t>(json.size()));
     out.insert(out.end(), json.begin(), json.end());
-    append_gathered(out, mesh.positions, batch.vertices);
-    if (!mesh.normals.empty()) append_gathered(out, mesh.normals, batch.vertices);
-    if (!mesh.scalars.empty()) append_gathered(out, mesh.scalars, batch.vertices);
-    append(out, std::span<const Index>(batch.indices));
+    out.insert(out.end(), parts.begin(), parts.end());
     return out;
+}
+
+std::vector<std::uint8_t> encode(const Batch& batch, Vec3d origin, double step, const HeldParts& held,
+                                 const Place& place, PartIds& ids) {
+    const GeometryMesh& mesh = *batch.mesh;
+    const Part shape = mesh_part(batch, step);
+    const Part values = values_part(batch);
+    Counts counts;
+    std::vector<std::uint8_t> parts;
+    if (!held.ids.contains(shape.id)) {
+        counts.vertices = append_vertices(parts, shape.bytes, shape.stride);
+        counts.indices = mesh.lines || mesh.points ? append_sequence(parts, batch.indices, batch.vertices.size())
+                                                   : append_triangles(parts, batch.indices, batch.vertices.size());
+    }
+    ids.insert(shape.id);
+    if (has_values(mesh)) {
+        if (!held.ids.contains(values.id)) counts.values = append_vertices(parts, values.bytes, values.stride);
+        ids.insert(values.id);
+    }
+    std::string read;
+    append_parts(read, mesh, shape, values, step, counts);
+    return with_description(description(batch, origin, read, place), parts);
 }
 
 } // namespace
 
-std::vector<std::vector<std::uint8_t>> encode_geometry(std::span<const GeometryMesh> meshes, Vec3d origin,
-                                                       std::size_t max_vertices) {
+EncodedGeometry encode_geometry(std::span<const GeometryMesh> meshes, Vec3d origin, double step, const HeldParts& held,
+                                std::size_t max_vertices) {
     std::vector<Batch> batches;
     for (const GeometryMesh& mesh : meshes) {
         check(mesh);
         split(mesh, max_vertices, batches);
     }
-    std::vector<std::vector<std::uint8_t>> payloads;
-    payloads.reserve(batches.size());
-    for (const Batch& batch : batches) payloads.push_back(encode(batch, origin, payloads.size(), batches.size()));
+    EncodedGeometry out;
+    out.payloads.reserve(batches.size());
+    for (const Batch& batch : batches)
+        out.payloads.push_back(
+            encode(batch, origin, step, held, {out.payloads.size(), batches.size(), held.base}, out.ids));
     if (batches.empty()) {
         const GeometryMesh nothing;
-        payloads.push_back(encode({&nothing, {}, {}}, origin, 0, 0));
+        out.payloads.push_back(with_description(description({&nothing, 0, {}, {}}, origin, "", {0, 0, held.base}), {}));
     }
-    return payloads;
+    return out;
 }
 
 } // namespace ciel::wire

@@ -6,15 +6,19 @@
 #include <cstdint>
 #include <span>
 #include <string>
+#include <unordered_set>
 #include <vector>
 
 namespace ciel::wire {
 
-// Triangles, lines or points of one layer; borrowed. Range and colour are finite.
+// Triangles, lines or points of one layer; borrowed. Range and color are finite.
 struct GeometryMesh {
     std::string layer; // id in the scene
     std::span<const Vec3f> positions, normals;
-    std::span<const float> scalars;
+    std::span<const float> scalars; // a value per vertex, or
+    std::span<const float> values;  // per triangle, line or point; not both
+    // The error of a value is at most half a step. 0: values are sent as floats.
+    double value_step = 0;
     std::span<const Index> indices; // 3 per triangle, 2 per line, 1 per point
     bool lines = false, points = false;
     std::string map;
@@ -26,12 +30,26 @@ struct GeometryMesh {
     std::string scale = "{}";                   // a JSON object: what protocol/frame.md says of `scale`
 };
 
-inline constexpr std::size_t batch_vertices = 65536; // so that 16-bit indices reach every vertex
+inline constexpr std::size_t batch_vertices = 65536;
 
-// One payload per batch, in drawing order; a single one with "batches": 0 when there is nothing to show. Every batch is
-// self-contained: its indices count within it, and a vertex that two batches use is in both. Consecutive triangles stay
-// together, so a batch is a run of blocks. Throws Error when arrays do not fit together.
-[[nodiscard]] std::vector<std::vector<std::uint8_t>> encode_geometry(std::span<const GeometryMesh> meshes, Vec3d origin,
-                                                                     std::size_t max_vertices = batch_vertices);
+using PartIds = std::unordered_set<std::uint64_t>; // of meshes and values of batches: hashes of what they hold
+
+// What the receiver has.
+struct HeldParts {
+    std::uint32_t base = 0; // the frame that it has acknowledged last; 0: none
+    PartIds ids;            // of that frame
+};
+
+struct EncodedGeometry {
+    std::vector<std::vector<std::uint8_t>> payloads; // one per batch, in drawing order
+    PartIds ids;                                     // of all batches, whether their parts were held or are sent
+};
+
+// A single payload with "batches": 0 when there is nothing to show. Every batch is self-contained: its indices count
+// within it, and a vertex that two batches use is in both, at the same place of the grid. Consecutive triangles stay
+// together, so a batch is a run of blocks. Parts that `held` has are named, not sent. `step`: of the grid, in length
+// units, a power of two (quantize.hpp). Throws Error when arrays do not fit together.
+[[nodiscard]] EncodedGeometry encode_geometry(std::span<const GeometryMesh> meshes, Vec3d origin, double step,
+                                              const HeldParts& held = {}, std::size_t max_vertices = batch_vertices);
 
 } // namespace ciel::wire

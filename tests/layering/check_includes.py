@@ -11,6 +11,7 @@ OUTSIDE = {
     "EGL/": {"render"},
     "vtk": {"import"},
     "png.h": {"wire"},
+    "meshoptimizer.h": {"wire"},
     "ft2build.h": {"render"},
     "tbb/": {"ciel"},
     "voro++": {"demo"},

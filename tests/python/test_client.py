@@ -5,7 +5,7 @@ import asyncio
 import pytest
 
 import box_dataset
-from ciel_client import Client, Pieces, RpcError, Stream, read_batch, read_frame
+from ciel_client import Batches, Client, Pieces, RpcError, Stream, mesh_codec, read_frame
 from ciel_client.frames import GEOMETRY, HEADER, IMAGE
 from ciel_client.types import ERROR_CODES
 from serve_process import PATIENCE, Server, iso
@@ -45,15 +45,17 @@ def test_frames_come_until_the_server_ends(tmp_path, stream, kind):
             session = (await viewer.call("session.open", dataset="box"))["session"]
             view = (await viewer.call("view.open", session=session, width=64, height=48, stream=stream))["view"]
             frames = viewer.frames()
+            batches, batch = Batches(), None
             for i in range(20):  # more than a server sends that are not acknowledged
                 revision = (await viewer.call("scene.patch", session=session, patch=iso(0.6 + 0.01 * i)))["revision"]
                 async for frame in frames:
                     assert frame.kind == kind and frame.view == view
+                    if kind == GEOMETRY:
+                        batch = batches.read(frame)
                     if frame.revision == revision:
                         break
             assert frame.triangles > 0 and frame.is_first
-            if kind == GEOMETRY:
-                batch = read_batch(frame.payload)
+            if batch is not None:
                 assert len(batch.positions) == 3 * batch.description["vertices"] > 0
                 assert max(batch.indices) < batch.description["vertices"]
             with pytest.raises(RpcError):
@@ -97,3 +99,42 @@ def test_pieces_make_a_whole_and_a_newer_frame_takes_the_place_of_half_an_older_
     assert pieces.add(piece(4, 0, b"ab", 5)) is None
     with pytest.raises(ValueError, match="a piece of frame 4"):
         pieces.add(piece(4, 3, b"d", 5))
+
+
+def test_polygons_that_stay_are_named_not_sent(server):
+    async def attempt() -> None:
+        async with Stream(f"ws://127.0.0.1:{server.port}/ws", TOKEN) as viewer:
+            session = (await viewer.call("session.open", dataset="box"))["session"]
+            await viewer.call("view.open", session=session, width=64, height=48, stream="geometry")
+            batches = Batches()
+
+            async def shown(patch: dict) -> tuple[dict, int]:
+                revision = (await viewer.call("scene.patch", session=session, patch=patch))["revision"]
+                layers, size = {}, 0
+                async for frame in viewer.frames():
+                    if frame.is_first:
+                        layers, size = {}, 0
+                    batch = batches.read(frame)
+                    layers[batch.description.get("layer")] = batch
+                    size += len(frame.payload)
+                    if frame.revision >= revision and frame.is_last:
+                        await viewer.acknowledge(frame)  # before the next change
+                        return layers, size
+                raise AssertionError("no frame")
+
+            before, whole = await shown(iso(0.6))
+            named, small = await shown({"layers": {"further": {"type": "outline", "color": {"solid": "#ff0000"}}}})
+            assert "bytes" in before["iso"].description["mesh"] and "bytes" not in named["iso"].description["mesh"]
+            assert "bytes" in named["further"].description["mesh"]
+            assert small < whole
+            assert named["iso"].positions == before["iso"].positions and named["iso"].indices == before["iso"].indices
+
+    asyncio.run(asyncio.wait_for(attempt(), PATIENCE))
+
+
+def test_damaged_polygons_are_refused():
+    vertices = bytes([0xA0]) + bytes(40)
+    for decode, arguments in [(mesh_codec.vertices, (1, 12)), (mesh_codec.triangles, (3,)), (mesh_codec.sequence, (2,))]:
+        for data in (b"", bytes([0x55]) + vertices, vertices[:5], bytes([0xE1, 0xFF]), bytes([0xD1, 0x80])):
+            with pytest.raises(ValueError):
+                decode(data, *arguments)

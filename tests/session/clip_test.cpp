@@ -109,7 +109,7 @@ TEST_F(cells, a_moved_clip_is_in_frames_and_in_messages) {
     EXPECT_GT(frame.clip[0][3], 3) << "by the slack";
     EXPECT_NEAR(frame.clip[0][3], 3, 1e-3);
     wire::FrameHeader header;
-    const auto messages = geometry_messages(header, *first, 1);
+    const auto messages = geometry_messages(header, *first, 1, 1.0 / 1024, {}).payloads;
     const std::string text(messages.at(0).begin(), messages.at(0).end());
     EXPECT_THAT(text, testing::HasSubstr("\"clip\": [[-1, "));
     json only_open = clip_x(3);

@@ -1,17 +1,32 @@
 import { describe, expect, test } from "vitest";
-import { decodeGeometry } from "../src/decoders/geometry";
+import { GeometryDecoder, type GeometryBatch } from "../src/decoders/geometry";
 import { pictureOf } from "../src/decoders/image";
 import { lineEnds } from "../src/display/lines";
 import { decodeHeader } from "../src/protocol/frame_header";
 import { frameBytes, geometryPayload, PNG_SIGNATURE } from "./frames";
+import { sequenceStream, triangleStream, vertexStream } from "./geometry_frames";
 
+const records = new DataView(new ArrayBuffer(3 * 16));
+[
+  [0, 0, 0, 0, 0],
+  [4, 0, 0, 127, 0],
+  [0, 4, 2, -127, -127],
+].forEach(([x = 0, y = 0, z = 0, nx = 0, ny = 0], i) => {
+  [x, y, z].forEach((place, axis) => records.setUint32(16 * i + 4 * axis, place, true));
+  records.setInt8(16 * i + 12, nx);
+  records.setInt8(16 * i + 13, ny);
+});
+const vertices = vertexStream(records, 3, 16);
+const corners = triangleStream(Uint32Array.of(0, 1, 2));
+const places = vertexStream(Uint32Array.of(0, 2, 0xffffffff), 3, 4);
 const batch = {
   layer: "iso",
   kind: "triangles",
   vertices: 3,
   indices: 3,
   normals: true,
-  scalars: true,
+  mesh: { id: "a1", step: 0.25, low: [-4, 0, 8], bytes: [vertices.length, corners.length] },
+  values: { id: "b2", of: "vertices", step: 0.5, origin: 0.5, low: -1, bytes: places.length },
   map: "viridis",
   range: [0.5, 2],
   scale: {
@@ -29,11 +44,14 @@ const batch = {
   origin: [1e6, 0, 0],
   batch: 0,
   batches: 1,
+  base: 0,
 };
-const positions = Float32Array.of(0, 0, 0, 1, 0, 0, 0, 1, 0);
-const normals = Float32Array.of(0, 0, 1, 0, 0, 1, 0, 0, 1);
-const scalars = Float32Array.of(0, 1, 2);
+const positions = Float32Array.of(-1, 0, 2, 0, 0, 2, -1, 1, 2.5);
+const normals = Float32Array.of(0, 0, 1, 1, 0, 0, 0, 0, -1);
+const scalars = Float32Array.of(0, 1, NaN);
 const indices = Uint32Array.of(0, 1, 2);
+const frameOf = (payload: Uint8Array, frame = 1): ArrayBuffer => frameBytes({ kind: 2, frame }, payload);
+const decodeGeometry = (message: ArrayBuffer): GeometryBatch | null => new GeometryDecoder().decode(message);
 
 describe("frame header", () => {
   test("every field at its offset", () => {
@@ -103,14 +121,15 @@ describe("image", () => {
 });
 
 describe("geometry", () => {
-  test("arrays in their order", () => {
-    const message = frameBytes({ kind: 2 }, geometryPayload(batch, [positions, normals, scalars, indices]));
-    expect(decodeGeometry(message)).toEqual({
+  test("places on the grid, normals on the octahedron, values in steps", () => {
+    const decoded = decodeGeometry(frameOf(geometryPayload(batch, [vertices, corners, places])));
+    const { normals: decodedNormals, ...others } = decoded ?? { normals: null };
+    decodedNormals?.forEach((component, i) => expect(component).toBeCloseTo(normals[i] ?? NaN, 6));
+    expect(others).toEqual({
       layer: "iso",
       lines: false,
       points: false,
       positions,
-      normals,
       scalars,
       indices,
       scale: {
@@ -132,45 +151,84 @@ describe("geometry", () => {
     });
   });
 
-  test("arrays that are absent take no room", () => {
-    const lines = { ...batch, kind: "lines", indices: 2, normals: false, scalars: false };
-    const decoded = decodeGeometry(frameBytes({ kind: 2 }, geometryPayload(lines, [positions, Uint32Array.of(0, 2)])));
-    expect(decoded).toMatchObject({ lines: true, normals: null, scalars: null, indices: Uint32Array.of(0, 2) });
-  });
+  const bare = vertexStream(Uint32Array.of(0, 0, 0, 4, 0, 0, 0, 4, 2), 3, 12);
+  const withoutNormals = (kind: string, ofIndices: Uint8Array, rest: object): object => {
+    const mesh = { ...batch.mesh, bytes: [bare.length, ofIndices.length] };
+    return { ...batch, kind, normals: false, mesh, ...rest };
+  };
 
-  test("lines become the ends of rectangles", () => {
-    const lines = {
-      ...batch,
-      kind: "lines",
+  test("lines become the ends of rectangles, with values as floats", () => {
+    const ends = sequenceStream(Uint32Array.of(1, 2));
+    const values = vertexStream(Float32Array.of(0, 1, 2), 3, 4);
+    const lines = withoutNormals("lines", ends, {
       indices: 2,
-      normals: false,
-      scalars: true,
+      values: { id: "c3", of: "vertices", bytes: values.length },
       width: 2.5,
       clip: [[1, 0, 0, 0.5]],
-    };
-    const payload = geometryPayload(lines, [positions, scalars, Uint32Array.of(1, 2)]);
-    const decoded = decodeGeometry(frameBytes({ kind: 2 }, payload));
-    expect(decoded).toMatchObject({ width: 2.5, clip: [[1, 0, 0, 0.5]] });
-    expect(decoded && lineEnds(decoded)).toEqual(Float32Array.of(1, 0, 0, 1, 0, 1, 0, 2));
+    });
+    const decoded = decodeGeometry(frameOf(geometryPayload(lines, [bare, ends, values])));
+    expect(decoded).toMatchObject({ lines: true, width: 2.5, clip: [[1, 0, 0, 0.5]], normals: null });
+    expect(decoded && lineEnds(decoded)).toEqual(Float32Array.of(0, 0, 2, 1, -1, 1, 2.5, 2));
+  });
+
+  test("values of triangles give each a vertex of its own", () => {
+    const two = triangleStream(Uint32Array.of(0, 1, 2, 2, 1, 0));
+    const values = vertexStream(Float32Array.of(5, 7), 2, 4);
+    const triangles = withoutNormals("triangles", two, {
+      indices: 6,
+      values: { id: "d4", of: "triangles", bytes: values.length },
+    });
+    const decoded = decodeGeometry(frameOf(geometryPayload(triangles, [bare, two, values])));
+    expect(decoded).toMatchObject({
+      scalars: Float32Array.of(5, 5, 5, 7, 7, 7),
+      indices: Uint32Array.of(0, 1, 2, 3, 4, 5),
+    });
+    expect(decoded?.positions.length).toBe(18);
+  });
+
+  const meshKept = { ...batch.mesh, bytes: undefined }; // as absent in JSON
+  const valuesKept = { ...batch.values, bytes: undefined };
+  const whole = geometryPayload(batch, [vertices, corners, places]);
+
+  test("what came before is named, with the same arrays and other colors", () => {
+    const decoder = new GeometryDecoder();
+    const first = decoder.decode(frameOf(whole, 1));
+    const later = { ...batch, mesh: meshKept, values: valuesKept, color: [1, 0, 0, 1], base: 1 };
+    const second = decoder.decode(frameOf(geometryPayload(later, []), 2));
+    expect(second?.positions).toBe(first?.positions);
+    expect(second?.scalars).toBe(first?.scalars);
+    expect(second?.color).toEqual([1, 0, 0, 1]);
+    const otherValues = { ...batch, mesh: meshKept, values: { ...batch.values, id: "e5" }, base: 1 };
+    const third = decoder.decode(frameOf(geometryPayload(otherValues, [places]), 3));
+    expect(third?.positions).toBe(first?.positions);
+  });
+
+  test("what no frame from the base on has is forgotten", () => {
+    const decoder = new GeometryDecoder();
+    decoder.decode(frameOf(whole, 1));
+    decoder.decode(frameOf(geometryPayload({ batches: 0, base: 2 }, []), 3));
+    const named = geometryPayload({ ...batch, mesh: meshKept, values: valuesKept, base: 2 }, []);
+    expect(() => decoder.decode(frameOf(named, 4))).toThrow("a part a1 that did not come before");
   });
 
   test("a frame without polygons", () => {
-    expect(decodeGeometry(frameBytes({ kind: 2 }, geometryPayload({ batches: 0 }, [])))).toBeNull();
+    expect(decodeGeometry(frameOf(geometryPayload({ batches: 0, base: 0 }, [])))).toBeNull();
   });
 
-  const whole = geometryPayload(batch, [positions, normals, scalars, indices]);
   const longJson = whole.slice();
   new DataView(longJson.buffer).setUint32(0, 4 * whole.length, true);
-  const oddJson = whole.slice();
-  new DataView(oddJson.buffer).setUint32(0, 5, true);
   test.each([
     { name: "no room for its description's length", payload: new Uint8Array(2), error: "cut off" },
     { name: "a description longer than itself", payload: longJson, error: "description is cut off" },
-    { name: "a description of odd length", payload: oddJson, error: "description is cut off" },
-    { name: "an array too few", payload: geometryPayload(batch, [positions, normals, indices]), error: "announced" },
-    { name: "four bytes too many", payload: Uint8Array.of(...whole, 0, 0, 0, 0), error: "announced" },
+    { name: "an array too few", payload: geometryPayload(batch, [vertices, corners]), error: "shorter than announced" },
+    { name: "four bytes too many", payload: Uint8Array.of(...whole, 0, 0, 0, 0), error: "4 bytes too long" },
+    {
+      name: "a damaged array",
+      payload: geometryPayload(batch, [vertices.map(() => 9), corners, places]),
+      error: "Malformed",
+    },
     { name: "no JSON", payload: Uint8Array.of(4, 0, 0, 0, 0x21, 0x21, 0x21, 0x21), error: "JSON" },
   ])("refuses a batch with $name", ({ payload, error }) => {
-    expect(() => decodeGeometry(frameBytes({ kind: 2 }, payload))).toThrow(error);
+    expect(() => decodeGeometry(frameOf(payload))).toThrow(error);
   });
 });

@@ -1,8 +1,9 @@
 import { beforeEach, describe, expect, test } from "vitest";
-import { decodeGeometry, type GeometryBatch } from "../src/decoders/geometry";
+import { GeometryDecoder, type GeometryBatch } from "../src/decoders/geometry";
 import { Presenter } from "../src/display/presenter";
 import { frameBytes, geometryPayload, PNG_SIGNATURE } from "./frames";
 import { settled } from "./fake_socket";
+import { linePayload } from "./geometry_frames";
 
 interface FakeImage {
   frame: number;
@@ -12,6 +13,7 @@ interface FakeImage {
 let acknowledged: number[] = [];
 let drawn: (number | GeometryBatch[])[] = [];
 let failures: Error[] = [];
+let incomplete = 0;
 let frames: (() => void)[] = [];
 let decoding = new Map<number, { finish: () => void; fail: (error: Error) => void; image: FakeImage }>();
 let presenter: Presenter;
@@ -27,6 +29,7 @@ const finish = async (frame: number): Promise<void> => {
 beforeEach(() => {
   canDraw = true;
   [acknowledged, drawn, failures, frames, decoding] = [[], [], [], [], new Map<number, never>()];
+  incomplete = 0;
   presenter = new Presenter(
     {
       showImage: (bitmap) => void drawn.push((bitmap as unknown as FakeImage).frame),
@@ -46,13 +49,16 @@ beforeEach(() => {
             image: bitmap,
           });
         }),
-      geometry: decodeGeometry,
+      geometry: new GeometryDecoder(),
     },
     {
       arrived: () => undefined,
       acknowledge: (_, frame) => void acknowledged.push(frame),
       presented: () => undefined,
       failed: (error) => void failures.push(error),
+      incomplete: () => {
+        incomplete += 1;
+      },
     },
     (callback) => void frames.push(callback),
   );
@@ -125,10 +131,7 @@ describe("images", () => {
   });
 });
 
-const part = (layer: string): Uint8Array => {
-  const description = { layer, kind: "lines", vertices: 2, indices: 2, normals: false, scalars: false, batches: 2 };
-  return geometryPayload(description, [new Float32Array(6), Uint32Array.of(0, 1)]);
-};
+const part = linePayload;
 
 describe("while a view is being opened", () => {
   test("its polygons are kept, whichever message comes first", () => {
@@ -200,6 +203,17 @@ describe("geometry", () => {
     expect(acknowledged).toEqual([3, 4]);
   });
 
+  test("polygons that came before are drawn again, and asked for where they were lost", () => {
+    presenter.receive(frameBytes({ kind: 2, flags: 6, frame: 3 }, part("a")));
+    presenter.receive(frameBytes({ kind: 2, flags: 6, frame: 4 }, part("b", true)));
+    runFrame();
+    expect(drawn).toMatchObject([[{ layer: "b", positions: Float32Array.of(0, 0, 0, 1, 0, 0) }]]);
+    expect(incomplete).toBe(0);
+    presenter.show(1);
+    presenter.receive(frameBytes({ kind: 2, flags: 6, frame: 1 }, part("c", true)));
+    expect([incomplete, failures.length]).toEqual([1, 1]);
+  });
+
   test("where it cannot be drawn, that is said, and the server goes on", () => {
     canDraw = false;
     presenter.receive(frameBytes({ kind: 2, flags: 6, frame: 3 }, part("a")));
@@ -225,7 +239,7 @@ describe("geometry", () => {
   });
 
   test("a frame without polygons clears the view", () => {
-    presenter.receive(frameBytes({ kind: 2, flags: 6, frame: 1 }, geometryPayload({ batches: 0 }, [])));
+    presenter.receive(frameBytes({ kind: 2, flags: 6, frame: 1 }, geometryPayload({ batches: 0, base: 0 }, [])));
     runFrame();
     expect(drawn).toEqual([[]]);
   });

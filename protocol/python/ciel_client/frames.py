@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 import json
+import math
 import struct
 from array import array
 from dataclasses import dataclass, field, replace
 from typing import Any
+
+from . import mesh_codec
 
 HEADER = struct.Struct("<4sBBHIIQIIdffffIIII8x")
 IMAGE, GEOMETRY = 1, 2
@@ -47,7 +50,7 @@ class Frame:
 
 @dataclass
 class Batch:
-    """Polygons of one layer; `description` is the batch's JSON."""
+    """Polygons of one layer; `description` is the batch's JSON. `scalars` are per vertex, or as it says."""
 
     description: dict[str, Any]
     positions: array[float]
@@ -91,22 +94,78 @@ class Pieces:
         return replace(piece, flags=flags, piece_offset=0, payload=b"".join(one.payload for one in pieces))
 
 
-def read_batch(payload: bytes) -> Batch:
-    (json_bytes,) = struct.unpack_from("<I", payload)
-    description = json.loads(payload[4 : 4 + json_bytes])
-    at = 4 + json_bytes
-    arrays = []
-    vertices = description["vertices"]
-    for code, count in (
-        ("f", 3 * vertices),
-        ("f", 3 * vertices * description.get("normals", False)),
-        ("f", vertices * description.get("scalars", False)),
-        ("I", description["indices"]),
-    ):
-        values = array(code)
-        values.frombytes(payload[at : at + 4 * count])
-        at += 4 * count
-        arrays.append(values)
-    if at != len(payload):
-        raise ValueError("the batch's length does not fit its description")
-    return Batch(description, *arrays)
+class Batches:
+    """Reads the batches of one view. What they share with batches before is kept as long as the server may name it."""
+
+    def __init__(self) -> None:
+        self._kept: dict[str, tuple[int, Any]] = {}  # the last frame that had it, and the arrays
+
+    def read(self, frame: Frame) -> Batch:
+        """Raises ValueError where the payload does not fit its description, or names what is not kept."""
+        payload = frame.payload
+        (json_bytes,) = struct.unpack_from("<I", payload)
+        description = json.loads(payload[4 : 4 + json_bytes])
+        base = description["base"]
+        self._kept = {key: kept for key, kept in self._kept.items() if kept[0] >= base}
+        rest = payload[4 + json_bytes :]
+        if description["batches"] == 0:
+            return Batch(description, array("f"), array("f"), array("f"), array("I"))
+        mesh = description["mesh"]
+        if "bytes" in mesh:
+            ends = mesh["bytes"][0], sum(mesh["bytes"])
+            parts = _mesh(description, rest[: ends[0]], rest[ends[0] : ends[1]])
+            rest = rest[ends[1] :]
+        else:
+            parts = self._of(mesh["id"])
+        self._kept[mesh["id"]] = frame.frame, parts
+        scalars = array("f")
+        if "values" in description:
+            values = description["values"]
+            if "bytes" in values:
+                scalars = _values(description, rest[: values["bytes"]])
+                rest = rest[values["bytes"] :]
+            else:
+                scalars = self._of(values["id"])
+            self._kept[values["id"]] = frame.frame, scalars
+        if rest:
+            raise ValueError("the batch's length does not fit its description")
+        positions, normals, indices = parts
+        return Batch(description, positions, normals, scalars, indices)
+
+    def _of(self, key: str) -> Any:
+        if key not in self._kept:
+            raise ValueError(f"a batch names a part {key} that did not come before")
+        return self._kept[key][1]
+
+
+def _mesh(description: dict[str, Any], vertices: bytes, indices: bytes) -> tuple[array[float], array[float], array[int]]:
+    step, low = description["mesh"]["step"], description["mesh"]["low"]
+    stride = 16 if description["normals"] else 12
+    record = struct.Struct("<3Ibbxx" if description["normals"] else "<3I")
+    positions, normals = array("f"), array("f")
+    for place in record.iter_unpack(mesh_codec.vertices(vertices, description["vertices"], stride)):
+        positions.extend((low[axis] + place[axis]) * step for axis in range(3))
+        if description["normals"]:
+            normals.extend(_normal(place[3] / 127, place[4] / 127))
+    decode = mesh_codec.triangles if description["kind"] == "triangles" else mesh_codec.sequence
+    return positions, normals, decode(indices, description["indices"])
+
+
+def _normal(x: float, y: float) -> tuple[float, float, float]:
+    z = 1 - abs(x) - abs(y)
+    if z < 0:
+        x, y = math.copysign(1 - abs(y), x), math.copysign(1 - abs(x), y)
+    length = math.sqrt(x * x + y * y + z * z)
+    return x / length, y / length, z / length
+
+
+def _values(description: dict[str, Any], data: bytes) -> array[float]:
+    values = description["values"]
+    corners = {"triangles": 3, "lines": 2, "points": 1}
+    count = description["vertices"] if values["of"] == "vertices" else description["indices"] // corners[values["of"]]
+    plain = mesh_codec.vertices(data, count, 4)
+    if "step" not in values:
+        return array("f", (value for (value,) in struct.iter_unpack("<f", plain)))
+    origin, low, step = values["origin"], values["low"], values["step"]
+    places = (place for (place,) in struct.iter_unpack("<I", plain))
+    return array("f", (math.nan if place == 0xFFFFFFFF else origin + step * (low + place) for place in places))

@@ -1,5 +1,5 @@
 // The page's parts, wired: what the server says goes into the store, what the hand does goes to the editor.
-import { decodeGeometry } from "../decoders/geometry";
+import { GeometryDecoder, geometryReady } from "../decoders/geometry";
 import { decodeImage } from "../decoders/image";
 import { lightsOf } from "../display/lights";
 import { backgroundColors } from "../display/background";
@@ -106,16 +106,18 @@ export class App {
     this.viewport = viewport;
     this.presenter = new Presenter(
       viewport,
-      { image: decodeImage, geometry: decodeGeometry },
+      { image: decodeImage, geometry: new GeometryDecoder() },
       {
         arrived: (header) => this.streams.rate.arrived(header, now()),
         acknowledge: (view, frame) => this.session.acknowledge(view, frame),
         presented: (header, bytes) => this.presented(header, bytes),
         failed: (error) => this.fail(error),
+        incomplete: () => this.session.renew(),
       },
       requestFrame,
     );
     await this.links.readAddress();
+    await geometryReady.catch((error: unknown) => this.fail(error as Error)); // images need none of it
     this.session.start();
     window.addEventListener("online", () => this.session.retryNow());
     window.addEventListener("offline", () => this.session.networkLost());

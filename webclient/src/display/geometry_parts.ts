@@ -35,6 +35,15 @@ export interface Picture {
   pixels: number;
 }
 
+/** The decoder gives the same arrays again where nothing has changed. */
+const isSameMesh = (a: GeometryBatch, b: GeometryBatch): boolean =>
+  a.positions === b.positions &&
+  a.normals === b.normals &&
+  a.scalars === b.scalars &&
+  a.indices === b.indices &&
+  a.lines === b.lines &&
+  a.points === b.points;
+
 export class GeometryParts {
   private readonly textures: ScaleTextures;
   private parts: Part[] = [];
@@ -43,14 +52,26 @@ export class GeometryParts {
     this.textures = new ScaleTextures(gl);
   }
 
+  /** Uploads what has not been there before. */
   set(batches: GeometryBatch[]): void {
-    for (const { vertexArray, buffers, ends } of this.parts) {
-      this.gl.deleteVertexArray(vertexArray);
-      this.gl.deleteTexture(ends);
-      for (const buffer of buffers) this.gl.deleteBuffer(buffer);
-    }
+    const before = new Set(this.parts);
     const places = placesOf(batches);
-    this.parts = batches.map((batch, i) => this.upload(batch, places[i] ?? 0));
+    this.parts = batches.map((batch, i) => {
+      const place = places[i] ?? 0;
+      for (const part of before) {
+        if (!isSameMesh(part.batch, batch)) continue;
+        before.delete(part);
+        return { ...part, batch, place };
+      }
+      return this.upload(batch, place);
+    });
+    for (const part of before) this.free(part);
+  }
+
+  private free({ vertexArray, buffers, ends }: Part): void {
+    this.gl.deleteVertexArray(vertexArray);
+    this.gl.deleteTexture(ends);
+    for (const buffer of buffers) this.gl.deleteBuffer(buffer);
   }
 
   has(wanted: (batch: GeometryBatch) => boolean): boolean {

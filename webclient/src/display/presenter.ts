@@ -1,5 +1,5 @@
 // From binary messages to what is seen: decode, keep the newest, draw in an animation frame, then acknowledge.
-import type { GeometryBatch } from "../decoders/geometry";
+import { MissingPart, type GeometryBatch } from "../decoders/geometry";
 import { EarlyFrames } from "./early_frames";
 import { decodeHeader, KIND_GEOMETRY, KIND_IMAGE, type FrameHeader } from "../protocol/frame_header";
 import { Pieces } from "../protocol/pieces";
@@ -15,11 +15,14 @@ export interface PresenterEvents {
   acknowledge(view: number, frame: number): void;
   presented(header: FrameHeader, bytes: number): void;
   failed(error: Error): void;
+  /** A frame names polygons that a damaged one before it had. */
+  incomplete(): void;
 }
 
 export interface Decoders {
   image(message: ArrayBuffer): Promise<ImageBitmap>;
-  geometry(message: ArrayBuffer): GeometryBatch | null;
+  /** Of one view, until it is told that another follows. */
+  geometry: { decode(message: ArrayBuffer): GeometryBatch | null; clear(): void };
 }
 
 interface ReadyFrame {
@@ -60,6 +63,7 @@ export class Presenter {
     this.lastFrame = 0;
     this.parts = null;
     this.pieces.clear();
+    this.decoders.geometry.clear();
     this.ready?.release();
     this.ready = null;
     for (const message of early) this.receive(message);
@@ -110,10 +114,11 @@ export class Presenter {
       this.parts = { frame: header.frame, batches: [], bytes: 0, damaged: false };
     const { parts } = this;
     try {
-      const batch = this.decoders.geometry(message);
+      const batch = this.decoders.geometry.decode(message);
       if (batch !== null) parts.batches.push(batch);
     } catch (error) {
       parts.damaged = true;
+      if (error instanceof MissingPart) this.events.incomplete();
       this.events.failed(error as Error);
     }
     parts.bytes += message.byteLength;

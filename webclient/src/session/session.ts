@@ -101,7 +101,13 @@ export class Session {
     const size = this.host.viewSize();
     const sent = this.sentSize;
     const isSame = size.width === sent.width && size.height === sent.height && size.pixel_ratio === sent.pixel_ratio;
-    if (this.view === 0 || isSame) return;
+    if (!isSame) this.renew();
+  }
+
+  /** The view's frame is sent once more, with all of its polygons. */
+  renew(): void {
+    if (this.view === 0) return;
+    const size = this.host.viewSize();
     this.sentSize = size;
     this.call("view.resize", { view: this.view, ...size }).catch((error: unknown) => this.report(error));
   }

@@ -1,0 +1,19 @@
+// How fine the grid must be on which a view's polygons are sent (wire/quantize.hpp).
+#pragma once
+
+#include "session/scene_geometry.hpp"
+#include "session/view.hpp"
+
+namespace ciel::session {
+
+// In length units: a quarter of a pixel at the nearest triangle, line or point that the camera sees, so that nothing
+// moves by more than 0.22 pixels (half a step along each axis). A 32nd of the flat triangles' heights where they are
+// lit without normals, whose light would show the rounding otherwise. Never finer than what floats resolve. A power of
+// two. Reads all positions.
+[[nodiscard]] double needed_grid(const Geometry& geometry, const render::Camera& camera, const ViewSize& size);
+
+// The length of a pixel at the nearest thing in view; at a tenth of a thousandth of the farthest where things reach to
+// the eye.
+[[nodiscard]] double nearest_pixel(const Geometry& geometry, const render::Camera& camera, const ViewSize& size);
+
+} // namespace ciel::session

@@ -1,0 +1,21 @@
+// meshoptimizer's codecs in the versions that protocol/frame.md names: vertices 0xA0, triangles 0xE1, sequences 0xD1.
+// The bitstreams are described in the glTF extension EXT_meshopt_compression.
+#pragma once
+
+#include "ciel/types.hpp"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace ciel::wire {
+
+// Appends `vertices`, records of `stride` bytes (a multiple of 4, at most 256). Neighbours that differ little are
+// small. Returns the number of bytes appended.
+std::size_t append_vertices(std::vector<std::uint8_t>& out, std::span<const std::uint8_t> vertices, std::size_t stride);
+// Appends three indices per triangle. Decoded triangles are in the same order; their corners may be rotated.
+std::size_t append_triangles(std::vector<std::uint8_t>& out, std::span<const Index> indices, std::size_t vertices);
+// Appends indices that come back exactly: of lines and points.
+std::size_t append_sequence(std::vector<std::uint8_t>& out, std::span<const Index> indices, std::size_t vertices);
+
+} // namespace ciel::wire
