@@ -1,4 +1,4 @@
-// Centres and areas of faces, centroids of cells.
+// Centres and areas of faces, centroids of cells. Not in the paper.
 #pragma once
 
 #include "ciel/face_mesh.hpp"

@@ -1,5 +1,5 @@
 // Point data from cell data: a weighted mean of the cells around each vertex that is exact for linear fields wherever
-// their centres surround the vertex, and never leaves the range of their values.
+// their centres surround the vertex, and never leaves the range of their values. Not in the paper.
 // This work is based on: D. G. Holmes, S. D. Connell, Solution of the 2D Navier-Stokes equations on unstructured
 // adaptive grids, AIAA 89-1932, 1989 (the pseudo-Laplacian and its clipped weights).
 #pragma once

@@ -1,4 +1,4 @@
-// Sums and multiples of three-vectors of doubles.
+// Sums and multiples of three-vectors of doubles. Not in the paper.
 #pragma once
 
 #include "ciel/vectors.hpp"

@@ -13,14 +13,14 @@ class Methods : public Service {
 protected:
     session::Server server{options()};
     Client client{server, true};
-    std::string session = client.call("session.open", {{"dataset", "box"}})["session"];
+    std::string session = client.call("session.open", {{"scene", scene_with_iso()}})["session"];
     json in_session(json params) {
         params["session"] = session;
         return params;
     }
 };
 
-const json iso_scene = json::parse(
+const json colored_scene = json::parse(
     R"({"dataset": "box", "layers": {"iso": {"type": "iso", "array": "p", "values": [12], "color": {"array": "U:x"}}}})");
 
 std::string decoded(const std::string& text) {
@@ -112,9 +112,9 @@ TEST_F(Methods, a_session_is_opened_joined_recreated_and_closed) {
     EXPECT_EQ(client.call("session.open", in_session({{"dataset", "bax"}})), first) << "joined, not replaced";
     client.call("session.close", in_session({}));
     EXPECT_EQ(client.error_code("scene.get", in_session({})), -32001);
-    const json again = client.call("session.open", in_session({{"scene", iso_scene}}));
+    const json again = client.call("session.open", in_session({{"scene", colored_scene}}));
     EXPECT_EQ(again["session"], session);
-    EXPECT_EQ(again["scene"], iso_scene);
+    EXPECT_EQ(again["scene"], colored_scene);
     EXPECT_NE(client.call("session.open")["session"], session);
 }
 
@@ -186,7 +186,7 @@ json long_layers() {
     json layers = json::object();
     for (int i = 0; i < 60; ++i)
         layers["volume" + std::to_string(i)] = {
-            {"type", "volume"}, {"array", "r"}, {"visible", false}, {"opacity_points", points}};
+            {"type", "volume"}, {"array", "p"}, {"visible", false}, {"opacity_points", points}};
     return layers;
 }
 
@@ -203,13 +203,14 @@ TEST_F(Methods, a_change_too_long_for_a_message_is_told_without_the_scene) {
 }
 
 TEST_F(Methods, an_answer_too_long_for_a_message_is_refused_on_a_websocket_and_given_to_a_post) {
-    const json params = in_session({{"width", 2000}, {"height", 2000}});
-    const json refused = client.request("picture.render", params);
+    const json params = in_session({});
+    client.call("scene.patch", in_session({{"patch", {{"layers", long_layers()}}}}));
+    const json refused = client.request("scene.get", params);
     EXPECT_EQ(refused["error"]["code"], -32006);
     EXPECT_NE(refused["error"]["data"]["reason"].get<std::string>().find("ask by POST /rpc"), std::string::npos);
     Client script(server, false);
-    EXPECT_GT(script.call("picture.render", params)["data"].get<std::string>().size(), wire::longest_message);
-    json batch{Client::request_of("server.info", json::object()), Client::request_of("picture.render", params)};
+    EXPECT_GT(script.call("scene.get", params).dump().size(), wire::longest_message);
+    json batch{Client::request_of("server.info", json::object()), Client::request_of("scene.get", params)};
     batch[0]["id"] = "first";
     const std::string text = client.send(batch.dump());
     EXPECT_LT(text.size(), wire::longest_message);
@@ -294,7 +295,7 @@ TEST_F(Methods, what_a_frame_lacks_is_told_and_the_rest_is_shown) {
 }
 
 TEST_F(Methods, what_was_not_written_is_left_out_of_pictures_and_refused_in_files) {
-    json params{{"scene", iso_scene}, {"width", 64}, {"height", 64}};
+    json params{{"scene", colored_scene}, {"width", 64}, {"height", 64}};
     json& layers = params["scene"]["layers"];
     layers["plane"] = {{"type", "slice"}, {"axis", "x"}, {"value", 1001}, {"color", {{"array", "late"}}}};
     json plain = params;
@@ -324,17 +325,17 @@ TEST_F(Methods, pictures_of_a_session_and_of_a_scene_in_place) {
     EXPECT_EQ(of_session["revision"], 1);
     EXPECT_EQ(decoded(of_session["data"]).substr(1, 3), "PNG");
     Client script(server, false);
-    json params{{"scene", iso_scene}, {"width", 100}, {"height", 80}};
+    json params{{"scene", colored_scene}, {"width", 100}, {"height", 80}};
     const json picture = script.call("picture.render", params);
     EXPECT_EQ(picture["time"], 0);
     params["scene"]["layers"] = json::object();
     EXPECT_NE(script.call("picture.render", params)["data"], picture["data"]);
-    params["scene"]["layers"] = iso_scene["layers"];
+    params["scene"]["layers"] = colored_scene["layers"];
     EXPECT_EQ(script.call("picture.render", params)["data"], picture["data"]) << "the same bytes for the same scene";
 }
 
 TEST_F(Methods, probe_by_position_and_by_pixel) {
-    json params{{"scene", iso_scene}, {"position", {1001, 1, -49}}};
+    json params{{"scene", colored_scene}, {"position", {1001, 1, -49}}};
     const json here = client.call("probe.point", params);
     EXPECT_EQ(here["hit"], true);
     EXPECT_NEAR(here["values"]["p"], 6, 1e-4);
@@ -488,7 +489,7 @@ TEST_F(Methods, color_range_of_a_volume_is_that_of_what_is_in_view_and_not_cut_a
 }
 
 TEST_F(Methods, surfaces_are_exported) {
-    json params{{"scene", iso_scene}, {"layer", "iso"}, {"format", "ply"}};
+    json params{{"scene", colored_scene}, {"layer", "iso"}, {"format", "ply"}};
     params["scene"]["layers"]["iso"]["values"] = {12, 20};
     const json ply = client.call("surface.export", params);
     EXPECT_EQ(ply["name"], "iso.ply");
@@ -523,7 +524,7 @@ TEST_F(Methods, surfaces_are_exported) {
 
 // The box of 6 x 6 x 6 with a hole of 2 x 2 x 2, cut in the middle: its file is closed, and is the half that is seen.
 TEST_F(Methods, exports_are_cut_as_pictures_are) {
-    json params{{"scene", iso_scene}, {"layer", "s"}, {"format", "stl"}};
+    json params{{"scene", colored_scene}, {"layer", "s"}, {"format", "stl"}};
     json& layers = params["scene"]["layers"];
     layers = {{"s", {{"type", "surface"}}}, {"c", {{"type", "clip"}, {"axis", "x"}, {"value", box_origin[0] + 3}}}};
     const std::string bytes = decoded(client.call("surface.export", params)["data"]);

@@ -21,6 +21,15 @@ namespace ciel::test {
 
 using nlohmann::json;
 
+// Known layers of the small dataset; what a dataset is first shown by depends on its patches.
+inline json scene_with_iso() {
+    return json::parse(
+        R"({"dataset": "box", "camera": {"position": [1003, -12, -44], "target": [1003, 3, -47], "up": [0, 0, 1]},
+            "layers": {"outline": {"type": "outline", "order": 0},
+                       "surface": {"type": "surface", "order": 1, "groups": ["body"]},
+                       "iso": {"type": "iso", "order": 2, "array": "p", "values": [12]}}})");
+}
+
 class Client {
 public:
     Client(session::Server& server, bool streaming) : server_(server) {

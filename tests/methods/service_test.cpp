@@ -20,7 +20,7 @@ json values_patch(double value) { return {{"layers", {{"iso", {{"values", {value
 TEST_F(Sharing, of_a_burst_of_patches_at_most_the_first_and_the_last_are_drawn) {
     session::Server server(options());
     Client client(server, true);
-    const std::string session = client.call("session.open", {{"dataset", "box"}})["session"];
+    const std::string session = client.call("session.open", {{"scene", scene_with_iso()}})["session"];
     client.call("view.open", {{"session", session}, {"width", 320}, {"height", 200}});
     client.frames_until_still(1);
     const auto before = server.counters().interactive_frames();
@@ -49,7 +49,7 @@ TEST_F(Sharing, of_a_burst_of_patches_at_most_the_first_and_the_last_are_drawn) 
 TEST_F(Sharing, no_more_than_two_frames_wait_for_the_client) {
     session::Server server(options());
     Client client(server, true);
-    const std::string session = client.call("session.open", {{"dataset", "box"}})["session"];
+    const std::string session = client.call("session.open", {{"scene", scene_with_iso()}})["session"];
     client.call("view.open", {{"session", session}, {"width", 64}, {"height", 64}});
     const auto first = client.next_frame();
     client.next_frame(); // the still
@@ -65,7 +65,7 @@ TEST_F(Sharing, no_more_than_two_frames_wait_for_the_client) {
 TEST_F(Sharing, acknowledgements_of_older_frames_or_of_none_change_nothing) {
     session::Server server(options());
     Client client(server, true);
-    const std::string session = client.call("session.open", {{"dataset", "box"}})["session"];
+    const std::string session = client.call("session.open", {{"scene", scene_with_iso()}})["session"];
     client.call("view.open", {{"session", session}, {"width", 64}, {"height", 64}});
     const auto first = client.next_frame(), second = client.next_frame();
     client.acknowledge(second);
@@ -207,7 +207,7 @@ TEST_F(LimitsOf, views_layers_values_and_undo_steps_of_a_session) {
     limits.undo_steps = 2;
     session::Server server(options(limits));
     Client client(server, true);
-    const std::string session = client.call("session.open", {{"dataset", "box"}})["session"];
+    const std::string session = client.call("session.open", {{"scene", scene_with_iso()}})["session"];
     const json view{{"session", session}, {"width", 64}, {"height", 64}};
     client.call("view.open", view);
     client.call("view.open", view);
@@ -239,7 +239,7 @@ TEST_F(LimitsOf, pictures) {
     EXPECT_EQ(code(100, 100), 0);
     EXPECT_EQ(code(201, 20), -32003);
     EXPECT_EQ(code(200, 51), -32003);
-    const std::string session = client.call("session.open", {{"dataset", "box"}})["session"];
+    const std::string session = client.call("session.open", {{"scene", scene_with_iso()}})["session"];
     EXPECT_EQ(client.error_code("view.open", {{"session", session}, {"width", 200}, {"height", 51}}), -32003);
     const json view = client.call("view.open", {{"session", session}, {"width", 64}, {"height", 64}})["view"];
     EXPECT_EQ(client.error_code("view.resize", {{"view", view}, {"width", 201}, {"height", 20}}), -32003);
@@ -293,7 +293,7 @@ TEST_F(DatasetsInMemory, are_counted_without_a_session_and_given_back_when_idle)
     look_at(client, "bax");
     EXPECT_TRUE(counts(server, 2));
     EXPECT_THAT(server.metrics(), testing::Not(testing::HasSubstr("ciel_dataset_bytes 0\n")));
-    const std::string session = client.call("session.open", {{"dataset", "box"}})["session"];
+    const std::string session = client.call("session.open", {{"scene", scene_with_iso()}})["session"];
     server.tidy(session::Clock::now() + std::chrono::seconds(90));
     EXPECT_TRUE(counts(server, 2));
     server.tidy(session::Clock::now() + std::chrono::seconds(110));
@@ -333,7 +333,7 @@ TEST_F(LimitsOf, memory_of_a_session) {
     limits.session_memory_bytes = 1000;
     session::Server server(options(limits));
     Client client(server, true);
-    const std::string session = client.call("session.open", {{"dataset", "box"}})["session"];
+    const std::string session = client.call("session.open", {{"scene", scene_with_iso()}})["session"];
     EXPECT_EQ(client.error_code("picture.render", {{"session", session}}), -32003);
     client.call("view.open", {{"session", session}, {"width", 64}, {"height", 64}});
     const json failed = client.next_text();

@@ -173,10 +173,9 @@ def test_a_full_disk_is_named_before_the_first_piece_and_in_the_commit(tmp_path)
             data = ones(size)
             calls.call("append.piece", upload=upload["upload"], array=0, offset=0, data=data)
             filler = disk / "filler"
-            with open(filler, "wb") as out, pytest.raises(OSError):
+            with open(filler, "wb", buffering=0) as out, pytest.raises(OSError):
                 while True:
                     out.write(bytes(4096))
-                    out.flush()
             with pytest.raises(RpcError, match="No space left") as refused:
                 calls.call("append.commit", upload=upload["upload"])
             assert str(disk) not in str(refused.value)

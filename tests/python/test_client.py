@@ -60,7 +60,7 @@ def test_frames_come_until_the_server_ends(tmp_path, stream, kind):
                 assert max(batch.indices) < batch.description["vertices"]
             with pytest.raises(RpcError):
                 await viewer.call("scene.get", session="gone")
-            picture = await viewer.call("picture.render", session=session, width=1500, height=1500)
+            picture = await viewer.call("picture.render", session=session, width=2400, height=2400)
             assert len(picture["data"]) > 512 << 10
             running.process.terminate()
             with pytest.raises(ConnectionError):
@@ -123,7 +123,7 @@ def test_polygons_that_stay_are_named_not_sent(server):
                 raise AssertionError("no frame")
 
             before, whole = await shown(iso(0.6))
-            named, small = await shown({"layers": {"further": {"type": "outline", "color": {"solid": "#ff0000"}}}})
+            named, small = await shown({"layers": {"further": {"type": "slice", "axis": "x", "value": 0.51}}})
             assert "bytes" in before["iso"].description["mesh"] and "bytes" not in named["iso"].description["mesh"]
             assert "bytes" in named["further"].description["mesh"]
             assert small < whole

@@ -27,9 +27,9 @@ def test_no_message_is_longer_than_512_kib_and_a_picture_by_post_has_any_length(
         async with client(server, max_size=LONGEST) as caller:
             session = (await caller.call("session.open", dataset="box"))["session"]
             await caller.call("scene.patch", session=session, patch={"layers": SURFACES})
-            await caller.call("view.open", session=session, width=1920, height=1080, stream="geometry")
-            frame = await caller.next_frame()
-            assert frame.kind == 2 and frame.flags & 4 and frame.whole_bytes > LONGEST
+            await caller.call("view.open", session=session, width=2600, height=2600)
+            frame = await caller.frame(still=True)
+            assert frame.kind == 1 and frame.whole_bytes > LONGEST
             size = {"width": 2000, "height": 2000}
             refused = await caller.answer(await caller.send("picture.render", session=session, **size))
             assert "ask by POST /rpc" in refused["error"]["data"]["reason"]

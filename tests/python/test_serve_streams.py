@@ -130,7 +130,7 @@ def test_lines_are_as_wide_in_moving_and_still_pictures_and_on_any_screen(server
     run(attempt)
 
 
-def test_a_burst_of_a_hundred_patches_draws_at_most_the_first_and_the_last(server):
+def test_a_burst_of_a_hundred_patches_draws_what_the_line_has_room_for_and_the_last(server):
     async def attempt():
         async with client(server) as caller:
             session, _ = await open_view(caller)
@@ -138,7 +138,7 @@ def test_a_burst_of_a_hundred_patches_draws_at_most_the_first_and_the_last(serve
             await caller.frame(revision, still=True)  # at rest
             held = await caller.call("scene.patch", session=session, patch=iso(0.3))
             while not isinstance(await caller.receive(), Frame):
-                pass  # its frame is not acknowledged: there is room for one more
+                pass  # its frame is not acknowledged: there is room for a few more
             drawn, last = len(caller.frames), held["revision"] + 100
             for i in range(100):
                 await caller.send("scene.patch", session=session, patch=iso(0.4 + i / 200))
@@ -147,7 +147,7 @@ def test_a_burst_of_a_hundred_patches_draws_at_most_the_first_and_the_last(serve
             await caller.acknowledge(caller.frames[-1])
             await caller.frame(last)
             shown = [frame.revision for frame in caller.frames[drawn:] if frame.revision > held["revision"] and not frame.still]
-            assert len(shown) <= 2 and shown[-1] == last, shown
+            assert len(shown) <= 8 and shown[-1] == last, shown
             assert (await caller.frame(last, still=True)).revision == last
 
     run(attempt)
