@@ -4,6 +4,7 @@ import { useEffect, useRef } from "preact/hooks";
 import { listenToGestures } from "../camera/gestures";
 import { openingDataset } from "../app/opening";
 import { isBright, paperAt } from "../display/background";
+import { Ahead } from "./ahead";
 import { AxesTriad } from "./axes_triad";
 import { BoxAxes } from "./box_axes";
 import { Captions } from "./captions";
@@ -69,6 +70,7 @@ export function Stage(): JSX.Element {
       </div>
       {!nothing && !opening && (
         <>
+          <Ahead />
           <BoxAxes />
           <AxesTriad />
           <Captions />
