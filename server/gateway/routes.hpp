@@ -26,6 +26,7 @@ struct Resolved {
     std::optional<Response> refusal; // when set, the answer; `route` is null
     const Route* route = nullptr;
     Target target;
+    Claim claim = Claim::none;
 };
 
 // Looks at everything but the body: target, Host, method, Origin, token, content type.

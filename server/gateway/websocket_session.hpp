@@ -3,14 +3,10 @@
 
 #include "gateway/asio.hpp"
 #include "gateway/context.hpp"
+#include "gateway/http_request.hpp"
 #include "gateway/http_session.hpp"
 
-#include <boost/beast/http/message.hpp>
-#include <boost/beast/http/string_body.hpp>
-
 namespace ciel::gateway {
-
-using HttpRequest = beast::http::request<beast::http::string_body>;
 
 // Ends when the connection, its last method and its last write have ended.
 asio::awaitable<void> websocket_session(beast::tcp_stream stream, HttpRequest upgrade, std::string remote,

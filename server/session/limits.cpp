@@ -21,6 +21,10 @@ constexpr auto rows = std::to_array<LimitRow>({
     {"batch_requests", &Limits::batch_requests, Unit::count, "requests in one JSON-RPC batch", million},
     {"header_bytes", &Limits::header_bytes, Unit::bytes, "size of an HTTP request's head", 1 << 20},
     {"connections", &Limits::connections, Unit::count, "open connections", million},
+    {"reserved_connections", &Limits::reserved_connections, Unit::count,
+     "of these, kept for clients that are let in; at most half", million},
+    {"connections_of_address", &Limits::connections_of_address, Unit::count,
+     "open connections of one address (IPv6: of one /64); loopback is not counted", million},
     {"sessions", &Limits::sessions, Unit::count, "sessions kept", million},
     {"views_per_session", &Limits::views_per_session, Unit::count, "views of one session", million},
     {"layers", &Limits::layers, Unit::count, "layers of one scene", million},
@@ -48,8 +52,14 @@ constexpr auto rows = std::to_array<LimitRow>({
      "time without a connection after which a session is dropped", most_seconds},
     {"keep_alive_seconds", &Limits::keep_alive_seconds, Unit::seconds, "time until the next request of a connection",
      most_seconds},
+    {"head_seconds", &Limits::head_seconds, Unit::seconds,
+     "time to send a request's head, and of a new connection until it begins", most_seconds},
     {"request_seconds", &Limits::request_seconds, Unit::seconds,
-     "time to send a whole request, or to take some of its answer", most_seconds},
+     "time to send a request's body, or to take some of its answer", most_seconds},
+    {"wrong_token_seconds", &Limits::wrong_token_seconds, Unit::seconds, "time that the answer to a wrong token waits",
+     3600},
+    {"wrong_tokens_waiting", &Limits::wrong_tokens_waiting, Unit::count,
+     "such answers that wait; others are refused at once", million},
     {"waiting_call_bytes", &Limits::waiting_call_bytes, Unit::bytes,
      "requests of a WebSocket that wait; beyond it, the socket is not read", most_bytes},
     {"waiting_text_bytes", &Limits::waiting_text_bytes, Unit::bytes,
@@ -77,10 +87,8 @@ std::uint64_t number_of(const LimitRow& row, std::string_view text) {
         const auto shift = 10 * (letter + 1);
         return value > most_bytes >> shift ? most_bytes + 1 : value << shift;
     }
-    std::string expected = "a whole number";
-    if (is_bytes(row)) expected += ", such as 64M";
-    if (row.unit == Unit::memory) expected += " or 25%";
-    throw Error(printable(text) + " is not " + expected);
+    throw Error(printable(text) + " is not a whole number" + (is_bytes(row) ? ", such as 64M" : "") +
+                (row.unit == Unit::memory ? " or 25%" : ""));
 }
 
 } // namespace
