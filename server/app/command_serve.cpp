@@ -12,7 +12,9 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cctype>
 #include <cstdlib>
+#include <fstream>
 #include <iostream>
 #include <spdlog/sinks/stdout_color_sinks.h>
 #include <spdlog/spdlog.h>
@@ -32,7 +34,7 @@ fs::path default_import_folder() {
 
 struct ServeOptions {
     std::vector<fs::path> data;
-    fs::path import_folder = default_import_folder();
+    fs::path import_folder = default_import_folder(), token_file;
     std::string gl = "auto", log_level = "info";
     ExtractionOptions extraction;
     unsigned render_workers = 1, threads = 0;
@@ -84,17 +86,30 @@ void start_log(const std::string& level) {
     spdlog::set_default_logger(std::move(logger));
 }
 
-// A token given by hand stays out of the process list and the shell's history in the environment.
-void complete_token(gateway::GatewayOptions& options, bool allow_append) {
-    if (const char* token = std::getenv("CIEL_TOKEN"); token != nullptr && options.token.empty()) options.token = token;
-    const bool needs_one = allow_append || !gateway::is_loopback(options.host);
-    if (options.token.empty() && needs_one) options.token = gateway::generate_token();
+// The first line of the file.
+std::string token_in(const fs::path& file) {
+    std::ifstream stream(file);
+    std::string token;
+    if (!std::getline(stream, token)) throw Error("the token file " + file.string() + " cannot be read or is empty");
+    while (!token.empty() && std::isspace(static_cast<unsigned char>(token.back())) != 0) token.pop_back();
+    std::error_code ignored;
+    const auto others = fs::perms::group_read | fs::perms::others_read;
+    if ((fs::status(file, ignored).permissions() & others) != fs::perms::none)
+        spdlog::warn("others can read the token file {}; take that away with chmod 600", file.string());
+    return token;
+}
+
+// In the environment or a file, a token stays out of the process list and the shell's history.
+void complete_token(ServeOptions& options) {
+    std::string& token = options.gateway.token;
+    if (!options.token_file.empty()) token = token_in(options.token_file);
+    if (const char* given = std::getenv("CIEL_TOKEN"); given != nullptr && token.empty()) token = given;
 }
 
 // The one line on stdout that scripts and people wait for.
-void print_address(const gateway::GatewayOptions& options, const gateway::Listening& listening) {
-    std::cout << "CIEL listening on http://" << listening.host << ':' << listening.port << listening.prefix << '/'
-              << (options.token.empty() ? "" : "?token=" + options.token) << std::endl;
+void print_address(const gateway::Listening& listening) {
+    std::cout << "CIEL listening on http://" << listening.host << ':' << listening.port << listening.prefix
+              << "/?token=" << listening.token << std::endl;
 }
 
 void log_renderer(session::Server& server) {
@@ -107,7 +122,7 @@ void log_renderer(session::Server& server) {
 
 int serve(ServeOptions& options) {
     start_log(options.log_level);
-    complete_token(options.gateway, options.allow_append);
+    complete_token(options);
     set_thread_count(options.threads);
     if (options.gateway.webclient.empty()) options.gateway.webclient = find_webclient();
     if (options.gateway.webclient.empty()) spdlog::warn("no web client found; name its folder with --webclient");
@@ -131,7 +146,7 @@ int serve(ServeOptions& options) {
         for (const auto& entry : server.catalog().list())
             entry.problem.empty() ? spdlog::info("dataset {}", entry.name)
                                   : spdlog::error("dataset {}: {}", entry.name, entry.problem);
-        print_address(options.gateway, listening);
+        print_address(listening);
     });
 }
 
@@ -143,14 +158,20 @@ void add_serve(CLI::App& app, Run& run) {
     CLI::App* command = app.add_subcommand("serve", "Serve datasets to browsers and scripts");
     command->add_option("DATA", options->data, "datasets (NAME.ciel), folders of them, or files to import first");
     command->add_option("--data-dir", options->import_folder, "where what is imported is kept")->capture_default_str();
-    command->add_option("--host", gateway.host, "address to listen on; others than loopback need a token")
-        ->capture_default_str();
+    command->add_option("--host", gateway.host, "address to listen on")->capture_default_str();
     command->add_option("--port", gateway.port, "0: any free one")->capture_default_str();
     command->add_option("--prefix", gateway.prefix, "path below which a proxy offers the server, such as /ciel");
-    command->add_option("--token", gateway.token, "what clients must know; also CIEL_TOKEN; generated when needed");
+    auto* token =
+        command->add_option("--token", gateway.token,
+                            "what every client must know; other users see it in the process list: better CIEL_TOKEN or "
+                            "--token-file. Without "
+                            "one, a token is made at each start, and on loopback the server's own user needs none");
+    command->add_option("--token-file", options->token_file, "file that holds the token")->excludes(token);
     command->add_option("--origin", gateway.origins,
                         "another site whose pages may use this server, such as https://example.org");
     command->add_option("--allowed-host", gateway.allowed_hosts, "a host name that a proxy in front is reached by");
+    command->add_option("--trusted-proxy", gateway.trusted_proxies,
+                        "address or range (172.30.0.0/16) of a proxy in front: X-Forwarded-For names its clients");
     command->add_option("--gl", options->gl, "what draws")
         ->check(CLI::IsMember({"auto", "egl-device", "egl-surfaceless", "osmesa"}))
         ->capture_default_str();

@@ -1,6 +1,7 @@
 #include "gateway/access.hpp"
 
 #include "ciel/types.hpp"
+#include "gateway/header_text.hpp"
 
 #include <algorithm>
 #include <array>
@@ -11,12 +12,6 @@
 namespace ciel::gateway {
 namespace {
 
-char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
-
-bool same_ignoring_case(std::string_view a, std::string_view b) {
-    return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](char x, char y) { return lower(x) == lower(y); });
-}
-
 bool listed(const std::vector<std::string>& names, std::string_view name) {
     return std::any_of(names.begin(), names.end(), [&](const auto& other) { return same_ignoring_case(other, name); });
 }
@@ -26,26 +21,13 @@ std::string_view without_port(std::string_view host) {
     return host.substr(0, host.find(':', end_of_address));
 }
 
-std::string_view trimmed(std::string_view text) {
-    while (!text.empty() && (text.front() == ' ' || text.front() == '\t')) text.remove_prefix(1);
-    while (!text.empty() && (text.back() == ' ' || text.back() == '\t')) text.remove_suffix(1);
-    return text;
-}
-
-// Calls visit with each part until one returns true.
-template <typename Visit>
-bool any_part(std::string_view text, char separator, const Visit& visit) {
-    while (!text.empty()) {
-        const auto part = text.substr(0, text.find(separator));
-        if (visit(trimmed(part))) return true;
-        text.remove_prefix(std::min(part.size() + 1, text.size()));
-    }
-    return false;
-}
-
 // 127.0.0.0/8: no page of another site can be reached by such a name.
 bool is_loopback_address(std::string_view name) {
     return name.starts_with("127.") && name.find_first_not_of("0123456789.") == std::string_view::npos;
+}
+
+bool is_local_name(std::string_view name) {
+    return same_ignoring_case(name, "localhost") || name == "[::1]" || is_loopback_address(name);
 }
 
 bool same_in_constant_time(std::string_view a, std::string_view b) {
@@ -61,8 +43,23 @@ bool host_allowed(const AccessRules& rules, std::string_view host) {
     if (host.empty() || (!rules.loopback && rules.allowed_hosts.empty())) return true;
     const auto name = without_port(host);
     if (listed(rules.allowed_hosts, name) || listed(rules.allowed_hosts, host)) return true;
-    static const std::vector<std::string> local{"localhost", "[::1]"};
-    return listed(local, name) || is_loopback_address(name);
+    return is_local_name(name);
+}
+
+bool is_of_a_proxy(std::string_view header_name) {
+    constexpr std::string_view family = "X-Forwarded-";
+    return same_ignoring_case(header_name, "Forwarded") || same_ignoring_case(header_name, "Via") ||
+           same_ignoring_case(header_name, "X-Real-IP") ||
+           same_ignoring_case(header_name.substr(0, family.size()), family);
+}
+
+Claim claim_of(const AccessRules& rules, const Request& request, const Target& target) {
+    const std::string presented = presented_token(rules, request, target);
+    if (token_allowed(rules, presented)) return Claim::token;
+    if (rules.own_user_enters && request.is_of_own_user && !request.is_proxied &&
+        is_local_name(without_port(request.host)))
+        return Claim::own_user;
+    return presented.empty() ? Claim::none : Claim::wrong_token;
 }
 
 bool origin_allowed(const AccessRules& rules, std::string_view origin, std::string_view host) {
@@ -82,11 +79,7 @@ std::string presented_token(const AccessRules& rules, const Request& request, co
 }
 
 bool token_allowed(const AccessRules& rules, std::string_view presented) {
-    return rules.token.empty() || same_in_constant_time(presented, rules.token);
-}
-
-bool carries_token(const AccessRules& rules, const Request& request, const Target& target) {
-    return !rules.token.empty() && same_in_constant_time(presented_token(rules, request, target), rules.token);
+    return !rules.token.empty() && same_in_constant_time(presented, rules.token);
 }
 
 std::string cookie_value(std::string_view header, std::string_view name) {
@@ -107,6 +100,15 @@ std::string token_cookie(const AccessRules& rules, bool secure) {
 
 bool offers_subprotocol(std::string_view header) {
     return any_part(header, ',', [](std::string_view part) { return part == subprotocol; });
+}
+
+bool is_handshake_key(std::string_view header) {
+    constexpr std::size_t digits = 22; // six bits each, and two signs that pad
+    const auto is_digit = [](char c) {
+        return (lower(c) >= 'a' && lower(c) <= 'z') || (c >= '0' && c <= '9') || c == '+' || c == '/';
+    };
+    return header.size() == digits + 2 && header.ends_with("==") &&
+           std::all_of(header.begin(), header.begin() + digits, is_digit);
 }
 
 std::string generate_token() {

@@ -2,11 +2,35 @@
 
 #include "gateway/target.hpp"
 
+#include <algorithm>
+#include <sys/resource.h>
+
 namespace ciel::gateway {
+namespace {
+
+constexpr rlim_t enough_files = 65536; // some programs close all that they might have, one by one
+
+ConnectionRules rules_of(const session::Limits& limits) {
+    return {limits.connections, limits.reserved_connections, limits.connections_of_address};
+}
+
+// A user may raise the soft limit up to the hard one.
+std::size_t raised_file_limit() {
+    rlimit files{};
+    ::getrlimit(RLIMIT_NOFILE, &files);
+    if (files.rlim_cur < enough_files && files.rlim_cur < files.rlim_max) {
+        files.rlim_cur = std::min(files.rlim_max, enough_files);
+        ::setrlimit(RLIMIT_NOFILE, &files);
+    }
+    return files.rlim_cur;
+}
+
+} // namespace
 
 Context::Context(session::Server& server_, const GatewayOptions& options, AccessRules access_)
     : server(server_), prefix(normal_prefix(options.prefix)), version(options.version), access(std::move(access_)),
-      files(options.webclient.empty() ? StaticFiles() : StaticFiles(options.webclient)) {}
+      files(options.webclient.empty() ? StaticFiles() : StaticFiles(options.webclient)),
+      connections(rules_of(server_.limits())), proxies(options.trusted_proxies), most_files(raised_file_limit()) {}
 
 session::Readiness ReadinessProbe::check(session::Server& server) {
     const std::unique_lock lock(mutex_, std::try_to_lock);

@@ -3,6 +3,8 @@
 
 #include "gateway/access.hpp"
 #include "gateway/connections.hpp"
+#include "gateway/log_limiter.hpp"
+#include "gateway/remote_address.hpp"
 #include "gateway/static_files.hpp"
 #include "session/server.hpp"
 
@@ -41,7 +43,11 @@ struct Context {
     StaticFiles files;
     Counters counters;
     Connections connections;
+    TrustedProxies proxies;
+    std::size_t most_files; // descriptors that the process may have
     ReadinessProbe readiness;
+    LogLimiter log_limiter;
+    std::atomic<std::uint64_t> guesses_waiting{0}; // answers to wrong tokens
     std::atomic<bool> draining{false};
     std::atomic<std::uint64_t> next_connection_id{1};
 };

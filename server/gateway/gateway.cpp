@@ -20,13 +20,12 @@ using Clock = std::chrono::steady_clock;
 
 AccessRules access_rules(const GatewayOptions& options, bool loopback, unsigned short port) {
     if (!options.token.empty()) check_token_form(options.token);
-    if (!loopback && options.token.empty())
-        throw Error("a server that others can reach needs a token; name one with --token");
     AccessRules rules;
+    rules.token = options.token.empty() ? generate_token() : options.token;
+    rules.own_user_enters = loopback && options.token.empty();
     rules.loopback = loopback;
     rules.allowed_hosts = options.allowed_hosts;
     rules.origins = options.origins;
-    rules.token = options.token;
     rules.cookie_name = "ciel_token_" + std::to_string(port);
     rules.cookie_path = normal_prefix(options.prefix) + "/";
     return rules;
@@ -56,7 +55,8 @@ public:
 private:
     Listening listening() const {
         const std::string text = address_.to_string();
-        return {address_.is_v6() ? "[" + text + "]" : text, acceptor_.local_endpoint().port(), context_.prefix};
+        return {address_.is_v6() ? "[" + text + "]" : text, acceptor_.local_endpoint().port(), context_.prefix,
+                context_.access.token};
     }
 
     asio::awaitable<void> drain_on_signal() {
@@ -117,8 +117,6 @@ private:
 };
 
 } // namespace
-
-bool is_loopback(const std::string& host) { return resolve_host(host).is_loopback(); }
 
 int serve(session::Server& server, const GatewayOptions& options,
           const std::function<void(const Listening&)>& on_listening) {

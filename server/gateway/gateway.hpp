@@ -12,13 +12,15 @@ namespace ciel::gateway {
 
 struct GatewayOptions {
     std::string host = "127.0.0.1";
-    unsigned short port = 8080;             // 0: any free one
-    std::string prefix;                     // "/ciel" behind a proxy, whether it keeps the path or not
-    std::filesystem::path webclient;        // static files; empty: none
-    std::string token;                      // empty on loopback; required elsewhere
-    std::vector<std::string> origins;       // "https://example.org", allowed beside the server's own
-    std::vector<std::string> allowed_hosts; // names in Host, beside localhost when bound to loopback
-    unsigned threads = 2;                   // for sockets
+    unsigned short port = 8080;               // 0: any free one
+    std::string prefix;                       // "/ciel" behind a proxy, whether it keeps the path or not
+    std::filesystem::path webclient;          // static files; empty: none
+    std::string token;                        // needed by everybody; empty: one is made, and on loopback the server's
+                                              // own user needs none
+    std::vector<std::string> origins;         // "https://example.org", allowed beside the server's own
+    std::vector<std::string> allowed_hosts;   // names in Host, beside localhost when bound to loopback
+    std::vector<std::string> trusted_proxies; // addresses, or ranges "172.30.0.0/16": their X-Forwarded-For is believed
+    unsigned threads = 2;                     // for sockets
     unsigned workers = 8; // for quick methods; slow ones have threads of their own (Limits::slow_calls)
     std::string version;  // for the Server header
 };
@@ -28,18 +30,16 @@ struct Listening {
     std::string host; // as it stands in a URL: "127.0.0.1", "[::1]"
     unsigned short port = 0;
     std::string prefix; // normalised: empty or "/ciel"
+    std::string token;  // the one given, or made
 };
-
-// Whether `host` names the loopback interface: elsewhere a token is required. Throws Error when it cannot be resolved.
-[[nodiscard]] bool is_loopback(const std::string& host);
 
 // 128 random bits as a token that needs no quoting anywhere.
 [[nodiscard]] std::string generate_token();
 
 // Serves until SIGINT or SIGTERM, then drains: no new connections, clients are told, what is under way is finished,
 // WebSockets close with 1001. A second signal ends the process at once. on_listening is called from the thread that
-// called serve, before anything is served. Throws Error when the address cannot be bound, the token is missing or badly
-// formed, or the web client's folder cannot be read. Returns the process's exit code.
+// called serve, before anything is served. Throws Error when the address cannot be bound, the token is badly formed,
+// or the web client's folder cannot be read. Returns the process's exit code.
 int serve(session::Server& server, const GatewayOptions& options,
           const std::function<void(const Listening&)>& on_listening);
 

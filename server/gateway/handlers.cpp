@@ -24,6 +24,8 @@ std::string gateway_metrics(Context& context) {
     text += counter("ciel_gateway_connections_total", "Connections accepted.", "counter", counters.connections);
     text += counter("ciel_gateway_connections_refused_total", "Connections over the limit.", "counter",
                     counters.refused_connections);
+    text += counter("ciel_gateway_connections_cut_total", "Idle or unfinished connections closed for new ones.",
+                    "counter", context.connections.cut_count());
     text +=
         counter("ciel_gateway_texts_received_total", "WebSocket texts received.", "counter", counters.texts_received);
     text += counter("ciel_gateway_texts_sent_total", "WebSocket texts sent.", "counter", counters.texts_sent);
@@ -77,13 +79,14 @@ Response static_file(Context& context, const Request& request, const Target& tar
     const StaticFile* file = context.files.find(target.path);
     Response response;
     if (file != nullptr)
-        response = file_response(*file, request.if_none_match);
+        response = file_response(*file, request.if_none_match, request.accept_encoding);
     else if (target.path == "/" && context.files.count() == 0) {
         response = sentence(200, no_client_page);
         response.content_type = "text/html; charset=utf-8";
     } else
         return sentence(404, "There is no " + target.path + " here.");
-    if (!context.access.token.empty() && target.query.count("token") != 0)
+    const auto offered = target.query.find("token"); // the own user's may be wrong: of a server before this one
+    if (offered != target.query.end() && token_allowed(context.access, offered->second))
         response.headers.emplace_back("Set-Cookie", token_cookie(context.access, request.forwarded_proto == "https"));
     return response;
 }

@@ -10,9 +10,14 @@ namespace ciel::gateway {
 struct Request {
     std::string method; // "GET"; HEAD is answered as GET without the body
     std::string target; // as sent: "/rpc?token=..."
-    std::string host, origin, authorization, cookie, content_type, if_none_match, forwarded_proto;
+    std::string host;   // the authority of an absolute-form target, else the header
+    std::string origin, authorization, cookie, content_type, accept_encoding, if_none_match;
+    std::string forwarded_for, forwarded_proto;
     std::string body;
-    std::string remote; // address, for logs
+    std::string remote;          // address and port, for logs
+    std::string address;         // without the port
+    bool is_of_own_user = false; // the peer is a process of the server's user, on this machine
+    bool is_proxied = false;     // a header says that it came through a proxy
 };
 
 struct Response {

@@ -1,6 +1,9 @@
 #include "gateway/http_session.hpp"
 
 #include "gateway/deadline.hpp"
+#include "gateway/http_request.hpp"
+#include "gateway/peer_owner.hpp"
+#include "gateway/remote_address.hpp"
 #include "gateway/routes.hpp"
 #include "gateway/rpc_call.hpp"
 #include "gateway/websocket_session.hpp"
@@ -23,101 +26,140 @@ using Parser = http::request_parser<http::string_body>;
 constexpr std::size_t first_read_bytes = 4096;
 constexpr std::chrono::seconds linger_time{2};
 
-std::string text_of(boost::string_view view) { return {view.data(), view.size()}; }
-
-Request plain(HttpRequest& message, const std::string& remote) {
-    Request request;
-    request.method = text_of(message.method_string());
-    request.target = text_of(message.target());
-    request.host = text_of(message[http::field::host]);
-    request.origin = text_of(message[http::field::origin]);
-    request.authorization = text_of(message[http::field::authorization]);
-    request.cookie = text_of(message[http::field::cookie]);
-    request.content_type = text_of(message[http::field::content_type]);
-    request.if_none_match = text_of(message[http::field::if_none_match]);
-    request.forwarded_proto = text_of(message["X-Forwarded-Proto"]);
-    request.remote = remote;
-    return request;
-}
-
-// The answer to what is not HTTP as we read it; nothing when the peer has gone.
-std::optional<Response> malformed(const error_code& error) {
-    if (error == http::error::header_limit)
-        return sentence(431, "The request's header is larger than this server takes; server.info names the limit.");
-    if (error == http::error::body_limit)
-        return sentence(413, "The request is larger than this server takes; server.info names the limit.");
-    if (error == http::error::end_of_stream || error == http::error::partial_message) return std::nullopt;
-    if (error.category() == http::make_error_code(http::error::bad_method).category())
-        return sentence(400, "This is not an HTTP/1.1 request: " + error.message() + ".");
-    return std::nullopt;
-}
+constexpr std::string_view blank_line = "\r\n";
+constexpr int blank_lines = 8; // before a request; RFC 9112, 2.2, wants one to be skipped at least
 
 class HttpSession {
 public:
     HttpSession(ConnectionStart start, Context& context, asio::thread_pool& workers)
-        : start_(std::move(start)), context_(context), workers_(workers), stream_(std::move(start_.socket)),
-          deadline_(stream_) {
-        error_code ignored;
-        const auto peer = stream_.socket().remote_endpoint(ignored);
-        if (!ignored) remote_ = peer.address().to_string() + ":" + std::to_string(peer.port());
+        : start_(std::move(start)), context_(context), limits_(context.server.limits()), workers_(workers),
+          stream_(std::move(start_.socket)), deadline_(stream_), guess_pause_(stream_.get_executor()) {
+        address_ = without_mapping(start_.peer.address()).to_string();
+        remote_ = address_ + ":" + std::to_string(start_.peer.port());
     }
 
     asio::awaitable<void> run() {
         *start_.on_drain = [this] {
             if (waiting_) stream_.cancel();
+            guess_pause_.cancel();
         };
+        *start_.on_cut = [this] { stream_.close(); };
+        co_await look_up_user();
         while (co_await one_request()) {
         }
         *start_.on_drain = nullptr;
+        *start_.on_cut = nullptr;
         co_await close();
     }
 
 private:
+    // Once, and before anything is read: a client that has closed has no owner any more.
+    asio::awaitable<void> look_up_user() {
+        if (!context_.access.own_user_enters || start_.ticket->is_refused()) co_return;
+        error_code gone;
+        const auto own = stream_.socket().local_endpoint(gone);
+        if (gone) co_return;
+        co_await on_worker(workers_, [&] {
+            is_of_own_user_ = is_own_user(start_.peer, own);
+            return std::string();
+        });
+    }
+
     // False when the connection ends with it.
     asio::awaitable<bool> one_request() {
+        if (context_.draining && buffer_.size() == 0) co_return false;
         waiting_ = true;
         const bool begun = co_await request_begins();
         if (!begun) co_return false;
-        const auto& limits = context_.server.limits();
         Parser parser;
-        parser.header_limit(static_cast<std::uint32_t>(limits.header_bytes));
-        parser.body_limit(limits.message_bytes);
+        parser.header_limit(static_cast<std::uint32_t>(limits_.header_bytes));
+        parser.body_limit(limits_.message_bytes);
         error_code error;
-        deadline_.start(std::chrono::seconds(limits.request_seconds)); // for the whole request
+        start_deadline(std::min(limits_.head_seconds, limits_.request_seconds));
         co_await http::async_read_header(stream_, buffer_, parser, asio::redirect_error(asio::use_awaitable, error));
         waiting_ = false;
+        is_first_ = false;
         if (error || deadline_.passed()) {
             co_await answer_malformed(error);
             co_return false;
         }
+        start_deadline(limits_.request_seconds);
         const bool goes_on = co_await answer(parser);
+        start_.ticket->end_request();
         co_return goes_on;
+    }
+
+    void start_deadline(std::uint64_t seconds) {
+        allowed_seconds_ = seconds;
+        deadline_.start(std::chrono::seconds(seconds));
     }
 
     // False when the peer has gone, or for too long says nothing: that is no fault and gets no answer.
     asio::awaitable<bool> request_begins() {
-        if (buffer_.size() > 0) co_return true; // pipelined
-        deadline_.start(std::chrono::seconds(context_.server.limits().keep_alive_seconds));
         error_code error;
-        const std::size_t bytes = co_await stream_.async_read_some(buffer_.prepare(first_read_bytes),
-                                                                   asio::redirect_error(asio::use_awaitable, error));
-        buffer_.commit(bytes);
+        for (int skipped = 0; skipped < blank_lines && !error; skipped += skip_blank_line()) {
+            if (buffer_.size() > 0 && !begins_with_blank_line()) co_return true; // perhaps pipelined
+            if (buffer_.size() >= blank_line.size()) continue;
+            start_deadline(is_first_ ? std::min(limits_.head_seconds, limits_.keep_alive_seconds)
+                                     : limits_.keep_alive_seconds);
+            const std::size_t bytes = co_await stream_.async_read_some(
+                buffer_.prepare(first_read_bytes), asio::redirect_error(asio::use_awaitable, error));
+            buffer_.commit(bytes);
+        }
         co_return !error;
     }
 
-    asio::awaitable<bool> answer(Parser& parser) {
-        Request request = plain(parser.get(), remote_);
+    // Also of the first half of one.
+    bool begins_with_blank_line() const {
+        const auto data = buffer_.data();
+        const std::string_view text(static_cast<const char*>(data.data()), data.size());
+        return blank_line.starts_with(text.substr(0, blank_line.size()));
+    }
+    int skip_blank_line() {
+        if (buffer_.size() < blank_line.size() || !begins_with_blank_line()) return 0;
+        buffer_.consume(blank_line.size());
+        return 1;
+    }
+
+    // Whom the request is counted for and logged as, where a proxy that is trusted has passed it on.
+    std::string client_of(Request& request) const {
+        const auto client = start_.is_of_trusted_proxy ? last_forwarded_for(request.forwarded_for) : std::nullopt;
+        if (!client) return {};
+        request.address = client->to_string();
+        request.remote = request.address;
+        return counting_key(*client);
+    }
+
+    Request request_of(const HttpRequest& message) const {
+        Request request = plain_request(message);
+        request.remote = remote_;
+        request.address = address_;
+        request.is_of_own_user = is_of_own_user_;
+        return request;
+    }
+
+    // What is to be done, and whether the connection has to end with it.
+    std::pair<Resolved, bool> look_at(const HttpRequest& message, Request& request) {
+        const std::string client = client_of(request);
+        if (start_.ticket->is_refused()) return {refused(too_many_connections()), true};
+        if (auto problem = refused_head(message)) return {refused(std::move(*problem)), true};
         Resolved resolved = resolve(context_, request);
-        if (parser.get().count(http::field::host) != 1 && parser.get().version() >= 11)
-            resolved = {sentence(400, "HTTP/1.1 needs exactly one Host header."), nullptr, {}, false};
-        if (start_.over_limit) resolved = {too_many_connections(), nullptr, {}, false};
+        if (!start_.ticket->begin_request(is_let_in(resolved.claim), client))
+            return {refused(too_many_of_address()), true};
+        return {std::move(resolved), false};
+    }
+
+    asio::awaitable<bool> answer(Parser& parser) {
+        Request request = request_of(parser.get());
+        auto [resolved, is_last] = look_at(parser.get(), request);
         if (resolved.route != nullptr && resolved.route->kind == Route::Kind::websocket &&
             beast::websocket::is_upgrade(parser.get())) {
-            if (auto problem = refused_upgrade(parser.get()))
-                resolved = {std::move(problem), nullptr, {}, false};
+            if (auto problem = context_.draining ? stopping() : refused_handshake(parser.get()))
+                resolved = refused(std::move(*problem));
             else {
                 HttpRequest message = parser.release();
-                co_await upgrade(std::move(message), resolved.has_token);
+                WebSocketPeer peer{request.remote, resolved.claim == Claim::token};
+                co_await upgrade(std::move(message), std::move(peer));
                 co_return false;
             }
         }
@@ -131,13 +173,41 @@ private:
             request.body = std::move(parser.get().body());
         }
         deadline_.stop();
+        if (resolved.refusal && resolved.refusal->status == 401 && resolved.claim == Claim::wrong_token)
+            co_await slow_down(request, resolved);
         const bool unread = !parser.is_done();
         Response response = co_await response_to(request, resolved);
-        const bool keep_alive = parser.get().keep_alive() && !unread && !context_.draining && !start_.over_limit;
+        const bool keep_alive = parser.get().keep_alive() && !unread && !context_.draining && !is_last;
         const bool written =
             co_await write(std::move(response), request.method == "HEAD", parser.get().version(), keep_alive);
-        if (written && unread) co_await linger();
+        if (written && (unread || is_last)) co_await linger();
         co_return written&& keep_alive;
+    }
+
+    // Makes guessing slow: the answer waits, and of many guesses at a time most get none.
+    asio::awaitable<void> slow_down(const Request& request, Resolved& resolved) {
+        if (context_.log_limiter.allows("token " + request.address))
+            spdlog::warn("{}: a wrong token was refused; further ones of this address are not logged for a minute",
+                         request.address);
+        if (context_.guesses_waiting.fetch_add(1) < limits_.wrong_tokens_waiting) {
+            guess_pause_.expires_after(std::chrono::seconds(limits_.wrong_token_seconds));
+            error_code ignored;
+            co_await guess_pause_.async_wait(asio::redirect_error(asio::use_awaitable, ignored));
+        } else {
+            resolved.refusal = sentence(429, "Too many wrong tokens; try again later.");
+            resolved.refusal->headers.emplace_back("Retry-After", std::to_string(limits_.wrong_token_seconds));
+        }
+        --context_.guesses_waiting;
+    }
+
+    static Resolved refused(Response response) { return {std::move(response), nullptr, {}, Claim::none}; }
+
+    static std::optional<Response> stopping() { return sentence(503, "The server is about to stop."); }
+
+    static Response too_many_of_address() {
+        Response response = sentence(429, "Your address has as many connections as the server takes; try again later.");
+        response.headers.emplace_back("Retry-After", "1");
+        return response;
     }
 
     static Response too_many_connections() {
@@ -147,22 +217,15 @@ private:
     }
 
     std::optional<Response> too_slow() const {
-        return sentence(408, "The request did not arrive whole within " +
-                                 std::to_string(context_.server.limits().request_seconds) + " s.");
+        return sentence(408, "The request did not arrive whole within " + std::to_string(allowed_seconds_) + " s.");
     }
 
-    std::optional<Response> refused_upgrade(const HttpRequest& message) const {
-        if (!offers_subprotocol(text_of(message[http::field::sec_websocket_protocol])))
-            return sentence(400, "This WebSocket needs the subprotocol ciel.v1 (Sec-WebSocket-Protocol).");
-        if (context_.draining) return sentence(503, "The server is about to stop.");
-        return std::nullopt;
-    }
-
-    asio::awaitable<void> upgrade(HttpRequest message, bool has_token) {
+    asio::awaitable<void> upgrade(HttpRequest message, WebSocketPeer peer) {
         *start_.on_drain = nullptr;
+        *start_.on_cut = nullptr; // a WebSocket is never cut
         deadline_.stop();
-        const WebSocketPeer peer{remote_, has_token};
-        co_await websocket_session(std::move(stream_), std::move(message), peer, start_.on_drain, context_, workers_);
+        co_await websocket_session(std::move(stream_), std::move(message), std::move(peer), start_.on_drain, context_,
+                                   workers_);
     }
 
     asio::awaitable<void> read_body(Parser& parser, error_code& error) {
@@ -178,7 +241,7 @@ private:
         Response response;
         const auto kind = resolved.route == nullptr ? Route::Kind::quick : resolved.route->kind;
         if (kind == Route::Kind::rpc)
-            response = co_await rpc_call(stream_, request, resolved.has_token, context_, workers_);
+            response = co_await rpc_call(stream_, request, resolved.claim == Claim::token, context_, workers_);
         else if (kind != Route::Kind::on_worker)
             response = respond(context_, request, resolved);
         else
@@ -186,15 +249,15 @@ private:
                 response = respond(context_, request, resolved);
                 return std::string();
             });
-        spdlog::debug("{} {} {} {}", remote_, request.method, resolved.target.path, response.status);
+        spdlog::debug("{} {} {} {}", request.remote, request.method, resolved.target.path, response.status);
         co_return response;
     }
 
     asio::awaitable<void> answer_malformed(const error_code& error) {
-        auto refusal = deadline_.passed() ? too_slow() : malformed(error);
+        auto refusal = deadline_.passed() ? too_slow() : refused_bytes(error);
         deadline_.stop();
         if (!refusal) co_return;
-        const Resolved resolved{std::move(refusal), nullptr, {}, false};
+        const Resolved resolved = refused(std::move(*refusal));
         const Request unknown;
         Response response = respond(context_, unknown, resolved);
         const bool written = co_await write(std::move(response), false, 11, false);
@@ -204,6 +267,7 @@ private:
     asio::awaitable<bool> write(Response response, bool head, unsigned version, bool keep_alive) {
         ++context_.counters.responses[std::min(response.status / 100, 5U)];
         http::response<http::string_body> message{static_cast<http::status>(response.status), version};
+        message.set(http::field::date, http_date(std::time(nullptr)));
         for (const auto& [name, value] : response.headers) message.insert(name, value);
         message.keep_alive(keep_alive);
         message.body() = std::move(response.body);
@@ -215,7 +279,7 @@ private:
         serializer.split(head);
         error_code error;
         while (!error && !(head ? serializer.is_header_done() : serializer.is_done())) {
-            stream_.expires_after(std::chrono::seconds(context_.server.limits().request_seconds)); // to take some of it
+            stream_.expires_after(std::chrono::seconds(limits_.request_seconds)); // to take some of it
             co_await http::async_write_some(stream_, serializer, asio::redirect_error(asio::use_awaitable, error));
         }
         stream_.expires_never(); // what is read next has a deadline of its own
@@ -241,11 +305,15 @@ private:
 
     ConnectionStart start_;
     Context& context_;
+    const session::Limits& limits_;
     asio::thread_pool& workers_;
     beast::tcp_stream stream_;
     Deadline deadline_; // of what is read
+    asio::steady_timer guess_pause_;
     beast::flat_buffer buffer_;
-    std::string remote_;
+    std::string remote_, address_; // of the peer
+    std::uint64_t allowed_seconds_ = 0;
+    bool is_of_own_user_ = false, is_first_ = true;
     bool waiting_ = false; // for a request, or for the rest of its header
 };
 

@@ -8,14 +8,15 @@
 
 namespace ciel::gateway {
 
-// What draining does to a connection right now; runs on the connection's own executor.
+// What draining, or cutting, does to a connection right now; runs on the connection's own executor.
 using OnDrain = std::shared_ptr<std::function<void()>>;
 
 struct ConnectionStart {
     asio::ip::tcp::socket socket;
-    std::shared_ptr<Connections::Ticket> ticket;
-    OnDrain on_drain;
-    bool over_limit = false; // answer 503 and close
+    asio::ip::tcp::endpoint peer;
+    bool is_of_trusted_proxy = false;
+    std::shared_ptr<Connections::Ticket> ticket{}; // a refused one: answer 503 and close
+    OnDrain on_drain{}, on_cut{};
 };
 
 // Runs on the socket's executor, a strand. Ends without throwing when the connection has ended.

@@ -3,9 +3,12 @@
 #include "ciel/types.hpp"
 #include "gateway/http_session.hpp"
 
+#include <algorithm>
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/post.hpp>
 #include <boost/asio/strand.hpp>
+#include <filesystem>
+#include <iterator>
 #include <spdlog/spdlog.h>
 
 namespace ciel::gateway {
@@ -13,29 +16,53 @@ namespace {
 
 using asio::ip::tcp;
 
-// Beyond the limit, so many more hear why; the rest are closed without a word.
-constexpr std::size_t refusals_at_once = 32;
+// Kept for datasets, programs that are started and what libraries open.
+constexpr std::size_t reserved_files = 24;
+constexpr std::chrono::milliseconds pause_when_short{10}; // so that connections that are cut end before others come
 
-ConnectionStart start_of(tcp::socket socket, Context& context, bool over_limit) {
-    auto on_drain = std::make_shared<std::function<void()>>();
-    auto drain = [on_drain, executor = socket.get_executor()] {
-        asio::post(executor, [on_drain] {
-            if (*on_drain) (*on_drain)();
-        });
-    };
-    auto ticket = std::make_shared<Connections::Ticket>(context.connections, std::move(drain));
-    return {std::move(socket), std::move(ticket), std::move(on_drain), over_limit};
+std::size_t count_files() {
+    std::error_code none; // without /proc, the numbers of new descriptors tell
+    return static_cast<std::size_t>(std::distance(std::filesystem::directory_iterator("/proc/self/fd", none), {}));
 }
 
-void start_session(tcp::socket socket, Context& context, asio::thread_pool& workers) {
-    const std::size_t open = context.connections.count(), limit = context.server.limits().connections;
+// The kernel gives the lowest number that is free, so those below are in use; and after one was freed there may be more
+// above, of connections.
+bool is_short_of_files(tcp::socket& socket, std::size_t files_at_start, Context& context) {
+    const auto below = static_cast<std::size_t>(socket.native_handle());
+    const std::size_t used = std::max(below, files_at_start + context.connections.count()) + 1;
+    if (used + reserved_files <= context.most_files) return false;
+    if (context.log_limiter.allows("files"))
+        spdlog::warn("{} of {} file descriptors are in use; the oldest idle connections are closed for new ones. Raise "
+                     "the limit (ulimit -n)",
+                     used, context.most_files);
+    return true;
+}
+
+std::function<void()> posted(const tcp::socket::executor_type& executor,
+                             const std::shared_ptr<std::function<void()>>& handler) {
+    return [executor, handler] {
+        asio::post(executor, [handler] {
+            if (*handler) (*handler)();
+        });
+    };
+}
+
+void start_session(tcp::socket socket, bool is_short, Context& context, asio::thread_pool& workers) {
     ++context.counters.connections;
-    if (open >= limit) ++context.counters.refused_connections;
-    if (open >= limit + refusals_at_once) return;
-    error_code ignored;
-    socket.set_option(tcp::no_delay(true), ignored);
-    const auto executor = socket.get_executor();
-    auto start = start_of(std::move(socket), context, open >= limit);
+    error_code gone;
+    const auto peer = socket.remote_endpoint(gone);
+    if (gone) return;
+    ConnectionStart start{std::move(socket), peer};
+    start.is_of_trusted_proxy = context.proxies.contains(start.peer.address());
+    start.on_drain = std::make_shared<std::function<void()>>();
+    start.on_cut = std::make_shared<std::function<void()>>();
+    start.socket.set_option(tcp::no_delay(true), gone);
+    const auto executor = start.socket.get_executor();
+    start.ticket =
+        context.connections.open(start.is_of_trusted_proxy ? std::string() : counting_key(start.peer.address()),
+                                 is_short, {posted(executor, start.on_drain), posted(executor, start.on_cut)});
+    if (!start.ticket || start.ticket->is_refused()) ++context.counters.refused_connections;
+    if (!start.ticket) return;
     asio::co_spawn(executor, http_session(std::move(start), context, workers), [](const std::exception_ptr& failure) {
         try {
             if (failure) std::rethrow_exception(failure);
@@ -79,15 +106,22 @@ tcp::acceptor bind(asio::io_context& io, const asio::ip::address& address, unsig
 
 asio::awaitable<void> accept_connections(tcp::acceptor& acceptor, asio::io_context& io, Context& context,
                                          asio::thread_pool& workers) {
+    const std::size_t files_at_start = count_files();
     asio::steady_timer pause(io);
     while (acceptor.is_open()) {
         tcp::socket socket(asio::make_strand(io));
         error_code error;
         co_await acceptor.async_accept(socket, asio::redirect_error(asio::use_awaitable, error));
-        if (!error)
-            start_session(std::move(socket), context, workers);
-        else if (error != asio::error::operation_aborted) { // out of file descriptors: connections have to end first
-            spdlog::warn("a connection was not accepted: {}", error.message());
+        if (!error) {
+            const bool is_short = is_short_of_files(socket, files_at_start, context);
+            start_session(std::move(socket), is_short, context, workers);
+            if (is_short) {
+                pause.expires_after(pause_when_short);
+                co_await pause.async_wait(asio::redirect_error(asio::use_awaitable, error));
+            }
+        } else if (error != asio::error::operation_aborted) { // out of file descriptors: connections have to end first
+            if (context.log_limiter.allows("accept"))
+                spdlog::warn("a connection was not accepted: {}", error.message());
             pause.expires_after(std::chrono::milliseconds(100));
             co_await pause.async_wait(asio::redirect_error(asio::use_awaitable, error));
         }

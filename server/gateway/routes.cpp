@@ -59,7 +59,7 @@ bool is_json(std::string_view content_type) {
 }
 
 std::optional<Response> refusal(const Context& context, const Request& request, const Target& target,
-                                const Route& route) {
+                                const Route& route, Claim claim) {
     const bool changes_or_streams = route.kind == Route::Kind::websocket || route.method != "GET";
     if (changes_or_streams && !origin_allowed(context.access, request.origin, request.host))
         return sentence(403, "The origin " + request.origin + " may not use this server; allow it with --origin.");
@@ -69,9 +69,8 @@ std::optional<Response> refusal(const Context& context, const Request& request, 
         response.headers.emplace_back("Allow", methods_of(route));
         return response;
     }
-    const std::string token = presented_token(context.access, request, target);
     const bool offered_in_url = target.query.count("token") != 0;
-    if ((route.needs_token || offered_in_url) && !token_allowed(context.access, token)) return refuse_token();
+    if ((route.needs_token || offered_in_url) && !is_let_in(claim)) return refuse_token();
     if (route.kind == Route::Kind::rpc && !is_json(request.content_type))
         return sentence(415, "Send JSON-RPC 2.0 with the header \"Content-Type: application/json\".");
     return std::nullopt;
@@ -85,7 +84,7 @@ Response to_prefix(const Context& context, const Request& request) {
     return response;
 }
 
-Resolved refused(Response response) { return {std::move(response), nullptr, {}, false}; }
+Resolved refused(Response response) { return {std::move(response), nullptr, {}, Claim::none}; }
 
 } // namespace
 
@@ -101,9 +100,10 @@ Resolved resolve(const Context& context, const Request& request) {
     if (path.empty()) return refused(to_prefix(context, request));
     target->path = std::string(path);
     const Route& route = route_of(target->path);
-    if (auto response = refusal(context, request, *target, route)) return refused(std::move(*response));
-    const bool has_token = carries_token(context.access, request, *target);
-    return {std::nullopt, &route, std::move(*target), has_token};
+    const Claim claim = claim_of(context.access, request, *target);
+    if (auto response = refusal(context, request, *target, route, claim))
+        return {std::move(response), nullptr, {}, claim};
+    return {std::nullopt, &route, std::move(*target), claim};
 }
 
 Response respond(Context& context, const Request& request, const Resolved& resolved) {

@@ -26,7 +26,7 @@ struct Resolved {
     std::optional<Response> refusal; // when set, the answer; `route` is null
     const Route* route = nullptr;
     Target target;
-    bool has_token = false; // the server has one, and the request came with it
+    Claim claim = Claim::none;
 };
 
 // Looks at everything but the body: target, Host, method, Origin, token, content type.

@@ -1,11 +1,14 @@
 #include "gateway/static_files.hpp"
 
 #include "ciel/types.hpp"
+#include "gateway/header_text.hpp"
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <fstream>
 #include <iterator>
+#include <zlib.h>
 
 namespace ciel::gateway {
 namespace {
@@ -43,6 +46,44 @@ std::string content_tag(std::string_view content) {
     return tag;
 }
 
+// Text and code; pictures and most fonts are compressed already.
+bool is_compressible(std::string_view mime) {
+    return mime.starts_with("text/") || mime == "application/json" || mime == "application/wasm" ||
+           mime == "application/manifest+json" || mime == "image/svg+xml" || mime == "image/x-icon" ||
+           mime == "font/ttf";
+}
+
+// Empty where it would not be smaller.
+std::string gzipped(const std::string& content) {
+    z_stream stream{};
+    constexpr int gzip_header = 16, memory_level = 8;
+    if (deflateInit2(&stream, Z_BEST_COMPRESSION, Z_DEFLATED, MAX_WBITS + gzip_header, memory_level,
+                     Z_DEFAULT_STRATEGY) != Z_OK)
+        return {};
+    std::string out(content.size(), '\0'); // more is not wanted
+    stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(content.data()));
+    stream.avail_in = static_cast<uInt>(content.size());
+    stream.next_out = reinterpret_cast<Bytef*>(out.data());
+    stream.avail_out = static_cast<uInt>(out.size());
+    const bool fits = deflate(&stream, Z_FINISH) == Z_STREAM_END;
+    out.resize(fits ? stream.total_out : 0);
+    deflateEnd(&stream);
+    return out;
+}
+
+// "gzip;q=0.5": 0.5; 1 without a weight; 0 where it is no number.
+double weight_of(std::string_view coding) {
+    double weight = 1;
+    any_part(coding, ';', [&](std::string_view parameter) {
+        if (parameter.size() < 2 || lower(parameter[0]) != 'q' || parameter[1] != '=') return false;
+        const auto number = parameter.substr(2);
+        const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), weight);
+        if (error != std::errc()) weight = 0;
+        return true;
+    });
+    return weight;
+}
+
 // What the client's build writes: assets/NAME-HASH.EXT with eight characters of hash.
 bool is_hashed(const std::filesystem::path& relative) {
     const std::string stem = relative.stem().string();
@@ -76,6 +117,8 @@ StaticFiles::StaticFiles(const std::filesystem::path& root) {
         const fs::path relative = entry.path().lexically_relative(base);
         file.mime = mime_type(relative.extension().string());
         file.etag = content_tag(file.content);
+        if (is_compressible(file.mime)) file.gzip = gzipped(file.content);
+        if (!file.gzip.empty()) file.gzip_etag = content_tag(file.gzip);
         file.immutable = is_hashed(relative);
         files_.emplace((fs::path("/") / relative).generic_string(), std::move(file));
     }
@@ -92,16 +135,31 @@ std::string_view mime_type(std::string_view extension) {
     return found == mime_types.end() ? "application/octet-stream" : found->second;
 }
 
-Response file_response(const StaticFile& file, std::string_view if_none_match) {
+bool accepts_gzip(std::string_view accept_encoding) {
+    double gzip = -1, any = 0;
+    any_part(accept_encoding, ',', [&](std::string_view coding) {
+        const auto name = trimmed(coding.substr(0, coding.find(';')));
+        if (same_ignoring_case(name, "gzip") || same_ignoring_case(name, "x-gzip")) gzip = weight_of(coding);
+        if (name == "*") any = weight_of(coding);
+        return false;
+    });
+    return (gzip < 0 ? any : gzip) > 0;
+}
+
+Response file_response(const StaticFile& file, std::string_view if_none_match, std::string_view accept_encoding) {
+    const bool compressed = !file.gzip.empty() && accepts_gzip(accept_encoding);
+    const std::string& etag = compressed ? file.gzip_etag : file.etag;
     Response response;
     response.content_type = file.mime;
-    response.headers.emplace_back("ETag", file.etag);
+    response.headers.emplace_back("ETag", etag);
     response.headers.emplace_back("Cache-Control", file.immutable ? "public, max-age=31536000, immutable" : "no-cache");
-    if (if_none_match == "*" || if_none_match.find(file.etag) != std::string_view::npos) {
+    if (!file.gzip.empty()) response.headers.emplace_back("Vary", "Accept-Encoding");
+    if (if_none_match == "*" || if_none_match.find(etag) != std::string_view::npos) {
         response.status = 304;
         return response;
     }
-    response.body = file.content;
+    if (compressed) response.headers.emplace_back("Content-Encoding", "gzip");
+    response.body = compressed ? file.gzip : file.content;
     return response;
 }
 

@@ -13,7 +13,8 @@ namespace ciel::gateway {
 
 struct StaticFile {
     std::string content, mime, etag;
-    bool immutable = false; // its name holds a hash of the content
+    std::string gzip, gzip_etag; // empty where compression saves nothing
+    bool immutable = false;      // its name holds a hash of the content
 };
 
 class StaticFiles {
@@ -32,7 +33,10 @@ private:
 };
 
 [[nodiscard]] std::string_view mime_type(std::string_view extension); // ".js"; octets when it is not known
-// 200, or 304 when if_none_match names the file's ETag.
-[[nodiscard]] Response file_response(const StaticFile& file, std::string_view if_none_match);
+// Whether Accept-Encoding (RFC 9110, 12.5.3) takes gzip.
+[[nodiscard]] bool accepts_gzip(std::string_view accept_encoding);
+// 200, compressed where the client takes that, or 304 when if_none_match names the ETag of what it would get.
+[[nodiscard]] Response file_response(const StaticFile& file, std::string_view if_none_match,
+                                     std::string_view accept_encoding);
 
 } // namespace ciel::gateway

@@ -46,15 +46,22 @@ bool parse_query(std::string_view text, std::map<std::string, std::string>& quer
     return true;
 }
 
+bool is_absolute(std::string_view target) { return target.starts_with("http://") || target.starts_with("https://"); }
+
 } // namespace
 
+std::string_view authority_of(std::string_view target) {
+    if (!is_absolute(target)) return {};
+    target.remove_prefix(target.find("//") + 2);
+    return target.substr(0, target.find_first_of("/?"));
+}
+
 std::optional<Target> parse_target(std::string_view target) {
-    for (const std::string_view scheme : {"http://", "https://"})
-        if (target.starts_with(scheme)) {
-            target.remove_prefix(scheme.size());
-            target.remove_prefix(std::min(target.find('/'), target.size()));
-            break;
-        }
+    if (is_absolute(target)) {
+        const auto authority = authority_of(target);
+        if (authority.empty()) return std::nullopt;
+        target.remove_prefix(static_cast<std::size_t>(authority.data() + authority.size() - target.data()));
+    }
     if (!target.starts_with('/')) return std::nullopt;
     const auto end_of_path = std::min(target.find('?'), target.size());
     auto path = percent_decoded(target.substr(0, end_of_path));

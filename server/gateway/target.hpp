@@ -13,9 +13,12 @@ struct Target {
     std::map<std::string, std::string> query;
 };
 
-// Origin form ("/a?b=c") or absolute form ("http://host/a?b=c"). Nothing when it is malformed: no leading slash, a bad
-// escape, a control character. Dots are not resolved: paths are keys of tables, never names of files.
+// Origin form ("/a?b=c") or absolute form ("http://host/a?b=c"). Nothing when it is malformed: no leading slash, no
+// host, a bad escape, a control character. Dots are not resolved: paths are keys of tables, never names of files.
 [[nodiscard]] std::optional<Target> parse_target(std::string_view target);
+
+// "host:80" of an absolute form; empty of an origin form.
+[[nodiscard]] std::string_view authority_of(std::string_view target);
 
 // "/ciel" from "ciel", "/ciel/"; empty stays empty. Throws Error when it holds anything but letters, digits and -._~/.
 [[nodiscard]] std::string normal_prefix(const std::string& prefix);

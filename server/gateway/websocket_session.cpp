@@ -22,6 +22,7 @@ using websocket::close_code;
 
 constexpr int unsent_bytes = 128 << 10;            // in the system's hands: a text cannot overtake them
 constexpr std::size_t close_reason_bytes = 123; // RFC 6455, 5.5.1: a control frame has 125, its code two of them
+constexpr unsigned last_close_code = 4999; // RFC 6455, 7.4.2; Beast refuses those below that do not exist
 
 // Everything runs on the socket's strand, except what is handed to `workers` and the Connection's callbacks.
 class WebSocketSession : public std::enable_shared_from_this<WebSocketSession> {
@@ -92,6 +93,9 @@ asio::awaitable<bool> WebSocketSession::accept(HttpRequest upgrade) {
         response.set(beast::http::field::sec_websocket_protocol, std::string(subprotocol));
         response.set(beast::http::field::server, "CIEL/" + context_.version);
     }));
+    socket_.control_callback([this](websocket::frame_type kind, boost::beast::string_view) {
+        if (kind == websocket::frame_type::close && socket_.reason().code > last_close_code) cut(); // no echo
+    });
     socket_.read_message_max(limits.message_bytes);
     socket_.auto_fragment(false); // frames leave in one piece, without a copy
     error_code error;

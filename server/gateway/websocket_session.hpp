@@ -4,14 +4,10 @@
 
 #include "gateway/asio.hpp"
 #include "gateway/context.hpp"
+#include "gateway/http_request.hpp"
 #include "gateway/http_session.hpp"
 
-#include <boost/beast/http/message.hpp>
-#include <boost/beast/http/string_body.hpp>
-
 namespace ciel::gateway {
-
-using HttpRequest = beast::http::request<beast::http::string_body>;
 
 struct WebSocketPeer {
     std::string remote;     // address, for logs

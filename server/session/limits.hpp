@@ -19,6 +19,8 @@ struct Limits {
     std::uint64_t batch_requests = 64;
     std::uint64_t header_bytes = 16 << 10;
     std::uint64_t connections = 128;
+    std::uint64_t reserved_connections = 32;
+    std::uint64_t connections_of_address = 64;
     std::uint64_t sessions = 64;
     std::uint64_t views_per_session = 8;
     std::uint64_t layers = 64;
@@ -42,7 +44,10 @@ struct Limits {
     std::uint64_t unacknowledged_frames = 2;
     std::uint64_t session_idle_seconds = 3600;
     std::uint64_t keep_alive_seconds = 30;
+    std::uint64_t head_seconds = 5;
     std::uint64_t request_seconds = 30;
+    std::uint64_t wrong_token_seconds = 1;
+    std::uint64_t wrong_tokens_waiting = 16;
     std::uint64_t waiting_call_bytes = 4 << 20;
     std::uint64_t waiting_text_bytes = 16 << 20;
     std::uint64_t websocket_idle_seconds = 60;

@@ -157,7 +157,7 @@ export class Client {
   /** What the canvas shows, without what lies over it. */
   async picture(): Promise<Picture> {
     const hidden =
-      ".triad, .box-axes, .captions, .legends, .probe, .probe-mark, .busy, .toasts, .banner { visibility: hidden !important }";
+      ".ahead, .triad, .box-axes, .captions, .legends, .probe, .probe-mark, .busy, .toasts, .banner { visibility: hidden !important }";
     return decodePng(await this.canvas.screenshot({ style: hidden }));
   }
 

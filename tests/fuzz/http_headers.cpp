@@ -1,5 +1,8 @@
-// The headers that decide on access: Host, Origin, Authorization, Cookie, Sec-WebSocket-Protocol, one a line.
+// The headers that decide on access and framing: Host, Origin, Authorization, Cookie, Sec-WebSocket-Protocol,
+// Transfer-Encoding, Accept-Encoding, Sec-WebSocket-Key, one a line.
 #include "gateway/access.hpp"
+#include "gateway/framing.hpp"
+#include "gateway/static_files.hpp"
 
 #include <algorithm>
 #include <array>
@@ -10,7 +13,7 @@ using namespace ciel::gateway;
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     std::string_view rest(reinterpret_cast<const char*>(data), size);
-    std::array<std::string, 5> lines;
+    std::array<std::string, 8> lines;
     for (auto& line : lines) {
         line = rest.substr(0, rest.find('\n'));
         rest.remove_prefix(std::min(line.size() + 1, rest.size()));
@@ -30,5 +33,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         std::abort();
     if (origin_allowed(rules, lines[1], lines[0]) && !lines[1].empty() && !lines[1].starts_with("http")) std::abort();
     if (offers_subprotocol(lines[4]) && lines[4].find(subprotocol) == std::string::npos) std::abort();
+    if (framing_of(lines[5]) == Framing::readable && lines[5].find_first_of(",;") != std::string::npos) std::abort();
+    if (accepts_gzip(lines[6]) && lines[6].find_first_of("gG*") == std::string::npos) std::abort();
+    if (is_handshake_key(lines[7]) && lines[7].size() != 24) std::abort();
     return 0;
 }

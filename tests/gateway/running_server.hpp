@@ -19,9 +19,9 @@ namespace ciel::gateway {
 class RunningServer {
 public:
     explicit RunningServer(session::Limits limits = {}) {
-        std::promise<unsigned short> port;
-        auto listening = port.get_future();
-        thread_ = std::thread([promise = std::move(port), limits]() mutable {
+        std::promise<Listening> at;
+        auto listening = at.get_future();
+        thread_ = std::thread([promise = std::move(at), limits]() mutable {
             session::ServerOptions server_options;
             server_options.extraction = test::chosen_engine();
             server_options.limits = limits;
@@ -31,20 +31,21 @@ public:
             options.prefix = "/ciel";
             options.version = "test";
             options.origins = {"https://lab.example.org"};
-            serve(server, options, [&](const Listening& at) { promise.set_value(at.port); });
+            serve(server, options, [&](const Listening& where) { promise.set_value(where); });
         });
-        port_ = listening.get();
+        listening_ = listening.get();
     }
     ~RunningServer() {
         kill(getpid(), SIGTERM);
         thread_.join();
     }
     RunningServer(const RunningServer&) = delete;
-    [[nodiscard]] unsigned short port() const { return port_; }
+    [[nodiscard]] unsigned short port() const { return listening_.port; }
+    [[nodiscard]] std::string authorization() const { return "Authorization: Bearer " + listening_.token + "\r\n"; }
 
 private:
     std::thread thread_;
-    unsigned short port_ = 0;
+    Listening listening_;
 };
 
 class Socket {

@@ -95,7 +95,7 @@ TEST(Token, IsFoundInHeaderQueryAndCookie) {
 
 TEST(Token, MustBeTheWholeToken) {
     AccessRules rules;
-    EXPECT_TRUE(token_allowed(rules, "")); // none is asked for
+    EXPECT_FALSE(token_allowed(rules, "")) << "a server always has a token";
     rules.token = "0123456789abcdef";
     EXPECT_TRUE(token_allowed(rules, "0123456789abcdef"));
     for (const char* wrong :
@@ -103,14 +103,48 @@ TEST(Token, MustBeTheWholeToken) {
         EXPECT_FALSE(token_allowed(rules, wrong)) << wrong;
 }
 
-TEST(Token, WhoIsLetInWithoutATokenDoesNotCarryIt) {
+TEST(Claim, OfTheOwnUserNeedsALocalNameAndNoProxy) {
     AccessRules rules;
-    Request request;
-    EXPECT_FALSE(carries_token(rules, request, *parse_target("/"))) << "there is none to carry";
     rules.token = "0123456789abcdef";
-    EXPECT_FALSE(carries_token(rules, request, *parse_target("/")));
-    EXPECT_FALSE(carries_token(rules, request, *parse_target("/?token=0123456789abcdeX")));
-    EXPECT_TRUE(carries_token(rules, request, *parse_target("/?token=0123456789abcdef")));
+    rules.cookie_name = "ciel_token_80";
+    rules.allowed_hosts = {"viewer.example.org"};
+    rules.own_user_enters = true;
+    Request own;
+    own.host = "localhost:8080";
+    own.is_of_own_user = true;
+    const auto claim = [&](const Request& request, const char* target = "/rpc") {
+        return claim_of(rules, request, *parse_target(target));
+    };
+    EXPECT_EQ(claim(own), Claim::own_user);
+    EXPECT_EQ(claim(own, "/rpc?token=of-a-server-before"), Claim::own_user);
+    for (const char* local : {"127.0.0.1:8080", "127.1.2.3", "[::1]:8080", "LOCALHOST"}) {
+        own.host = local;
+        EXPECT_EQ(claim(own), Claim::own_user) << local;
+    }
+    for (const char* other : {"viewer.example.org", "", "localhost.evil.example", "[::2]"}) {
+        Request request = own;
+        request.host = other;
+        EXPECT_EQ(claim(request), Claim::none) << other;
+        EXPECT_EQ(claim(request, "/rpc?token=0123456789abcdef"), Claim::token) << other;
+    }
+    Request proxied = own, stranger = own;
+    proxied.is_proxied = true;
+    stranger.is_of_own_user = false;
+    for (const Request& request : {proxied, stranger}) {
+        EXPECT_EQ(claim(request), Claim::none);
+        EXPECT_EQ(claim(request, "/rpc?token=wrong"), Claim::wrong_token);
+        EXPECT_EQ(claim(request, "/rpc?token=0123456789abcdef"), Claim::token);
+    }
+    rules.own_user_enters = false; // a token was given
+    EXPECT_EQ(claim(own), Claim::none);
+}
+
+TEST(Claim, ProxiesAreKnownByTheirHeaders) {
+    for (const char* name : {"Forwarded", "forwarded", "Via", "VIA", "X-Forwarded-For", "x-forwarded-host",
+                             "X-Forwarded-Anything", "X-Real-IP"})
+        EXPECT_TRUE(is_of_a_proxy(name)) << name;
+    for (const char* name : {"", "Host", "Forwarded-For", "X-Forwarded", "Viable", "X-Forward-For"})
+        EXPECT_FALSE(is_of_a_proxy(name)) << name;
 }
 
 TEST(Token, GeneratedOnesAreLongAndDiffer) {
@@ -147,6 +181,15 @@ TEST(Cookie, IsKeptFromScriptsAndOtherSites) {
     rules.cookie_path = "/ciel/";
     EXPECT_EQ(token_cookie(rules, false), "ciel_token_80=0123456789; Path=/ciel/; HttpOnly; SameSite=Strict");
     EXPECT_EQ(token_cookie(rules, true), token_cookie(rules, false) + "; Secure");
+}
+
+TEST(HandshakeKey, IsSixteenBytes) {
+    for (const char* key : {"AAAAAAAAAAAAAAAAAAAAAA==", "dGhlIHNhbXBsZSBub25jZQ==", "+/+/+/+/+/+/+/+/+/+/+w=="})
+        EXPECT_TRUE(is_handshake_key(key)) << key;
+    for (const char* key :
+         {"", "AAAA", "AAAAAAAAAAAAAAAAAAAAAA", "AAAAAAAAAAAAAAAAAAAAAAA=", "AAAAAAAAAAAAAAAAAAAAAAAA",
+          "AAAAAAAAAAAAAAAAAAAA====", "AAAAAAAAAAAAAAAAAAAAA-==", "AAAAAAAAAAAAAAAAAAAAAAAA=="})
+        EXPECT_FALSE(is_handshake_key(key)) << key;
 }
 
 TEST(Subprotocol, IsOneOfThoseOffered) {

@@ -1,4 +1,5 @@
 // Requests and answers byte by byte, among them bytes that no well-behaved client sends.
+#include "gateway/http_request.hpp"
 #include "running_server.hpp"
 
 #include <gmock/gmock.h>
@@ -15,7 +16,8 @@ protected:
     static void SetUpTestSuite() { server_ = std::make_unique<RunningServer>(); }
     static void TearDownTestSuite() { server_.reset(); }
 
-    // Everything that comes back until the server closes.
+    // Everything that comes back until the server closes. A client that sends and closes at once may have no owner left
+    // when the server looks, so the requests bring the token.
     static std::string exchange(const std::string& request) {
         Socket socket(*server_);
         socket.send(request);
@@ -24,7 +26,23 @@ protected:
     }
 
     static std::string request(const std::string& line, const std::string& headers = {}, const std::string& body = {}) {
-        return line + " HTTP/1.1\r\nHost: localhost\r\nConnection: close\r\n" + headers + "\r\n" + body;
+        return line + " HTTP/1.1\r\nHost: localhost\r\nConnection: close\r\n" + server_->authorization() + headers +
+               "\r\n" + body;
+    }
+    static std::string coded(const std::string& transfer_encoding, const std::string& body = {}) {
+        return request("POST /rpc",
+                       "Content-Type: application/json\r\nTransfer-Encoding: " + transfer_encoding + "\r\n", body);
+    }
+    static std::string blank_lines(int count) {
+        std::string lines;
+        for (int i = 0; i < count; ++i) lines += "\r\n";
+        return lines;
+    }
+    static std::vector<std::string> statuses_of(const std::string& answer) {
+        std::vector<std::string> statuses;
+        for (auto at = answer.find("HTTP/1.1 "); at != std::string::npos; at = answer.find("HTTP/1.1 ", at + 1))
+            statuses.push_back(answer.substr(at + 9, 3));
+        return statuses;
     }
     static std::string json_post(const std::string& body, const std::string& headers = {}) {
         return request("POST /rpc",
@@ -55,6 +73,11 @@ TEST_F(Http, AnswersByStatus) {
         {"encoded traversal", request("GET /%2e%2e%2f%2e%2e%2fetc/passwd"), "HTTP/1.1 404"},
         {"bad escape", request("GET /%zz"), "HTTP/1.1 400"},
         {"encoded null", request("GET /%00"), "HTTP/1.1 400"},
+        {"absolute form of another host", request("GET http://evil.example/healthz"), "HTTP/1.1 403"},
+        {"absolute form without a host", request("GET http:///healthz"), "HTTP/1.1 400"},
+        {"absolute form of a user", request("GET http://localhost@evil.example/healthz"), "HTTP/1.1 403"},
+        {"a blank line before", "\r\n" + request("GET /healthz"), "HTTP/1.1 200"},
+        {"many blank lines before", blank_lines(9) + request("GET /healthz"), "HTTP/1.1 400"},
         {"asterisk form", request("OPTIONS *"), "HTTP/1.1 400"},
         {"other method", request("DELETE /healthz"), "HTTP/1.1 405"},
         {"made-up method", request("BREW /healthz"), "HTTP/1.1 405"},
@@ -67,6 +90,20 @@ TEST_F(Http, AnswersByStatus) {
          request("POST /rpc", "Content-Type: application/json\r\nTransfer-Encoding: chunked\r\n",
                  "2\r\n{}\r\n0\r\n\r\n"),
          "HTTP/1.1 200"},
+        {"identity", coded("identity"), "HTTP/1.1 400"},
+        {"no chunked coding", coded("xchunked"), "HTTP/1.1 400"},
+        {"chunked not last", coded("chunked, identity"), "HTTP/1.1 400"},
+        {"chunked twice", coded("chunked, chunked"), "HTTP/1.1 400"},
+        {"chunked in two lines", coded("chunked\r\nTransfer-Encoding: chunked"), "HTTP/1.1 400"},
+        {"not chunked in the second line", coded("chunked\r\nTransfer-Encoding: identity"), "HTTP/1.1 400"},
+        {"no coding", coded(""), "HTTP/1.1 400"},
+        {"empty codings", coded(", chunked"), "HTTP/1.1 400"},
+        {"compressed", coded("gzip, chunked"), "HTTP/1.1 501"},
+        {"compressed in two lines", coded("gzip\r\nTransfer-Encoding: chunked"), "HTTP/1.1 501"},
+        {"chunked in capitals", coded("Chunked", "2\r\n{}\r\n0\r\n\r\n"), "HTTP/1.1 200"},
+        {"chunked in HTTP/1.0",
+         "POST /rpc HTTP/1.0\r\nContent-Type: application/json\r\nTransfer-Encoding: chunked\r\n\r\n0\r\n\r\n",
+         "HTTP/1.0 400"},
         {"form", request("POST /rpc", "Content-Type: application/x-www-form-urlencoded\r\nContent-Length: 2\r\n", "{}"),
          "HTTP/1.1 415"},
         {"another case and a parameter",
@@ -115,18 +152,40 @@ TEST_F(Http, AnswersByStatus) {
 }
 
 TEST_F(Http, HeadHasTheHeaderOfGetAndNoBody) {
-    const std::string get = exchange(request("GET /healthz")), head = exchange(request("HEAD /healthz"));
+    const auto undated = [](std::string answer) { // the second may have passed in between
+        const auto date = answer.find("Date: ");
+        return answer.erase(date, answer.find("\r\n", date) + 2 - date);
+    };
+    const std::string get = undated(exchange(request("GET /healthz")));
+    const std::string head = undated(exchange(request("HEAD /healthz")));
     EXPECT_EQ(head, get.substr(0, get.find("\r\n\r\n") + 4));
     EXPECT_THAT(get, testing::EndsWith("\r\n\r\nok\n"));
 }
 
 TEST_F(Http, ConnectionsAreKeptAndRequestsPipelined) {
     const std::string first = "GET /healthz HTTP/1.1\r\nHost: localhost\r\n\r\n";
-    const std::string answer = exchange(first + first + request("GET /nothing"));
-    std::vector<std::string> statuses;
-    for (auto at = answer.find("HTTP/1.1 "); at != std::string::npos; at = answer.find("HTTP/1.1 ", at + 1))
-        statuses.push_back(answer.substr(at + 9, 3));
-    EXPECT_THAT(statuses, testing::ElementsAre("200", "200", "404"));
+    EXPECT_THAT(statuses_of(exchange(first + first + request("GET /nothing"))),
+                testing::ElementsAre("200", "200", "404"));
+    EXPECT_THAT(statuses_of(exchange(first + "\r\n" + first + "\r\n\r\n" + request("GET /nothing"))),
+                testing::ElementsAre("200", "200", "404"));
+}
+
+// A request whose body has no end that both sides agree on must not hide another one.
+TEST_F(Http, NothingIsReadAfterABodyWithoutAnEnd) {
+    const std::string hidden = "GET /healthz HTTP/1.1\r\nHost: localhost\r\n\r\n";
+    const std::string kept = "POST /rpc HTTP/1.1\r\nHost: localhost\r\nContent-Type: application/json\r\n";
+    for (const char* coding : {"identity", "xchunked", "chunked, identity", "gzip"})
+        EXPECT_THAT(statuses_of(exchange(kept + "Transfer-Encoding: " + coding + "\r\n\r\n" + hidden)),
+                    testing::ElementsAre("400"))
+            << coding;
+}
+
+TEST_F(Http, AnswersAreDated) {
+    for (const std::string& asked : {request("GET /healthz"), request("GET /nothing"), std::string("nonsense\r\n\r\n")})
+        EXPECT_THAT(exchange(asked),
+                    testing::ContainsRegex("\r\nDate: [A-Z][a-z][a-z], [0-9][0-9] [A-Z][a-z][a-z] 20[0-9][0-9] "
+                                           "[0-9][0-9]:[0-9][0-9]:[0-9][0-9] GMT\r\n"));
+    EXPECT_EQ(http_date(784'111'777), "Sun, 06 Nov 1994 08:49:37 GMT"); // the example of RFC 9110
 }
 
 TEST_F(Http, EveryAnswerForbidsFramingAndSniffing) {

@@ -17,7 +17,7 @@ constexpr unsigned never = 100'000, short_time = 2;
 // What is not under test does not come in between.
 session::Limits patient() {
     session::Limits limits;
-    limits.keep_alive_seconds = limits.request_seconds = limits.websocket_idle_seconds = never;
+    limits.head_seconds = limits.keep_alive_seconds = limits.request_seconds = limits.websocket_idle_seconds = never;
     return limits;
 }
 session::Limits with_request_seconds() {
@@ -44,6 +44,30 @@ void trickle(Socket& socket, const std::string& byte) {
     while (!socket.is_answered())
         if (!socket.send(byte)) return;
 }
+
+// A WebSocket by hand. Clients mask with zeros, which leaves the payload as it is.
+class HandMade : public Socket {
+public:
+    explicit HandMade(const RunningServer& server, int receive_buffer = 0) : Socket(server, receive_buffer) {
+        send("GET /ws HTTP/1.1\r\nHost: localhost\r\nUpgrade: websocket\r\nConnection: Upgrade\r\n"
+             "Sec-WebSocket-Version: 13\r\nSec-WebSocket-Key: AAAAAAAAAAAAAAAAAAAAAA==\r\n"
+             "Sec-WebSocket-Protocol: ciel.v1\r\n\r\n");
+        const std::string head = receive_until("\r\n\r\n");
+        EXPECT_THAT(head, StartsWith("HTTP/1.1 101 "));
+    }
+    bool send_frame(char opcode, const std::string& payload) { // of less than 126 bytes
+        return send(
+            std::string{static_cast<char>(0x80 | opcode), static_cast<char>(0x80 | payload.size()), 0, 0, 0, 0} +
+            payload);
+    }
+    // A frame of less than 126 bytes; its opcode is -1 at the end of the connection.
+    std::pair<int, std::string> receive_frame() {
+        const std::string head = receive(2);
+        if (head.size() < 2) return {-1, {}};
+        return {head[0] & 15, receive(static_cast<unsigned char>(head[1]))};
+    }
+};
+constexpr char text = 1, ping = 9, pong = 10;
 
 TEST(RequestSeconds, EndARequestThatStops) {
     const RunningServer server(with_request_seconds());
@@ -87,6 +111,53 @@ TEST(RequestSeconds, EndAnAnswerThatIsNotTaken) {
     }
 }
 
+TEST(HeadSeconds, EndAHeadThatTricklesInAndAConnectionThatNeverBegins) {
+    session::Limits limits = patient();
+    limits.head_seconds = short_time;
+    const RunningServer server(limits);
+    Socket silent(server), slow(server), body(server);
+    body.send(half_a_body);
+    EXPECT_EQ(body.receive(go_on.size()), go_on);
+    slow.send(half_a_header);
+    trickle(slow, "x");
+    EXPECT_EQ(slow.receive(13), "HTTP/1.1 408 ");
+    EXPECT_EQ(silent.receive_all(), "");
+    EXPECT_FALSE(body.is_answered()) << "a body has its own time";
+}
+
+// Idle and dripping connections keep nobody out.
+TEST(Connections, ThatSayNothingMakeRoomForNewOnes) {
+    session::Limits limits = patient();
+    limits.connections = 4;
+    const RunningServer server(limits);
+    std::vector<std::unique_ptr<Socket>> idle;
+    for (int i = 0; i < 20; ++i) {
+        idle.push_back(std::make_unique<Socket>(server));
+        idle.back()->send(half_a_header);
+    }
+    Socket served(server);
+    served.send(healthz);
+    EXPECT_EQ(served.receive(13), "HTTP/1.1 200 ");
+    EXPECT_EQ(idle.front()->receive_all(), "") << "the oldest was closed";
+}
+
+TEST(Connections, OfWebSocketsAndRequestsUnderWayStay) {
+    session::Limits limits = patient();
+    limits.connections = 2;
+    const RunningServer server(limits);
+    HandMade viewer(server);
+    Socket busy(server);
+    busy.send(half_a_body);
+    EXPECT_EQ(busy.receive(go_on.size()), go_on);
+    Socket refused(server);
+    refused.send(healthz);
+    const std::string answer = refused.receive_all();
+    EXPECT_THAT(answer, StartsWith("HTTP/1.1 503 "));
+    EXPECT_THAT(answer, HasSubstr("Retry-After: 1\r\n"));
+    viewer.send_frame(ping, "");
+    EXPECT_EQ(viewer.receive_frame().first, pong);
+}
+
 TEST(KeepAliveSeconds, EndAConnectionThatSaysNothing) {
     session::Limits limits = patient();
     limits.keep_alive_seconds = short_time;
@@ -109,30 +180,6 @@ TEST(KeepAliveSeconds, DoNotShortenARequest) {
     slow.send("host\r\n\r\n");
     EXPECT_THAT(slow.receive(13), "HTTP/1.1 200 ");
 }
-
-// A WebSocket by hand. Clients mask with zeros, which leaves the payload as it is.
-class HandMade : public Socket {
-public:
-    explicit HandMade(const RunningServer& server, int receive_buffer = 0) : Socket(server, receive_buffer) {
-        send("GET /ws HTTP/1.1\r\nHost: localhost\r\nUpgrade: websocket\r\nConnection: Upgrade\r\n"
-             "Sec-WebSocket-Version: 13\r\nSec-WebSocket-Key: AAAAAAAAAAAAAAAAAAAAAA==\r\n"
-             "Sec-WebSocket-Protocol: ciel.v1\r\n\r\n");
-        const std::string head = receive_until("\r\n\r\n");
-        EXPECT_THAT(head, StartsWith("HTTP/1.1 101 "));
-    }
-    bool send_frame(char opcode, const std::string& payload) { // of less than 126 bytes
-        return send(
-            std::string{static_cast<char>(0x80 | opcode), static_cast<char>(0x80 | payload.size()), 0, 0, 0, 0} +
-            payload);
-    }
-    // A frame of less than 126 bytes; its opcode is -1 at the end of the connection.
-    std::pair<int, std::string> receive_frame() {
-        const std::string head = receive(2);
-        if (head.size() < 2) return {-1, {}};
-        return {head[0] & 15, receive(static_cast<unsigned char>(head[1]))};
-    }
-};
-constexpr char text = 1, ping = 9, pong = 10;
 
 TEST(WebsocketIdleSeconds, EndAConnectionWithoutASignOfLife) {
     session::Limits limits = patient();

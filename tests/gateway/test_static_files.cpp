@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <fstream>
 #include <gtest/gtest.h>
+#include <zlib.h>
 
 namespace ciel::gateway {
 namespace {
@@ -29,6 +30,25 @@ protected:
         fs::create_symlink("nowhere", top_ / "client/broken.html");
     }
     void write(const fs::path& name, const std::string& content) { std::ofstream(top_ / name) << content; }
+
+    static std::string header(const Response& response, const char* name) {
+        for (const auto& [other, value] : response.headers)
+            if (other == name) return value;
+        return {};
+    }
+    static std::string unpacked(std::string gzip) {
+        std::string content(1 << 20, '\0');
+        z_stream stream{};
+        EXPECT_EQ(inflateInit2(&stream, MAX_WBITS + 16), Z_OK);
+        stream.next_in = reinterpret_cast<Bytef*>(gzip.data());
+        stream.avail_in = static_cast<uInt>(gzip.size());
+        stream.next_out = reinterpret_cast<Bytef*>(content.data());
+        stream.avail_out = static_cast<uInt>(content.size());
+        EXPECT_EQ(inflate(&stream, Z_FINISH), Z_STREAM_END);
+        content.resize(stream.total_out);
+        inflateEnd(&stream);
+        return content;
+    }
 
     const test::Folder top_;
 };
@@ -88,20 +108,52 @@ TEST_F(Static, NoPathLeadsOut) {
 TEST_F(Static, AnUnchangedFileIsNotSentAgain) {
     const StaticFiles files(top_ / "client");
     const StaticFile& file = *files.find("/");
-    EXPECT_EQ(file_response(file, "").status, 200U);
-    EXPECT_EQ(file_response(file, "").body, "<!doctype html>");
+    EXPECT_EQ(file_response(file, "", "").status, 200U);
+    EXPECT_EQ(file_response(file, "", "").body, "<!doctype html>");
     for (const std::string& known : {file.etag, "\"other\", " + file.etag, "W/" + file.etag, std::string("*")}) {
-        EXPECT_EQ(file_response(file, known).status, 304U) << known;
-        EXPECT_EQ(file_response(file, known).body, "");
+        EXPECT_EQ(file_response(file, known, "").status, 304U) << known;
+        EXPECT_EQ(file_response(file, known, "").body, "");
     }
-    EXPECT_EQ(file_response(file, "\"0000000000000000\"").status, 200U);
+    EXPECT_EQ(file_response(file, "\"0000000000000000\"", "").status, 200U);
     EXPECT_NE(file.etag, files.find("/assets/plain.css")->etag);
+}
+
+TEST_F(Static, TextIsCompressedForThoseWhoTakeIt) {
+    std::string script;
+    for (int i = 0; i < 1000; ++i) script += "export const value" + std::to_string(i) + " = 1;\n";
+    write("client/script.js", script);
+    write("client/picture.png", std::string(10'000, 'x'));
+    const StaticFiles files(top_ / "client");
+    const StaticFile& file = *files.find("/script.js");
+    const Response plain = file_response(file, "", ""), packed = file_response(file, "", "br, gzip");
+    EXPECT_EQ(plain.body, script);
+    EXPECT_LT(packed.body.size(), script.size() / 4);
+    EXPECT_EQ(unpacked(packed.body), script);
+    EXPECT_EQ(header(packed, "Content-Encoding"), "gzip");
+    EXPECT_EQ(header(plain, "Content-Encoding"), "");
+    EXPECT_NE(header(packed, "ETag"), header(plain, "ETag"));
+    for (const Response& response : {plain, packed, file_response(file, "*", "")})
+        EXPECT_EQ(header(response, "Vary"), "Accept-Encoding");
+    EXPECT_EQ(file_response(file, header(packed, "ETag"), "gzip").status, 304U);
+    EXPECT_EQ(file_response(file, header(plain, "ETag"), "gzip").status, 200U) << "of the other form";
+    const Response picture = file_response(*files.find("/picture.png"), "", "gzip");
+    EXPECT_EQ(header(picture, "Content-Encoding") + header(picture, "Vary"), "") << "is compressed by itself";
+    EXPECT_EQ(file_response(*files.find("/assets/plain.css"), "", "gzip").body, "2") << "would only grow";
+}
+
+TEST(AcceptEncoding, IsReadWithItsWeights) {
+    for (const char* taken : {"gzip", "GZIP", "x-gzip", "br, gzip", "gzip;q=0.5", "gzip ; q=1.0", "*",
+                              "br;q=1, *;q=0.1", "identity;q=0, gzip"})
+        EXPECT_TRUE(accepts_gzip(taken)) << taken;
+    for (const char* refused :
+         {"", "br", "gzip;q=0", "gzip;q=0.000", "*;q=0", "gzip;q=0, *", "gzipped", "gzip;q=x", ",,"})
+        EXPECT_FALSE(accepts_gzip(refused)) << refused;
 }
 
 TEST_F(Static, OnlyHashedNamesMayBeKeptForGood) {
     const StaticFiles files(top_ / "client");
     const auto cache_control = [&](const char* path) {
-        const Response response = file_response(*files.find(path), "");
+        const Response response = file_response(*files.find(path), "", "");
         const auto header = std::find_if(response.headers.begin(), response.headers.end(),
                                          [](const auto& row) { return row.first == "Cache-Control"; });
         return header->second;

@@ -31,12 +31,21 @@ TEST(Target, PathsAreDecodedOnceAndNeverResolved) {
     }
 }
 
+TEST(Target, TheAuthorityOfAnAbsoluteFormIsItsHost) {
+    EXPECT_EQ(authority_of("http://host:80/ws?token=t"), "host:80");
+    EXPECT_EQ(authority_of("https://host?x=/"), "host");
+    EXPECT_EQ(authority_of("http:///x"), "");
+    EXPECT_EQ(authority_of("//host/x"), "");
+    EXPECT_EQ(authority_of("/http://host/"), "");
+}
+
 TEST(Target, MalformedTargetsAreNothing) {
     const std::string with_null("/a\0b", 4);
     for (const std::string& target :
          {std::string(), std::string("a"), std::string("*"), std::string("/%"), std::string("/%2"), std::string("/%zz"),
           std::string("/%00"), std::string("/%0a"), std::string("/%7f"), std::string("/a\tb"), with_null,
-          std::string("http://host"), std::string("ftp://host/"), std::string("/x?a=%"), std::string("/x?%=a")})
+          std::string("http://host"), std::string("http:///x"), std::string("http://?x"), std::string("ftp://host/"),
+          std::string("/x?a=%"), std::string("/x?%=a")})
         EXPECT_FALSE(parse_target(target)) << target;
 }
 

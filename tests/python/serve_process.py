@@ -6,6 +6,7 @@ import json
 import os
 import pathlib
 import re
+import resource
 import signal
 import struct
 import subprocess
@@ -36,11 +37,13 @@ def iso(value: float) -> dict:
 
 
 class Server:
-    def __init__(self, *arguments: str, environment: dict[str, str] | None = None, log: pathlib.Path | None = None):
+    def __init__(self, *arguments: str, environment: dict[str, str] | None = None, log: pathlib.Path | None = None,
+                 user: int | None = None, descriptors: int | None = None, program: str = CIEL):
         self.log = open(log, "w+") if log else open(os.devnull, "w+")
         self.process = subprocess.Popen(
-            [CIEL, "serve", *([] if "--port" in arguments else ["--port", "0"]), *map(str, arguments)],
-            stdout=subprocess.PIPE, stderr=self.log, text=True, env={**os.environ, **(environment or {})})
+            [program, "serve", *([] if "--port" in arguments else ["--port", "0"]), *map(str, arguments)],
+            stdout=subprocess.PIPE, stderr=self.log, text=True, env={**os.environ, **(environment or {})}, user=user,
+            preexec_fn=descriptors and (lambda: resource.setrlimit(resource.RLIMIT_NOFILE, (descriptors, descriptors))))
         self.line = self.process.stdout.readline().strip()
         match = re.search(r"http://([^/]+?:(\d+))(/[^?\s]*)", self.line)
         if not match:
@@ -49,6 +52,8 @@ class Server:
         self.port = int(match.group(2))
         self.base = f"http://127.0.0.1:{self.port}"
         self.path = match.group(3)
+        token = re.search(r"\?token=(\S+)$", self.line)
+        self.token = token.group(1) if token else ""
 
     def __enter__(self) -> "Server":
         return self

@@ -48,10 +48,10 @@ def test_help_is_everywhere_and_names_the_exit_codes():
 
 def test_the_help_of_serve_lists_each_limit_with_its_variable_and_default():
     text = " ".join(ciel("serve", "--help").stdout.split())
-    # CLI11 writes a default as "=64" or, since 2.4, as " [64] ".
+    # Releases of CLI11 write a default as =64 or as [64].
     assert re.search(r"--limit-sessions COUNT(=64| \[64\]) \(Env:CIEL_LIMIT_SESSIONS\) sessions kept", text)
     assert re.search(r"--limit-message-bytes BYTES(=1 MiB| \[1 MiB\]) \(Env:CIEL_LIMIT_MESSAGE_BYTES\)", text)
-    assert re.search(r"--limit-dataset-memory-bytes BYTES\|N%(=| \[)", text)
+    assert re.search(r"--limit-dataset-memory-bytes BYTES\|N%(=| \[)\d+ [MG]iB", text)
 
 
 def test_the_version_is_one_line():

@@ -34,7 +34,7 @@ def failure(*arguments: str) -> tuple[int, str]:
 
 def test_the_address_is_one_line(box):
     with Server(box, "--prefix", "x") as running:
-        assert running.line == f"CIEL listening on http://127.0.0.1:{running.port}/x/"
+        assert running.line == f"CIEL listening on http://127.0.0.1:{running.port}/x/?token={running.token}"
         assert running.get("/healthz").status_code == 200
 
 

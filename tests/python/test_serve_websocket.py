@@ -249,15 +249,56 @@ def test_only_so_many_sessions(tmp_path):
 
 
 def test_only_so_many_connections(tmp_path):
+    """WebSockets stay; what only waits for a next request goes for a new one."""
     with Server(tmp_path) as running:
         limit = int(running.call("server.info")["limits"]["connections"])
-        held = [socket.create_connection(("127.0.0.1", running.port), timeout=PATIENCE) for _ in range(limit)]
-        for one in held:  # all of them are accepted when the last one answers
-            one.sendall(b"GET /healthz HTTP/1.1\r\nHost: localhost\r\n\r\n")
-        for one in held:
-            assert one.recv(4096).startswith(b"HTTP/1.1 200")
+        idle = socket.create_connection(("127.0.0.1", running.port), timeout=PATIENCE)
+        idle.sendall(b"GET /healthz HTTP/1.1\r\nHost: localhost\r\n\r\n")
+        assert idle.recv(4096).startswith(b"HTTP/1.1 200")
+        held = []
+        for _ in range(limit):
+            held.append(socket.create_connection(("127.0.0.1", running.port), timeout=PATIENCE))
+            held[-1].sendall(UPGRADE)
+            assert held[-1].recv(4096).startswith(b"HTTP/1.1 101")
+        assert idle.recv(4096) == b"", "it made room"
         refused = running.get("/healthz")
         assert refused.status_code == 503 and refused.headers["Retry-After"] == "1"
         for one in held:
             one.close()
         until(lambda: running.get("/healthz").status_code == 200)
+
+
+def handshake(server: Server, old: bytes, new: bytes) -> bytes:
+    """The answer's first line to a handshake that is changed a little."""
+    with socket.create_connection(("127.0.0.1", server.port), timeout=PATIENCE) as opened:
+        opened.sendall(UPGRADE.replace(old, new))
+        return opened.recv(4096).split(b"\r\n")[0]
+
+
+def test_the_subprotocol_may_stand_in_any_line(server):
+    line = b"Sec-WebSocket-Protocol: ciel.v1\r\n"
+    other = b"Sec-WebSocket-Protocol: other\r\n"
+    assert b" 101 " in handshake(server, line, other + line)
+    assert b" 101 " in handshake(server, line, line + other)
+    assert b" 400 " in handshake(server, line, other + other)
+
+
+def test_the_key_must_be_sixteen_bytes(server):
+    key = b"AAAAAAAAAAAAAAAAAAAAAA=="
+    for wrong in (b"", b"AAAA", b"AAAAAAAAAAAAAAAAAAAAAAAAAA==", b"????????????????????????"):
+        assert b" 400 " in handshake(server, key, wrong), wrong
+
+
+@pytest.mark.parametrize("code", [0, 999, 1004, 1005, 1006, 1015, 1016, 2999, 5000, 65535])
+def test_close_codes_that_do_not_exist_have_no_echo(server, code):
+    with socket.create_connection(("127.0.0.1", server.port), timeout=PATIENCE) as opened:
+        opened.sendall(UPGRADE)
+        head = b""
+        while not head.endswith(b"\r\n\r\n"):
+            head += opened.recv(1)
+        opened.sendall(b"\x88\x82\0\0\0\0" + struct.pack(">H", code))
+        try:
+            answer = b"".join(iter(lambda: opened.recv(4096), b""))
+        except ConnectionResetError:
+            answer = b""
+        assert answer in (b"", b"\x88\x02" + struct.pack(">H", 1002)), answer

@@ -1,0 +1,1 @@
+ciel_fuzz(forwarded_for LINKS gateway)

@@ -1,0 +1,1 @@
+ciel_fuzz(socket_rows LINKS gateway)
