@@ -1,10 +1,15 @@
 // The page around the picture: links, time, themes, sizes, a lost server, clear words.
 import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
 import { readFile } from "node:fs/promises";
+import { dirname, join, resolve } from "node:path";
 import { describe, test } from "node:test";
+import { fileURLToPath } from "node:url";
 import { decodePng, difference, distance, type Picture } from "./png.ts";
 import { nameOf, Server } from "./server.ts";
 import { data, skip, Stage } from "./stage.ts";
+
+const modules = resolve(dirname(fileURLToPath(import.meta.url)), "../../webclient/node_modules");
 
 describe("page", { skip }, () => {
   const stage = new Stage();
@@ -203,6 +208,29 @@ describe("page", { skip }, () => {
       const nameless = client.page.getByRole(role, { name: /^\s*$/ });
       assert.deepEqual(await nameless.evaluateAll((all) => all.map((e) => e.outerHTML)), []);
     }
+  });
+
+  test("axe finds nothing, with help and menus open or not", async () => {
+    const client = await stage.same();
+    const source = readFileSync(join(modules, "axe-core/axe.min.js"), "utf8");
+    await client.page.evaluate(source);
+    const findings = (): Promise<string[]> =>
+      client.page.evaluate(async () => {
+        interface Finding {
+          id: string;
+          nodes: { html: string }[];
+        }
+        const { axe } = globalThis as unknown as { axe: { run: () => Promise<{ violations: Finding[] }> } };
+        const { violations } = await axe.run();
+        return violations.map(({ id, nodes }) => `${id}: ${nodes.map(({ html }) => html).join(" ")}`);
+      });
+    assert.deepEqual(await findings(), []);
+    await client.page.keyboard.press("?");
+    assert.deepEqual(await findings(), []);
+    await client.page.keyboard.press("Escape");
+    await client.button("Pictures of other sizes").click();
+    assert.deepEqual(await findings(), []);
+    await client.button("Pictures of other sizes").click();
   });
 
   test("below a path prefix", async () => {

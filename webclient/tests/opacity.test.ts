@@ -1,6 +1,7 @@
 import { expect, test } from "vitest";
 import {
   DEFAULT_OPACITY,
+  firstOpacity,
   inserted,
   keyedPoint,
   middleOfGap,
@@ -49,4 +50,32 @@ test("arrow keys move a point, ten times as far with shift", () => {
   expect(keyedPoint("ArrowUp", false, [0.5, 0.5])).toEqual([0.5, 0.51]);
   expect(keyedPoint("ArrowLeft", true, [0.5, 0.5])).toEqual([0.4, 0.5]);
   expect(keyedPoint("a", false, [0.5, 0.5])).toBeNull();
+});
+
+test("a first curve lets the eye in: what fills most of the mesh is clear, the rare ends are not", () => {
+  const most = (at: number, counts: readonly number[]): number => {
+    const points = firstOpacity(counts);
+    const next = points.findIndex(([position]) => position >= at);
+    const a: OpacityPoint = points[Math.max(0, next - 1)] ?? [0, 0];
+    const b: OpacityPoint = points[next] ?? [1, 0];
+    return b[0] === a[0] ? b[1] : a[1] + ((at - a[0]) / (b[0] - a[0])) * (b[1] - a[1]);
+  };
+  const stream = [1, 1, 1, 2, 2, 3, 80, 400, 20, 1]; // a free stream at 0.75, a wake below it
+  expect(most(0.75, stream)).toBeLessThan(0.02);
+  expect(most(0, stream)).toBeGreaterThan(0.3);
+  const dye = [900, 20, 10, 10, 10, 10, 10, 10, 10, 10]; // nothing nearly everywhere
+  expect(most(0.05, dye)).toBeLessThan(0.02);
+  expect(most(1, dye)).toBeGreaterThan(0.3);
+  const signed = [1, 2, 30, 900, 900, 30, 2, 1];
+  expect([most(0, signed), most(1, signed)].every((opacity) => opacity > 0.3)).toBe(true);
+  expect(most(0.5, signed)).toBeLessThan(0.02);
+});
+
+test("a first curve of unknown values rises gently, and every one is in order", () => {
+  for (const counts of [null, [], [0, 0], [7], [1, 1, 1, 1]]) {
+    const positions = firstOpacity(counts).map(([position]) => position);
+    expect(positions).toEqual([...positions].sort((a, b) => a - b));
+    expect(positions).toContain(0);
+    expect(positions).toContain(1);
+  }
 });

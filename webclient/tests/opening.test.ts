@@ -12,7 +12,10 @@ const shown: AppState = {
   lacking: ["p is not written at this time"],
   empty: [{ layer: "iso", why: "outside", reason: "" }],
   missing: ["iso"],
-  probe: { result: { hit: false, position: null, vertex: null, cell: null, values: {} }, time: 0 },
+  probe: {
+    result: { hit: false, position: null, vertex: null, cell: null, values: {} },
+    time: 0,
+  },
 };
 
 test("nothing is being opened while the picture is of the scene's dataset", () => {

@@ -24,7 +24,7 @@ describe("a further slice", () => {
   test("lies in the middle, the next across that axis in the widest gap", () => {
     const slices: [string, SliceLayer][] = [];
     const values = (["x", "y", "x", "x", "z"] as const).map((axis) => {
-      const slice = furtherSlice(slices, axis, bounds, "p");
+      const slice = furtherSlice(slices, axis, bounds, { array: "p" });
       slices.push([`${slices.length}`, slice]);
       return [slice.axis, slice.value];
     });
@@ -39,20 +39,22 @@ describe("a further slice", () => {
 
   test("that is free goes through the middle, each another way", () => {
     const slices: [string, SliceLayer][] = [];
-    for (let i = 0; i < 6; i += 1) slices.push([`${i}`, furtherSlice(slices, "free", bounds, "p")]);
+    for (let i = 0; i < 6; i += 1) slices.push([`${i}`, furtherSlice(slices, "free", bounds, { array: "p" })]);
     expect(slices[0]?.[1]).toEqual({ type: "slice", origin: [5, 0, 2], normal: [1, 1, 0], color: { array: "p" } });
     expect(new Set(slices.map(([, { normal }]) => String(normal))).size).toBe(6);
-    expect(furtherSlice(slices, "free", bounds, "p").normal).toEqual([1, 1, 0]);
+    expect(furtherSlice(slices, "free", bounds, { array: "p" }).normal).toEqual([1, 1, 0]);
   });
 
-  test("looks like the last one, but is seen", () => {
+  test("has the lines and the opacity of the last one in the colours that are given, and is seen", () => {
     const slices: Slices = [
       ["a", across("x", 1, { color: { array: "q" } })],
       ["b", across("z", 2, { ...looks, visible: false, order: 7 })],
     ];
-    expect(furtherSlice(slices, "y", bounds, "p")).toEqual(across("y", 0, looks));
-    expect(furtherSlice([], "y", bounds, "p").color).toEqual({ array: "p" });
-    expect(furtherSlice([], "y", bounds, undefined).color).toEqual({});
+    expect(furtherSlice(slices, "y", bounds, { array: "p" })).toEqual(
+      across("y", 0, { ...looks, color: { array: "p" } }),
+    );
+    expect(furtherSlice([], "y", bounds, { array: "p" }).color).toEqual({ array: "p" });
+    expect(furtherSlice([], "y", bounds, {}).color).toEqual({});
   });
 });
 

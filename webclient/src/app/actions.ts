@@ -7,14 +7,21 @@ import { Disconnected } from "../protocol/rpc";
 import type { ColoringChange } from "../scene/color_edit";
 import { movedTo } from "../scene/layer_order";
 import { clamp } from "../scene/numbers";
-import { type Colored, arrayOf, cutsCells, freeId, nearestStep, shownTime, topOrder } from "../scene/scalars";
+import { coloredBy } from "../scene/new_looks";
+import { percentiles } from "../scene/percentiles";
+import { probeText } from "../scene/probe_text";
+import { type Colored, arrayOf, cutsCells, freeId, nearestStep, shownTime, topOrder, unitsOf } from "../scene/scalars";
 import type { App } from "./app";
+import { copyText } from "./clipboard";
 import { download } from "./download";
 import { openingScene } from "./first_scene";
 import { isDark, saveTheme } from "./preferences";
 import type { Theme } from "./state";
 
 export type ExportFormat = "ply" | "stl" | "vtp";
+
+const USUAL_SHARES = [0.01, 0.99] as const;
+const NOTHING_THERE = "Nothing is drawn there: a double click on a surface centres it. R shows everything again";
 
 export class Actions {
   constructor(private readonly app: App) {}
@@ -72,8 +79,8 @@ export class Actions {
     if (camera !== null) this.setCamera(change(camera), gesture);
   }
 
-  /** The values under a canvas position in CSS pixels. */
-  async probe(x: number, y: number): Promise<Vec3 | null> {
+  /** The values under a canvas position in CSS pixels. Where nothing is drawn it is null, without an answer undefined. */
+  async probe(x: number, y: number): Promise<Vec3 | null | undefined> {
     const { width, height } = this.app.size.pixels();
     const ratio = width / this.app.size.css.width;
     const session = this.app.tab.id;
@@ -88,18 +95,35 @@ export class Actions {
       return result.position;
     } catch (error) {
       this.unanswered(error, "The values there cannot be read");
-      return null;
+      return undefined;
     }
   }
 
   async centreOn(x: number, y: number): Promise<void> {
     const point = await this.probe(x, y);
     const camera = this.camera();
-    if (point !== null && camera !== null) this.setCamera(centre(camera, point));
+    if (point === null) this.app.toasts.show(NOTHING_THERE);
+    else if (point !== undefined && camera !== null) this.setCamera(centre(camera, point));
   }
 
   setLayer(id: string, change: object, gesture?: string): void {
+    this.app.store.set({ touched: id });
     this.app.editor.change({ layers: { [id]: change } }, gesture);
+  }
+
+  async copyProbe(): Promise<void> {
+    const { description, probe } = this.app.store.get();
+    if (probe === null || description === null) return;
+    const isCopied = await copyText(
+      probeText(probe.result, {
+        dataset: description.name,
+        time: probe.time,
+        lengthUnits: description.length_units,
+        unitsOf: (name) => unitsOf(description, name),
+      }),
+    );
+    if (isCopied) this.app.toasts.show("The values are in the clipboard");
+    else this.app.toasts.show("This browser lets no page write to the clipboard", "error");
   }
 
   removeLayer(id: string): void {
@@ -117,6 +141,7 @@ export class Actions {
     const { scene } = this.app.editor;
     if (scene === null) return null;
     const id = freeId(scene, prefix);
+    this.app.store.set({ touched: id });
     this.app.editor.change({ layers: { [id]: { ...layer, order: topOrder(scene) } } });
     return id;
   }
@@ -135,8 +160,33 @@ export class Actions {
     const color: JsonObject = {};
     for (const [key, value] of Object.entries(change)) color[key] = (value ?? null) as unknown as Json;
     const patch: JsonObject = Object.fromEntries(layers.map((id) => [id, { color }]));
+    this.app.store.set({ touched: layers.at(-1) ?? contours.at(-1) ?? null });
     for (const id of contours) patch[id] = { ...(patch[id] as JsonObject | undefined), contours: { coloring: color } };
     this.app.editor.change({ layers: patch }, gesture);
+  }
+
+  /** null: in one colour. What the scale was like belonged to the array before. */
+  colorBy(of: Colored, array: string | null): void {
+    const { description, scene } = this.app.store.get();
+    if (array === null) this.setColoring(of, { array: undefined, range: undefined });
+    else this.setColoring(of, { range: undefined, ...coloredBy(scene, description, array) });
+  }
+
+  /** Without the values that lie far away from all others; null where there is none, or no answer. */
+  async usualRange(array: string): Promise<Range | null> {
+    const { app } = this;
+    const { description, scene } = app.store.get();
+    if (description === null) return null;
+    const asked = { dataset: description.name, array, time: shownTime(description, scene), bins: 1024 };
+    try {
+      return await percentiles(
+        (range) => app.session.call("dataset.histogram", { ...asked, ...(range !== null && { range }) }),
+        USUAL_SHARES,
+      );
+    } catch (error) {
+      this.unanswered(error, "The range of most values cannot be told");
+      return null;
+    }
   }
 
   /** Of the values that are shown in the view; null where there is none, which is said. */

@@ -59,9 +59,16 @@ function actionFor(event: KeyboardEvent): KeyAction | null {
   return PLAIN[key] ?? null;
 }
 
-/** Whether the focused control wants plain keys for itself. */
-function takesKeys(element: EventTarget | null): boolean {
-  return element instanceof Element && element.closest("input, select, textarea, dialog, .menu-body") !== null;
+const SLIDER_KEYS = /^(Arrow\w+|Home|End|Page\w+)$/;
+
+/** Whether the focused control wants a plain key for itself. */
+function takesKey({ target, key }: KeyboardEvent): boolean {
+  if (!(target instanceof Element)) return false;
+  const control = target.closest("input, select, textarea, dialog, .menu-body");
+  if (!(control instanceof HTMLInputElement)) return control !== null;
+  if (control.closest("dialog, .menu-body") !== null) return true;
+  if (control.type === "checkbox") return key === " ";
+  return control.type !== "range" || SLIDER_KEYS.test(key);
 }
 
 function pressesButton(event: KeyboardEvent): boolean {
@@ -72,7 +79,7 @@ export function handleKey(app: App, event: KeyboardEvent): void {
   const typing = event.target instanceof HTMLInputElement && event.target.type === "text";
   const modified = event.ctrlKey || event.metaKey;
   if (event.defaultPrevented || typing || pressesButton(event)) return;
-  if (takesKeys(event.target) && !modified) return;
+  if (takesKey(event) && !modified) return;
   const action = actionFor(event);
   if (action === null) return;
   event.preventDefault();

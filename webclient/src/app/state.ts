@@ -85,6 +85,8 @@ export interface AppState {
   /** Layers whose colours have places without a value. */
   missing: string[];
   probe: Probe | null;
+  /** The layer that a hand has changed last. */
+  touched: string | null;
   playing: boolean;
   playRate: number;
   loop: boolean;
@@ -145,6 +147,7 @@ export const initialState: AppState = {
   empty: [],
   missing: [],
   probe: null,
+  touched: null,
   playing: false,
   playRate: 10,
   loop: true,

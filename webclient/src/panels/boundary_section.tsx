@@ -1,6 +1,7 @@
 // The mesh's boundary: the whole of it, or its named patches, in one layer or in several that look different.
 import type { JSX } from "preact";
 import type { SurfaceLayer } from "../generated/protocol";
+import { freshSolid } from "../scene/new_looks";
 import { layersOf } from "../scene/scalars";
 import { ColoringFields, OpacityField } from "./coloring";
 import { IconButton, Section } from "./controls";
@@ -61,7 +62,8 @@ export function BoundarySection(): JSX.Element {
   const addFurther = (): void => {
     const taken = new Set(layersOf(scene, "surface").flatMap(([, layer]) => layer.groups ?? []));
     const free = description?.groups.find(({ of, name }) => of === "faces" && !taken.has(name));
-    actions.addLayer("surface", { type: "surface", groups: free === undefined ? [] : [free.name] });
+    const groups = free === undefined ? [] : [free.name];
+    actions.addLayer("surface", { type: "surface", groups, color: freshSolid(scene, "surface") });
   };
   const button = entry && (
     <IconButton icon="plus" label="Add another layer of the boundary" text="Add" onClick={addFurther} />

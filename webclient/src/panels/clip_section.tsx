@@ -3,6 +3,7 @@ import type { JSX } from "preact";
 import { boundsCentre } from "../camera/camera";
 import type { ClipLayer } from "../generated/protocol";
 import { AXES, type Across } from "../scene/axes";
+import { keepsFarHalf, normalOf } from "../scene/new_looks";
 import { layersOf } from "../scene/scalars";
 import { AddPlaneRow } from "./add_plane_row";
 import { Check, IconButton, Section } from "./controls";
@@ -58,8 +59,15 @@ export function ClipSection(): JSX.Element {
   const add = (across: Across): void => {
     if (description === null) return;
     const centre = boundsCentre(description.bounds);
-    if (across === "free") actions.addLayer("clip", { type: "clip", origin: centre, normal: [1, 1, 0] });
-    else actions.addLayer(`clip-${across}`, { type: "clip", axis: across, value: centre[AXES.indexOf(across)] ?? 0 });
+    const normal = normalOf(across);
+    const looks = {
+      ...(keepsFarHalf(normal, actions.camera()) && { invert: true }),
+    };
+    if (across === "free") actions.addLayer("clip", { type: "clip", origin: centre, normal, ...looks });
+    else {
+      const value = centre[AXES.indexOf(across)] ?? 0;
+      actions.addLayer(`clip-${across}`, { type: "clip", axis: across, value, ...looks });
+    }
   };
   return (
     <Section title="Clip">

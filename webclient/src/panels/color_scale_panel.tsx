@@ -73,6 +73,14 @@ function RangeFields({ of, coloring, data, change }: Props & { change: Change })
       >
         In view
       </button>
+      <button
+        type="button"
+        class="button small"
+        title="The range of the values at this time without the lowest and the highest hundredth of them"
+        onClick={() => void actions.usualRange(coloring.array).then(setData)}
+      >
+        1–99 %
+      </button>
       {everywhere !== null && (description?.times.length ?? 0) > 1 && (
         <button type="button" class="button small" title="The range at all times" onClick={() => setData(everywhere)}>
           All times

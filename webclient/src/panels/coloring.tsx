@@ -42,10 +42,7 @@ export function ColoringFields({ of, coloring, ofArray = false, mapLabel = "Map"
           label="Colour by"
           value={coloring.array ?? SOLID}
           options={arrays}
-          onChange={(array) =>
-            // The range belonged to the array before.
-            actions.setColoring(of, { array: array === SOLID ? undefined : array, range: undefined })
-          }
+          onChange={(array) => actions.colorBy(of, array === SOLID ? null : array)}
         />
       )}
       {coloring.array === undefined ? (

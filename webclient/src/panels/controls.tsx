@@ -13,14 +13,17 @@ interface IconButtonProps {
   pressed?: boolean;
   text?: string;
   keys?: string;
+  /** Says more than the label. */
+  help?: string;
 }
 
-export function IconButton({ icon, label, onClick, disabled, pressed, text, keys }: IconButtonProps): JSX.Element {
+export function IconButton(props: IconButtonProps): JSX.Element {
+  const { icon, label, onClick, disabled, pressed, text, keys, help } = props;
   return (
     <button
       type="button"
       class={text === undefined ? "button icon-button" : "button"}
-      title={keys === undefined ? label : `${label} (${keys})`}
+      title={help ?? (keys === undefined ? label : `${label} (${keys})`)}
       aria-label={label}
       aria-pressed={pressed}
       aria-keyshortcuts={keys?.replaceAll("Ctrl-", "Control+").replaceAll("Shift-", "Shift+")}
@@ -37,6 +40,8 @@ export function IconButton({ icon, label, onClick, disabled, pressed, text, keys
 interface NumberFieldProps {
   value: number | null;
   label: string;
+  /** Says more than the label. */
+  help?: string;
   /** Of the values around it: how many digits are worth showing. */
   span?: number;
   /** How the value stands there while nobody types, where that is not the number itself. */
@@ -91,7 +96,7 @@ export function NumberField(props: NumberFieldProps): JSX.Element {
       spellcheck={false}
       aria-label={label}
       aria-invalid={wrong}
-      title={value === null ? label : `${label}: ${value}`}
+      title={props.help ?? (value === null ? label : `${label}: ${value}`)}
       placeholder={placeholder}
       value={text}
       onInput={(event) => setTyped(event.currentTarget.value)}
@@ -121,13 +126,24 @@ interface SelectFieldProps {
   hideLabel?: boolean;
 }
 
+/** After a choice by the pointer it gives the focus back, so that the page's keys work. */
 export function SelectField({ label, value, options, onChange, disabled, hideLabel }: SelectFieldProps): JSX.Element {
+  const byPointer = useRef(false);
   const select = (
     <select
       aria-label={label}
       value={value}
       disabled={disabled}
-      onChange={(event) => onChange(event.currentTarget.value)}
+      onPointerDown={() => (byPointer.current = true)}
+      onBlur={() => (byPointer.current = false)}
+      onKeyDown={(event) => {
+        if (event.key === "Escape") byPointer.current = false;
+      }}
+      onChange={(event) => {
+        const select = event.currentTarget;
+        onChange(select.value);
+        if (byPointer.current) select.blur();
+      }}
     >
       {options.map((option) => (
         <option key={option.value} value={option.value} disabled={option.disabled}>

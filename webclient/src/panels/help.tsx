@@ -49,6 +49,16 @@ const ROWS: { title: string; keys: [string, string][] }[] = [
     ],
   },
   {
+    title: "On a legend",
+    keys: [
+      ["A number at an end", "Type another: the ends are then held"],
+      ["The pin", "The same range at every step: the whole dataset's"],
+      ["The arrow in a circle", "The range of each step again"],
+      ["this step, all steps, held", "Whose lowest and highest value the ends are"],
+      ["A triangle at an end", "The colour of values beyond it"],
+    ],
+  },
+  {
     title: "In the list of layers",
     keys: [
       ["Drag a row", "Another order"],

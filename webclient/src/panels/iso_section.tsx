@@ -1,4 +1,5 @@
 import type { JSX } from "preact";
+import { freshSolid } from "../scene/new_looks";
 import { layersOf, scalarsOf } from "../scene/scalars";
 import { IconButton, Section } from "./controls";
 import { useApp, useAppState } from "./context";
@@ -13,7 +14,12 @@ export function IsoSection(): JSX.Element {
   const add = (): void => {
     const scalar = scalars.find(({ name }) => !layers.some(([, layer]) => layer.array === name)) ?? scalars[0];
     if (scalar === undefined) return;
-    actions.addLayer("iso", { type: "iso", array: scalar.name, values: [actions.middleOf(scalar.name)] });
+    actions.addLayer("iso", {
+      type: "iso",
+      array: scalar.name,
+      values: [actions.middleOf(scalar.name)],
+      color: freshSolid(scene, "iso"),
+    });
   };
   const button = (
     <IconButton icon="plus" label="Add an iso-surface" text="Add" disabled={scalars.length === 0} onClick={add} />

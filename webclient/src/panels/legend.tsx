@@ -17,7 +17,7 @@ import {
   type LegendOf,
   type ScaledColoring,
 } from "../scene/scalars";
-import { timesPowerOfTen } from "../scene/ticks";
+import { legendTitle } from "../scene/legend_names";
 import { IconButton, NumberField } from "./controls";
 import { useApp, useAppState } from "./context";
 import { useDataRange } from "./data_range";
@@ -108,6 +108,7 @@ function LegendScale({ coloring, of, scale, range, text }: ScaleProps): JSX.Elem
     <div class="color-scale" style={{ "--digits": `${digits + BESIDE_DIGITS}ch` }}>
       <NumberField
         label={`Highest value of the ${coloring.array} colours`}
+        help="The upper end of the colours. Type another to hold it"
         value={range[1]}
         span={span}
         shown={shown}
@@ -122,6 +123,7 @@ function LegendScale({ coloring, of, scale, range, text }: ScaleProps): JSX.Elem
       </div>
       <NumberField
         label={`Lowest value of the ${coloring.array} colours`}
+        help="The lower end of the colours. Type another to hold it"
         value={range[0]}
         span={span}
         shown={shown}
@@ -141,22 +143,37 @@ function OneValue({ value }: { value: number }): JSX.Element {
   );
 }
 
+/** Whose lowest and highest value the ends are. */
+function rangeWords({ range }: ScaledColoring, everywhere: Range | null): string {
+  if (!range) return "this step";
+  const isOfAll = everywhere !== null && everywhere[0] === range[0] && everywhere[1] === range[1];
+  return isOfAll ? "all steps" : "held";
+}
+
 function RangeButtons({ coloring, of, range }: Entry & { range: Range }): JSX.Element {
   const { actions } = useApp();
   const description = useAppState((state) => state.description);
   const set = (to: Range | undefined): void => actions.setColoring(of, { range: to });
   const reach = Math.max(-range[0], range[1]);
   const name = coloring.array;
+  const hasSteps = (description?.times.length ?? 0) > 1;
+  const everywhere = rangeOfAllSteps(description, name);
   return (
     <div class="range-buttons">
       {coloring.range && (
-        <IconButton icon="reset" label={`Range of the data for ${name}`} onClick={() => set(undefined)} />
+        <IconButton
+          icon="reset"
+          label={`Range of the data for ${name}`}
+          help="The ends are held. Follow the lowest and the highest value of each step again"
+          onClick={() => set(undefined)}
+        />
       )}
-      {!coloring.range && (description?.times.length ?? 0) > 1 && (
+      {!coloring.range && hasSteps && (
         <IconButton
           icon="hold"
           label={`The same range at every step for ${name}`}
-          onClick={() => set(rangeOfAllSteps(description, name) ?? range)}
+          help={`The ends are the lowest and the highest value of this step. Hold the range of ${everywhere === null ? "this step" : "the whole dataset"} at every step`}
+          onClick={() => set(everywhere ?? range)}
         />
       )}
       {range[0] < 0 && range[1] > 0 && range[0] !== -range[1] && (
@@ -166,6 +183,7 @@ function RangeButtons({ coloring, of, range }: Entry & { range: Range }): JSX.El
           onClick={() => set([-reach, reach])}
         />
       )}
+      {(hasSteps || coloring.range) && <small class="range-of">{rangeWords(coloring, everywhere)}</small>}
     </div>
   );
 }
@@ -174,19 +192,18 @@ function LegendEntry({ coloring, of, name, text }: LegendOf & { text: number }):
   const description = useAppState((state) => state.description);
   const missing = useAppState((state) => state.missing);
   const units = unitsOf(description, coloring.array);
-  const [head, ...tail] = coloring.array.split(":"); // a long name is broken where its component begins
   const data = useDataRange(coloring.array);
   const known = data?.range ?? coloring.range ?? null;
   const range = known === null ? null : rangeOf(coloring, known);
   const scale = scaleOf(coloring, known ?? [0, 1]);
   const constant = range !== null && !hasWidth(scale) && !coloring.range;
-  const power = range === null || constant ? "" : timesPowerOfTen(exponentOf(scale));
+  const title = legendTitle(coloring.array, units, range === null || constant ? 0 : exponentOf(scale));
   return (
     <figure class="legend" aria-label={`Colours of ${coloring.array}${name === "" ? "" : `, ${name}`}`}>
       <figcaption>
-        {head}
-        {tail.map((part) => [":", <wbr key={part} />, part])}
-        {units + power !== "" && <small> {`${units}${power}`.trim()}</small>}
+        <span class="legend-title" title={title}>
+          {title}
+        </span>
         {name !== "" && <small class="legend-of">{name}</small>}
       </figcaption>
       <div class="legend-scale">

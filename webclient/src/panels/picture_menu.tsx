@@ -8,6 +8,12 @@ import { Menu, NumberField } from "./controls";
 import { useApp } from "./context";
 
 const FACTORS = [1, 2, 4];
+/** A4 lies on its side, at 300 pixels an inch. */
+const USUAL: readonly { name: string; size: Size }[] = [
+  { name: "HD", size: { width: 1920, height: 1080 } },
+  { name: "4K", size: { width: 3840, height: 2160 } },
+  { name: "A4", size: { width: 3508, height: 2480 } },
+];
 const SIDES: Range = [SMALLEST, LARGEST];
 
 export function PictureMenu({ disabled }: { disabled: boolean }): JSX.Element {
@@ -44,6 +50,19 @@ export function PictureMenu({ disabled }: { disabled: boolean }): JSX.Element {
                 onClick={() => setChosen(factor === 1 ? null : size.pixels(factor))}
               >
                 ×{factor}
+              </button>
+            ))}
+          </div>
+          <div class="row" role="group" aria-label="Usual sizes">
+            {USUAL.map(({ name, size: usual }) => (
+              <button
+                key={name}
+                type="button"
+                class="button small"
+                title={`${usual.width} × ${usual.height} pixels${name === "A4" ? ": 300 an inch, lying on its side" : ""}`}
+                onClick={() => setChosen(usual)}
+              >
+                {name}
               </button>
             ))}
           </div>

@@ -7,7 +7,7 @@ import { IconButton } from "./controls";
 import { useApp, useAppState, useCamera } from "./context";
 
 export function ProbeCard(): JSX.Element | null {
-  const { store } = useApp();
+  const { actions, store } = useApp();
   const probe = useAppState((state) => state.probe);
   const description = useAppState((state) => state.description);
   const size = useAppState((state) => state.canvasSize);
@@ -26,6 +26,7 @@ export function ProbeCard(): JSX.Element | null {
       <aside class="probe" aria-label="Values at the clicked point" aria-live="polite">
         <header>
           <strong>{`(${position.map((v) => formatNumber(v)).join(", ")}) ${units}`.trim()}</strong>
+          <IconButton icon="copy" label="Copy the values" onClick={() => void actions.copyProbe()} />
           <IconButton icon="close" label="Close the values" onClick={() => store.set({ probe: null })} />
         </header>
         <dl class="facts">

@@ -1,5 +1,6 @@
 import type { JSX } from "preact";
 import { useEffect } from "preact/hooks";
+import { listenToDrops } from "../app/dropped";
 import { handleKey } from "../app/keys";
 import { isDark } from "../app/preferences";
 import { BoundarySection } from "./boundary_section";
@@ -48,6 +49,7 @@ export function Shell(): JSX.Element {
     window.addEventListener("keydown", onKey);
     return () => window.removeEventListener("keydown", onKey);
   }, [app]);
+  useEffect(() => listenToDrops((sentence) => app.toasts.show(sentence)), [app]);
   useEffect(() => void (document.title = title === undefined ? "CIEL" : `${title} - CIEL`), [title]);
   return (
     <div class={panelOpen ? "shell" : "shell no-panel"}>

@@ -3,7 +3,8 @@ import type { JSX } from "preact";
 import { useRef, useState } from "preact/hooks";
 import type { Across } from "../scene/axes";
 import { layerNames } from "../scene/layer_names";
-import { firstScalar, layersOf } from "../scene/scalars";
+import { coloredBy, freshArray } from "../scene/new_looks";
+import { layersOf } from "../scene/scalars";
 import { furtherSlice } from "../scene/slices";
 import { AddPlaneRow } from "./add_plane_row";
 import { Section } from "./controls";
@@ -24,7 +25,9 @@ export function SlicesSection(): JSX.Element {
   const open = opened ?? slices.flatMap(([id]) => (id === first.current ? [id] : []));
   const add = (across: Across): void => {
     if (description === null) return;
-    const slice = furtherSlice(slices, across, description.bounds, firstScalar(description));
+    const array = freshArray(scene, description);
+    const color = array === undefined ? {} : coloredBy(scene, description, array);
+    const slice = furtherSlice(slices, across, description.bounds, color);
     added.current = actions.addLayer(across === "free" ? "slice" : `slice-${across}`, slice);
     if (added.current !== null) setOpened([added.current]);
   };

@@ -16,14 +16,18 @@ export function TimeBar(): JSX.Element {
   const rate = useAppState((state) => state.playRate);
   if (times.length < 2) {
     // It keeps its place: a canvas that shrinks when the dataset is known would have its first picture drawn twice.
-    return <div class="time-bar hint">{times.length === 1 && "This dataset has one time step."}</div>;
+    return (
+      <section class="time-bar hint" aria-label="Time">
+        {times.length === 1 && "This dataset has one time step."}
+      </section>
+    );
   }
   const first = times[0] ?? 0;
   const last = times.at(-1) ?? 0;
   const step = nearestStep(times, time);
   const shown = formatNumber(times[step] ?? 0, last - first);
   return (
-    <div class="time-bar" role="group" aria-label="Time">
+    <section class="time-bar" aria-label="Time">
       <IconButton icon="previous" label="Step back" keys="," disabled={step === 0} onClick={() => actions.stepBy(-1)} />
       <IconButton
         icon={playing ? "pause" : "play"}
@@ -71,6 +75,6 @@ export function TimeBar(): JSX.Element {
         options={RATES.map((value) => ({ value: String(value), text: `${value} / s` }))}
         onChange={(value) => store.set({ playRate: Number(value) })}
       />
-    </div>
+    </section>
   );
 }

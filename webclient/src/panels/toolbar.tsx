@@ -82,9 +82,11 @@ function ExportMenu({ disabled }: { disabled: boolean }): JSX.Element {
     ["iso", "slice", "surface"].includes(type),
   );
   const names = layerNames(scene);
-  const [chosen, setChosen] = useState("");
+  const [chosen, setChosen] = useState<{ id: string; after: string | null }>({ id: "", after: null });
   const [triangles, setTriangles] = useState(false);
-  const layer = layers.some(([id]) => id === chosen) ? chosen : (layers[0]?.[0] ?? "");
+  const touched = useAppState((state) => state.touched);
+  const preferred = chosen.after === touched ? [chosen.id, touched] : [touched];
+  const layer = preferred.find((id) => layers.some(([other]) => other === id)) ?? layers[0]?.[0] ?? "";
   return (
     <Menu icon="download" label="Export a surface" disabled={disabled || layers.length === 0}>
       {(close) => (
@@ -93,7 +95,7 @@ function ExportMenu({ disabled }: { disabled: boolean }): JSX.Element {
             label="Surface"
             value={layer}
             options={layers.map(([id]) => ({ value: id, text: names.get(id) ?? id }))}
-            onChange={setChosen}
+            onChange={(id) => setChosen({ id, after: touched })}
           />
           <Check label="Triangles only" checked={triangles} onChange={setTriangles} />
           <div class="row">

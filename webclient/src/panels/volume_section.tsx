@@ -2,7 +2,8 @@
 import type { JSX } from "preact";
 import type { Range, VolumeLayer } from "../generated/protocol";
 import { rangeOf } from "../scene/color_range";
-import { DEFAULT_OPACITY, inserted, middleOfGap, type OpacityPoint } from "../scene/opacity";
+import { coloredBy } from "../scene/new_looks";
+import { DEFAULT_OPACITY, firstOpacity, inserted, middleOfGap, type OpacityPoint } from "../scene/opacity";
 import { arrayOf, firstScalar, layersOf, scalarsOf, shownTime, unitsOf } from "../scene/scalars";
 import { ColoringFields, OpacityField } from "./coloring";
 import { Check, IconButton, NumberField, Section, SelectField } from "./controls";
@@ -113,12 +114,17 @@ function VolumeCard({ id, layer }: { id: string; layer: VolumeLayer }): JSX.Elem
 }
 
 export function VolumeSection(): JSX.Element {
-  const { actions } = useApp();
+  const { actions, histograms } = useApp();
   const scene = useAppState((state) => state.scene);
-  const first = firstScalar(useAppState((state) => state.description));
+  const description = useAppState((state) => state.description);
+  const first = firstScalar(description);
   const volumes = layersOf(scene, "volume");
   const add = (): void => {
-    if (first !== undefined) actions.addLayer("volume", { type: "volume", array: first });
+    if (first === undefined || description === null) return;
+    const counts = histograms.get(description.name, first, shownTime(description, scene))?.counts ?? null;
+    const color = coloredBy(scene, description, first);
+    delete color.array; // a volume names it itself
+    actions.addLayer("volume", { type: "volume", array: first, color, opacity_points: firstOpacity(counts) });
   };
   return (
     <Section

@@ -1,7 +1,7 @@
 // What tells apart two legends of one array: the layers that have their colours. server/session/legend_names.hpp is its
 // twin, and both are held to tests/support/legend_cases.json.
 import type { Layer, SliceLayer } from "../generated/protocol";
-import { numberAlone } from "./ticks";
+import { numberAlone, timesPowerOfTen } from "./ticks";
 
 const MOST_LISTED = 2;
 
@@ -37,6 +37,11 @@ export function legendNameOf(layer: Layer, part: "layers" | "contours"): string 
     case "clip":
       return ""; // have no legend
   }
+}
+
+/** In one line, with the units in brackets, as server/render/annotations/legend_layout.cpp writes it. */
+export function legendTitle(array: string, units: string, exponent: number): string {
+  return array + (units === "" ? "" : ` [${units}]`) + timesPowerOfTen(exponent);
 }
 
 export interface NamedLegend {

@@ -1,6 +1,6 @@
 // Slices as a hand makes them: where a further one lies, how it looks, and how one becomes another plane.
 import { boundsCentre, type Bounds } from "../camera/camera";
-import type { SliceLayer, Vec3 } from "../generated/protocol";
+import type { Coloring, SliceLayer, Vec3 } from "../generated/protocol";
 import { diff, equal, type JsonObject } from "../protocol/merge_patch";
 import { AXES, endsOf, type Across } from "./axes";
 import { clamp, widestGap } from "./numbers";
@@ -37,11 +37,10 @@ function freshPlane(slices: Slices, across: Across, bounds: Bounds): Plane {
   return { origin: boundsCentre(bounds), normal: NORMALS.find((normal) => !isUsed(normal)) ?? [1, 1, 0] };
 }
 
-/** Where none lies yet, and like the last one: it is most often one more of these. `array` colours the first. */
-export function furtherSlice(slices: Slices, across: Across, bounds: Bounds, array: string | undefined): SliceLayer {
+/** Where none lies yet, with those colours, and otherwise like the last one. */
+export function furtherSlice(slices: Slices, across: Across, bounds: Bounds, color: Coloring): SliceLayer {
   const last = slices.at(-1)?.[1];
-  const looks = last === undefined ? { color: array === undefined ? {} : { array } } : looksOf(last);
-  return { type: "slice", ...freshPlane(slices, across, bounds), ...looks };
+  return { type: "slice", ...freshPlane(slices, across, bounds), ...(last && looksOf(last)), color };
 }
 
 /** What changes of a slice that is to lie across something else. A free plane begins where the slice was, and leaves it

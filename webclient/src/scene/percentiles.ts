@@ -1,0 +1,48 @@
+// The range in which all but the outermost hundredths of an array's values lie, from histograms that zoom in: a few
+// values far away make the bars of the first too wide.
+import type { Range } from "../generated/protocol";
+
+export interface Counts {
+  range: Range;
+  counts: readonly number[];
+  below: number;
+  above: number;
+}
+
+/** null for the array's own range. */
+export type Count = (range: Range | null) => Promise<Counts>;
+
+const MOST_LOOKS = 12;
+/** Of a histogram's range: less of it is looked at more closely. */
+const WIDE_ENOUGH = 0.125;
+
+/** The bars in which so many of all values are reached, as places. */
+function between({ range: [low, high], counts, below }: Counts, shares: readonly [number, number], all: number): Range {
+  const width = (high - low) / counts.length;
+  let seen = below;
+  let [first, last] = [low, high];
+  let isFirst = true;
+  for (const [i, count] of counts.entries()) {
+    seen += count;
+    if (isFirst && seen > shares[0] * all) [first, isFirst] = [low + i * width, false];
+    if (seen >= shares[1] * all) {
+      last = low + (i + 1) * width;
+      break;
+    }
+  }
+  return [first, last];
+}
+
+/** null where there are no values. */
+export async function percentiles(count: Count, shares: readonly [number, number]): Promise<Range | null> {
+  let found = await count(null);
+  const all = found.counts.reduce((sum, n) => sum + n, found.below + found.above);
+  if (all === 0) return null;
+  for (let look = 1; look < MOST_LOOKS; look += 1) {
+    const [low, high] = between(found, shares, all);
+    const [from, to] = found.range;
+    if (!(high > low) || high - low >= WIDE_ENOUGH * (to - from)) break;
+    found = await count([low, high]);
+  }
+  return between(found, shares, all);
+}

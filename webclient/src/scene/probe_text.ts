@@ -1,0 +1,21 @@
+// What a probe found, as text for a notebook or a spreadsheet: a line each, columns parted by tabs, all digits.
+import type { ProbeResult } from "../generated/protocol";
+
+export interface ProbeContext {
+  dataset: string;
+  time: number;
+  lengthUnits: string;
+  unitsOf: (name: string) => string;
+}
+
+export function probeText({ position, cell, vertex, values }: ProbeResult, context: ProbeContext): string {
+  const rows: (string | number)[][] = [
+    ["dataset", context.dataset],
+    ["time", context.time],
+    ...(["x", "y", "z"] as const).map((axis, i) => [axis, position?.[i] ?? "", context.lengthUnits]),
+    ...(cell === null ? [] : [["cell", cell]]),
+    ...(vertex === null ? [] : [["nearest vertex", vertex]]),
+    ...Object.entries(values).map(([name, value]) => [name, value ?? "", context.unitsOf(name)]),
+  ];
+  return rows.map((row) => row.join("\t").trimEnd()).join("\n");
+}

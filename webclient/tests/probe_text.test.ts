@@ -1,0 +1,28 @@
+import { expect, test } from "vitest";
+import { probeText } from "../src/scene/probe_text";
+
+test("a line each with all digits; what is not written is empty", () => {
+  const result = {
+    hit: true,
+    position: [1, 2.000000001, -3] as [number, number, number],
+    cell: 7,
+    vertex: null,
+    values: { p: 101325.123456789, late: null },
+  };
+  const context = {
+    dataset: "box",
+    time: 0.5,
+    lengthUnits: "m",
+    unitsOf: (name: string) => (name === "p" ? "Pa" : ""),
+  };
+  expect(probeText(result, context).split("\n")).toEqual([
+    "dataset\tbox",
+    "time\t0.5",
+    "x\t1\tm",
+    "y\t2.000000001\tm",
+    "z\t-3\tm",
+    "cell\t7",
+    "p\t101325.123456789\tPa",
+    "late",
+  ]);
+});
