@@ -149,7 +149,7 @@ describe("hands", { skip }, () => {
   });
 
   test("patches come and go one by one", async (context) => {
-    const section = client.page.locator(".section", { hasText: "Boundary" });
+    const section = client.page.locator(".section", { hasText: "Boundary" }).locator(".patches");
     const names = await section.locator(".check span").allTextContents();
     const boxes = section.getByRole("checkbox");
     const patches = await boxes.count();

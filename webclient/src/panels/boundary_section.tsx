@@ -7,7 +7,7 @@ import { ColoringFields, OpacityField } from "./coloring";
 import { IconButton, Section } from "./controls";
 import { useApp, useAppState } from "./context";
 import { EdgesFields } from "./line_fields";
-import { PatchChecks } from "./patch_checks";
+import { PatchList } from "./patch_list";
 import { RemoveButton } from "./remove_button";
 import { ThresholdFields } from "./threshold_fields";
 
@@ -37,12 +37,12 @@ function FurtherCard({ id, layer, number }: { id: string; layer: SurfaceLayer; n
         <span class="card-title">Boundary {number}</span>
         <RemoveButton label={`Remove boundary ${number}`} onClick={() => actions.removeLayer(id)} />
       </div>
-      <PatchChecks
+      {visible && <LookFields id={id} layer={layer} />}
+      <PatchList
         groups={layer.groups ?? []}
         shown={visible}
         onChange={(groups) => actions.setLayer(id, groups === null ? { visible: false } : { visible: true, groups })}
       />
-      {visible && <LookFields id={id} layer={layer} />}
     </article>
   );
 }
@@ -70,8 +70,8 @@ export function BoundarySection(): JSX.Element {
   );
   return (
     <Section title="Boundary" action={button ?? null}>
-      <PatchChecks groups={entry?.[1].groups ?? []} shown={shown} onChange={show} />
       {entry !== undefined && shown && <LookFields id={entry[0]} layer={entry[1]} />}
+      <PatchList groups={entry?.[1].groups ?? []} shown={shown} onChange={show} />
       {further.map(([id, layer], index) => (
         <FurtherCard key={id} id={id} layer={layer} number={index + 2} />
       ))}

@@ -6,7 +6,7 @@ import { layersOf } from "../scene/scalars";
 import { ColoringFields, OpacityField } from "./coloring";
 import { IconButton, NumberField, Section, SelectField } from "./controls";
 import { useApp, useAppState } from "./context";
-import { PatchChecks } from "./patch_checks";
+import { PatchList } from "./patch_list";
 import { RemoveButton } from "./remove_button";
 import { ThresholdFields } from "./threshold_fields";
 
@@ -39,15 +39,12 @@ function Card({ id, layer, children }: CardProps): JSX.Element {
         <RemoveButton label={`Remove these ${layer.type}`} onClick={() => actions.removeLayer(id)} />
       </div>
       <div class="fields">{children}</div>
-      {hasPatches && !(layer.type === "points" && layer.of === "all") && (
-        <PatchChecks
-          groups={layer.groups ?? []}
-          onChange={(groups) => actions.setLayer(id, { groups: groups ?? [] })}
-        />
-      )}
       <ColoringFields of={{ layers: [id] }} coloring={layer.color ?? {}} />
       <OpacityField id={id} opacity={layer.opacity ?? 1} />
       <ThresholdFields id={id} threshold={layer.threshold} color={layer.color?.array} />
+      {hasPatches && !(layer.type === "points" && layer.of === "all") && (
+        <PatchList groups={layer.groups ?? []} onChange={(groups) => actions.setLayer(id, { groups: groups ?? [] })} />
+      )}
     </article>
   );
 }

@@ -1,0 +1,74 @@
+// Which patches of the boundary a layer shows, and how a long list of them is put in order.
+import type { DatasetDescription } from "../generated/protocol";
+
+export interface Patch {
+  name: string;
+  /** Faces. */
+  count: number;
+}
+
+export interface PatchFamily {
+  /** What the names begin with; empty where a patch stands alone. */
+  prefix: string;
+  patches: Patch[];
+}
+
+/** What a layer shows: patches by name, [] for the whole boundary, null for nothing. */
+export type Shown = readonly string[] | null;
+
+export const patchesOf = (description: DatasetDescription | null): Patch[] =>
+  (description?.groups ?? []).filter(({ of }) => of === "faces").map(({ name, count }) => ({ name, count }));
+
+const prefixOf = (name: string): string => /^[^_.:/\s]+(?=[_.:/\s].)/.exec(name)?.[0] ?? "";
+
+/** What of a name tells it from the others of its family. */
+export const withoutPrefix = (name: string, prefix: string): string =>
+  prefix === "" ? name : name.slice(prefix.length + 1);
+
+/** In the order of the first of each; patches whose beginning no other of `among` shares stand alone. */
+export function families(patches: readonly Patch[], among = patches): PatchFamily[] {
+  const found = new Map<string, PatchFamily>();
+  const sharing = new Map<string, number>();
+  for (const { name } of among) sharing.set(prefixOf(name), (sharing.get(prefixOf(name)) ?? 0) + 1);
+  for (const patch of patches) {
+    const prefix = (sharing.get(prefixOf(patch.name)) ?? 0) > 1 ? prefixOf(patch.name) : "";
+    const key = prefix === "" ? `alone ${patch.name}` : `family ${prefix}`;
+    const family = found.get(key) ?? { prefix, patches: [] };
+    family.patches.push(patch);
+    found.set(key, family);
+  }
+  return [...found.values()];
+}
+
+/** Those that have all the words of a search, in any order and case. */
+export function searched(patches: readonly Patch[], text: string): Patch[] {
+  const words = text.toLowerCase().split(/\s+/).filter(Boolean);
+  return patches.filter(({ name }) => words.every((word) => name.toLowerCase().includes(word)));
+}
+
+const namesOf = (shown: Shown): readonly string[] => shown ?? [];
+
+/** In the dataset's order, so that the same choice is the same document however it was made. */
+function inOrder(all: readonly Patch[], names: ReadonlySet<string>): Shown {
+  const chosen = all.filter(({ name }) => names.has(name)).map(({ name }) => name);
+  return chosen.length === 0 ? null : chosen;
+}
+
+export function withAll(all: readonly Patch[], shown: Shown, these: readonly Patch[]): Shown {
+  if (these.length === all.length) return []; // also faces that are in no patch
+  return inOrder(all, new Set([...namesOf(shown), ...these.map(({ name }) => name)]));
+}
+
+/** From the whole boundary its patches without these. */
+export function withNone(all: readonly Patch[], shown: Shown, these: readonly Patch[]): Shown {
+  const before = shown !== null && shown.length === 0 ? all.map(({ name }) => name) : namesOf(shown);
+  const gone = new Set(these.map(({ name }) => name));
+  return inOrder(all, new Set(before.filter((name) => !gone.has(name))));
+}
+
+/** Of the whole boundary nothing is left, of nothing all of it. */
+export function inverted(all: readonly Patch[], shown: Shown, these: readonly Patch[]): Shown {
+  const before = new Set(shown !== null && shown.length === 0 ? all.map(({ name }) => name) : namesOf(shown));
+  for (const { name } of these) if (!before.delete(name)) before.add(name);
+  return before.size === all.length ? [] : inOrder(all, before);
+}
