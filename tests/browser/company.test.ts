@@ -185,7 +185,7 @@ describe("company", { skip }, () => {
     for (const scene of rubbish) {
       await client.page.evaluate((hash) => void (location.hash = hash), fragmentOf(scene));
       await client.page.locator(".toast.error").first().waitFor();
-      await client.button("Dismiss").first().click();
+      await client.button("Close the message").first().click();
     }
     await client.settled();
     assert.ok(difference(before, await client.picture()) < 0.005);

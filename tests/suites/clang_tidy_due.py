@@ -53,16 +53,19 @@ def main(cache: pathlib.Path, group_size: int) -> None:
     for entry in entries:  # clang cannot read what g++ precompiled; the sources include all they need themselves
         entry["command"] = re.sub(r" -Winvalid-pch -include \S+/cmake_pch\.hxx", "", entry["command"])
     made_from, known = includes(), {}
-    checks = os.environ["checks"] + pathlib.Path(".clang-tidy").read_text()
+    release = subprocess.run(["clang-tidy", "--version"], capture_output=True, text=True, check=True).stdout
+    checks = release + os.environ["checks"] + pathlib.Path(".clang-tidy").read_text()
     alike = collections.defaultdict(list)
     for entry in sorted(entries, key=lambda entry: entry["file"]):
         if not entry["file"].startswith(f"{pathlib.Path.cwd()}/server/"):
             continue
         made = made_from.get(re.search(r" -o (\S+)", entry["command"]).group(1), [])
-        parts = [checks, entry["command"]] + [state(file, known) for file in made]
-        key = hashlib.sha256("\n".join(parts).encode()).hexdigest()
-        if not made or not (cache / key).exists():
-            alike[flags(entry)].append((entry, key))
+        parts = [checks, entry["command"].replace(str(pathlib.Path.cwd()), ".")] + [state(file, known) for file in made]
+        mark = cache / hashlib.sha256("\n".join(parts).encode()).hexdigest()
+        if made and mark.exists():
+            mark.touch()
+        else:
+            alike[flags(entry)].append((entry, mark.name))
     folder = pathlib.Path("build/clang-tidy").resolve()
     folder.mkdir(exist_ok=True)
     for due in alike.values():

@@ -416,7 +416,7 @@ class DatasetHistogramResult(TypedDict):
 class SessionOpenParams(TypedDict):
     """session.open: A new session, or one that exists; over WebSocket the connection then hears of its changes."""
 
-    session: NotRequired[str]  # an id to join or recreate
+    session: NotRequired[str]  # an id to join or recreate; it is the session's key, so a client that chooses one makes it of 128 random bits
     dataset: NotRequired[str]  # whose default scene a new session shows; the first of dataset.list when absent
     scene: NotRequired[Scene]  # the scene of a new session
 

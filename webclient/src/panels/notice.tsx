@@ -181,7 +181,7 @@ export function ToastList(): JSX.Element {
       {shown.map(({ id, kind, text }) => (
         <div key={id} class={`toast ${kind}`} role={kind === "error" ? "alert" : "status"}>
           <span>{text}</span>
-          <button type="button" class="button small" aria-label="Dismiss" onClick={() => toasts.dismiss(id)}>
+          <button type="button" class="button small" aria-label="Close the message" onClick={() => toasts.dismiss(id)}>
             Close
           </button>
         </div>

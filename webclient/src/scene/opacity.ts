@@ -14,7 +14,7 @@ const rounded = (value: number): number => Number(clamp(value, 0, 1).toFixed(4))
 
 /** Of values that fill most of the mesh: ten unit lengths of them, all of the box, take a seventh of the light. */
 const OF_MOST = 0.015;
-const AT_THE_ENDS = 0.4;
+const AT_THE_ENDS = 0.7;
 /** Narrower, an end of the range is no more than noise. */
 const LEAST_TAIL = 0.02;
 /** All of the range, where it is not known which values are rare. */

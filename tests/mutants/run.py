@@ -1,0 +1,114 @@
+"""mutants: breaks a copy of the sources on purpose, one patch at a time, and asks the tests to notice.
+
+tests/mutants/SUITE/NAME.patch begins with a sentence that says what is broken, then `build: TARGET...` (CMake targets, or
+`page` for the web client; may be left out) and `run: COMMAND`, the narrowest part of the suite that has to fail. The same
+command has to pass in the unbroken copy. run.py ROOT RESULTS.xml [SUITE ...]
+"""
+
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import time
+import xml.etree.ElementTree as ElementTree
+
+
+class Mutant:
+    def __init__(self, path: pathlib.Path):
+        head, _, self.patch = path.read_text(encoding="utf-8").partition("\n--- ")
+        self.patch = "--- " + self.patch
+        self.suite, self.name = path.parent.name, path.stem
+        fields = dict(re.findall(r"^(build|run): (.+)$", head, re.M))
+        self.what = head.splitlines()[0]
+        self.targets, self.command = fields.get("build", "").split(), fields["run"]
+
+
+class Copy:
+    """The tracked files as they stand, with a build folder and the page's tools."""
+
+    def __init__(self, root: pathlib.Path, folder: pathlib.Path):
+        self.folder = folder
+        names = subprocess.run(["git", "-C", root, "ls-files", "-z"], capture_output=True, check=True).stdout.split(b"\0")
+        for name in filter(None, (name.decode() for name in names)):
+            source, target = root / name, folder / name
+            if not source.exists() or (target.exists() and target.read_bytes() == source.read_bytes()):
+                continue  # what ninja need not see as changed keeps its time
+            target.parent.mkdir(parents=True, exist_ok=True)
+            shutil.copy(source, target)
+        modules = folder / "webclient/node_modules"
+        if not modules.exists():
+            modules.symlink_to((root / "webclient/node_modules").resolve())
+        self.environment = {
+            **os.environ,
+            "CIEL_BINARY": str(folder / "build/ciel"),
+            "CIEL_IMPORT_BINARY": str(folder / "build/ciel-import"),
+            "PYTHONPATH": "protocol/python",
+            "PYTHONDONTWRITEBYTECODE": "1",
+        }
+
+    def shell(self, command: str) -> subprocess.CompletedProcess:
+        return subprocess.run(["bash", "-c", command], cwd=self.folder, env=self.environment, text=True, errors="replace",
+                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT, check=False)
+
+    def build(self, targets: list[str]) -> None:
+        commands = []
+        programs = [target for target in targets if target != "page"]
+        if programs:
+            commands.append("[[ -f build/build.ninja ]] || cmake -G Ninja -S . -B build -DCMAKE_BUILD_TYPE=Release -DCIEL_TESTS=ON")
+            commands.append("ninja -C build " + " ".join(programs))
+        if "page" in targets:
+            commands.append("cd webclient && npm run --silent build")
+        for command in commands:
+            done = self.shell(command)
+            if done.returncode != 0:
+                raise RuntimeError(f"cannot build {' '.join(targets)}:\n{done.stdout[-3000:]}")
+
+    def patch(self, mutant: Mutant, *options: str) -> None:
+        done = subprocess.run(["patch", "-p1", "--silent", "--no-backup-if-mismatch", "--fuzz=0", *options], cwd=self.folder,
+                              input=mutant.patch, text=True, capture_output=True, check=False)
+        if done.returncode != 0:
+            raise RuntimeError(f"the patch does not apply any more; make it anew: {done.stdout}")
+
+
+def noticed(copy: Copy, mutant: Mutant) -> None:
+    """Throws a sentence where the broken copy passes, or cannot be tried."""
+    copy.patch(mutant)
+    try:
+        copy.build(mutant.targets)
+        if copy.shell(mutant.command).returncode == 0:
+            raise RuntimeError(f"nothing noticed it: {mutant.what} ({mutant.command})")
+    finally:
+        copy.patch(mutant, "--reverse")
+
+
+def main(root: pathlib.Path, results: pathlib.Path, suites: list[str]) -> int:
+    mutants = [Mutant(path) for path in sorted((root / "tests/mutants").glob("*/*.patch"))]
+    mutants = [mutant for mutant in mutants if not suites or mutant.suite in suites]
+    copy = Copy(root, root / "build/mutants/tree")
+    report = ElementTree.Element("testsuite", name="mutants")
+    sound: dict[str, str] = {}  # what came of each command in the unbroken copy
+    for mutant in mutants:
+        started, problem = time.monotonic(), ""
+        try:
+            if mutant.command not in sound:
+                copy.build(mutant.targets)
+                done = copy.shell(mutant.command)
+                sound[mutant.command] = "" if done.returncode == 0 else done.stdout[-3000:]
+            if sound[mutant.command]:
+                raise RuntimeError(f"the command fails without the patch too:\n{sound[mutant.command]}")
+            noticed(copy, mutant)
+        except RuntimeError as error:
+            problem = str(error)
+        case = ElementTree.SubElement(report, "testcase", classname=mutant.suite, name=mutant.name,
+                                      time=f"{time.monotonic() - started:.3f}")
+        if problem:
+            ElementTree.SubElement(case, "failure", message=problem)
+        print(f"{'FAILED' if problem else 'ok'}: {mutant.suite} {mutant.name}{': ' if problem else ''}{problem}", flush=True)
+        ElementTree.ElementTree(report).write(results)
+    return any(case.find("failure") is not None for case in report)
+
+
+if __name__ == "__main__":
+    sys.exit(main(pathlib.Path(sys.argv[1]).resolve(), pathlib.Path(sys.argv[2]), sys.argv[3:]))
