@@ -1,11 +1,12 @@
 #!/usr/bin/env python3
-"""Seconds that a script needs to push a step: tests/bench/push.py CIEL DATASET.ciel ARRAY [COUNT]
+"""Seconds that a script needs to push a step: tests/bench/push.py CIEL DATASET.ciel ARRAY[=COMPONENTS] [COUNT]
 
-By POST (base64) and by WebSocket (binary): begin, pieces, commit, and until a client hears of the step. The dataset is copied first.
+By POST (base64) and by WebSocket (binary): begin, pieces, commit. The dataset is copied first. COMPONENTS: of an array that is new.
 """
 
 import asyncio
 import base64
+import os
 import pathlib
 import shutil
 import statistics
@@ -20,9 +21,9 @@ sys.path[:0] = [str(ROOT / "tests/python"), str(ROOT / "protocol/python")]
 TOKEN = "0123456789abcdef"
 
 
-def values_of(described: dict, array: str) -> np.ndarray:
+def values_of(described: dict, array: str, new_components: int) -> np.ndarray:
     tuples = described["input"]["cells" if array.startswith("cell:") else "vertices"]
-    components = next((a["components"] for a in described["arrays"] if a["name"] == array), 1)
+    components = next((a["components"] for a in described["arrays"] if a["name"] == array), new_components)
     return np.random.default_rng(1).random((tuples, components) if components > 1 else tuples, dtype="f4")
 
 
@@ -61,18 +62,17 @@ async def by_socket(url: str, step_time: float, array: str, values: np.ndarray) 
 
 
 def main(binary: str, dataset: str, array: str, count: int = 5) -> None:
-    import os
-
     os.environ["CIEL_BINARY"] = binary
     from ciel_client import Client
     from serve_process import Server
 
     with tempfile.TemporaryDirectory() as folder:
-        copy = shutil.copytree(dataset, pathlib.Path(folder) / "bench.ciel", copy_function=os.link)
+        copy = shutil.copytree(dataset, pathlib.Path(folder) / "bench.ciel")
         with Server(copy, "--token", TOKEN, "--allow-append") as server:
             calls = Client(server.base, TOKEN)
             described = calls.call("dataset.describe", dataset="bench")
-            values = values_of(described, array)
+            array, _, new_components = array.partition("=")
+            values = values_of(described, array, int(new_components or 1))
             last = described["times"][-1]
             print(f"{array}: {values.size} values, {values.nbytes / 2**20:.1f} MiB, {count} steps each, seconds (median)")
             rows = {"POST": [], "WebSocket": []}
