@@ -96,9 +96,14 @@ def test_appending_is_off_unless_allowed_and_needs_the_token(server, box):
     assert refused.value.code == ERROR_CODES["NotAllowed"]
 
 
-def test_a_server_that_may_be_appended_to_has_a_token_on_loopback_too(box):
-    with Server(box, "--allow-append", environment={"CIEL_TOKEN": ""}) as running:
-        assert "?token=" in running.line
+def test_our_own_user_needs_the_token_to_append(box):
+    with Server(box, "--allow-append") as running:
+        own = Client(running.base)
+        assert own.call("dataset.list")[0]["name"] == "box", "let in without a token"
+        with pytest.raises(RpcError, match="only who has the server's token") as refused:
+            own.append("box", 50, {"r": [0.0] * points(box)})
+        assert refused.value.code == ERROR_CODES["NotAllowed"]
+        assert Client(running.base, running.token).append("box", 50, {"r": [0.0] * points(box)})["time"] == 50
 
 
 def test_a_client_that_dies_half_way_leaves_nothing(server, box):
