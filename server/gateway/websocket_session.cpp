@@ -20,9 +20,9 @@ namespace {
 namespace websocket = beast::websocket;
 using websocket::close_code;
 
-constexpr int unsent_bytes = 128 << 10;            // in the system's hands: a text cannot overtake them
+constexpr int unsent_bytes = 128 << 10;         // in the system's hands: a text cannot overtake them
 constexpr std::size_t close_reason_bytes = 123; // RFC 6455, 5.5.1: a control frame has 125, its code two of them
-constexpr unsigned last_close_code = 4999; // RFC 6455, 7.4.2; Beast refuses those below that do not exist
+constexpr unsigned last_close_code = 4999;      // RFC 6455, 7.4.2; Beast refuses those below that do not exist
 
 // Everything runs on the socket's strand, except what is handed to `workers` and the Connection's callbacks.
 class WebSocketSession : public std::enable_shared_from_this<WebSocketSession> {

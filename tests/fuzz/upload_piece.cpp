@@ -1,6 +1,6 @@
 // Any bytes are refused with an Error, or are a piece that lies within the message and has nothing beside it.
-#include "ciel/types.hpp"
 #include "wire/upload_piece.hpp"
+#include "ciel/types.hpp"
 
 #include <cstdlib>
 

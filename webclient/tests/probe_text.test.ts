@@ -7,6 +7,8 @@ test("a line each with all digits; what is not written is empty", () => {
     position: [1, 2.000000001, -3] as [number, number, number],
     cell: 7,
     vertex: null,
+    layer: null,
+    patch: null,
     values: { p: 101325.123456789, late: null },
   };
   const context = {

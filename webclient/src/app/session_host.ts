@@ -111,6 +111,7 @@ function notificationHandlers(app: App): Handlers {
       app.toasts.show(message, "error");
     },
     "view.lacking": ({ sentences, empty, missing }) => app.store.set({ lacking: sentences, empty, missing }),
+    "append.refused": ({ reason }) => app.toasts.show(reason, "error"),
     "server.draining": () => app.store.set({ draining: true }),
   };
 }
