@@ -49,9 +49,13 @@ std::vector<std::string> lacking_in(const Geometry& geometry, const scene::Light
     return lacking;
 }
 
-double needed_grid_of(const FrameRequest& request, const Geometry& geometry) {
+// The step of the grid to send the polygons on; none where the client has them.
+std::optional<double> grid_to_send(View& view, const FrameRequest& request, const Geometry& geometry) {
     const double aspect = static_cast<double>(request.size.width) / std::max(request.size.height, 1U);
-    return needed_grid(geometry, camera_of(geometry, request.version->scene, aspect), request.size);
+    const render::Camera camera = camera_of(geometry, request.version->scene, aspect);
+    ContentKey key = content_of(geometry);
+    if (view.shows(key, surely_fine_grid(geometry, camera, request.size))) return {};
+    return view.grid_of_new(std::move(key), needed_grid(geometry, camera, request.size));
 }
 
 } // namespace
@@ -77,7 +81,7 @@ void show_frame(View& view, Worker& worker, bool still) {
             if (drawn) drawn = worker.renderer().remarks();
             if (request->still && request->stop.stop_requested()) return view.give_up();
             messages.push_back(image_message(header, image, request->moving));
-        } else if (const auto grid = view.grid_of_new(content_of(*geometry), needed_grid_of(*request, *geometry))) {
+        } else if (const auto grid = grid_to_send(view, *request, *geometry)) {
             auto encoded = geometry_messages(header, *geometry, request->size.pixel_ratio, *grid, request->held);
             messages = std::move(encoded.payloads);
             parts = std::move(encoded.ids);

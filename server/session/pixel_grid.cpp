@@ -3,6 +3,7 @@
 #include "wire/quantize.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -39,53 +40,90 @@ public:
           tan_(std::tan(camera.fov_degrees * std::numbers::pi / 360)),
           tan_across_(tan_ * static_cast<double>(size.width) / std::max(size.height, 1U)) {
         double farthest = 0;
+        nearest_corner_ = INFINITY;
         for (unsigned corner = 0; corner < 8; ++corner) {
             Vec3d at{};
             for (std::size_t axis = 0; axis < 3; ++axis)
                 at[axis] = ((corner >> axis) & 1U) != 0 ? geometry.bounds_max[axis] : geometry.bounds_min[axis];
-            farthest = std::max(farthest, dot(forward_, minus(at, camera.position)));
+            const double depth = dot(forward_, minus(at, camera.position));
+            farthest = std::max(farthest, depth);
+            nearest_corner_ = std::min(nearest_corner_, depth);
         }
         nearest_ = nearest_of_farthest * farthest;
     }
 
     [[nodiscard]] double nearest() const { return nearest_; }
+    [[nodiscard]] double nearest_corner() const { return nearest_corner_; } // of the bounds; below 0 behind the eye
 
-    struct Seen {
-        float depth;
-        std::uint8_t outside; // a bit for each side that it lies beyond
-    };
-    [[nodiscard]] Seen see(const Vec3f& p) const {
+    // (across, above, depth) in the camera's axes.
+    [[nodiscard]] Vec3d place(const Vec3f& p) const {
         const Vec3d at{p[0] - eye_[0], p[1] - eye_[1], p[2] - eye_[2]};
-        const double depth = dot(forward_, at), across = dot(right_, at), above = dot(up_, at);
-        const double half_width = depth * tan_across_, half_height = depth * tan_;
-        const unsigned outside = (across > half_width ? 1U : 0U) | (across < -half_width ? 2U : 0U) |
-                                 (above > half_height ? 4U : 0U) | (above < -half_height ? 8U : 0U) |
-                                 (depth < nearest_ ? 16U : 0U);
-        return {static_cast<float>(depth), static_cast<std::uint8_t>(outside)};
+        return {dot(right_, at), dot(up_, at), dot(forward_, at)};
+    }
+    // How far a place lies inside each side; below 0 where it is outside.
+    [[nodiscard]] std::array<double, 5> inside(const Vec3d& at) const {
+        const double half_width = at[2] * tan_across_, half_height = at[2] * tan_;
+        return {half_width - at[0], half_width + at[0], half_height - at[1], half_height + at[1], at[2] - nearest_};
+    }
+    // A bit for each side that a place lies beyond.
+    [[nodiscard]] std::uint8_t outside(const Vec3d& at) const {
+        unsigned bits = 0;
+        const auto distances = inside(at);
+        for (unsigned side = 0; side < distances.size(); ++side) bits |= distances[side] < 0 ? 1U << side : 0U;
+        return static_cast<std::uint8_t>(bits);
+    }
+    // The least depth of what is seen of a convex polygon or line; infinite where that is nothing. (Sutherland and
+    // Hodgman, "Reentrant polygon clipping", 1974)
+    [[nodiscard]] double nearest_of(std::vector<Vec3d>& corners, std::vector<Vec3d>& clipped) const {
+        for (std::size_t side = 0; side < 5; ++side) {
+            clipped.clear();
+            for (std::size_t i = 0; i < corners.size(); ++i) {
+                const Vec3d &a = corners[i], &b = corners[(i + 1) % corners.size()];
+                const double from = inside(a)[side], to = inside(b)[side];
+                if (from >= 0) clipped.push_back(a);
+                if ((from < 0) == (to < 0)) continue;
+                const double share = from / (from - to);
+                clipped.push_back(
+                    {a[0] + share * (b[0] - a[0]), a[1] + share * (b[1] - a[1]), a[2] + share * (b[2] - a[2])});
+            }
+            corners.swap(clipped);
+        }
+        double nearest = INFINITY;
+        for (const Vec3d& at : corners) nearest = std::min(nearest, at[2]);
+        return nearest;
     }
 
 private:
     Vec3d eye_, forward_, right_, up_;
-    double tan_, tan_across_, nearest_ = 0;
+    double tan_, tan_across_, nearest_ = 0, nearest_corner_ = 0;
 };
 
 std::size_t corners_of(const Drawable& drawable) { return drawable.points() ? 1 : drawable.lines() ? 2 : 3; }
 
-// The least depth of what is not all beyond one side; infinite where nothing is seen.
+// The least depth of what is seen of it; infinite where that is nothing.
 double nearest_depth(const Drawable& drawable, const Frustum& frustum) {
-    std::vector<Frustum::Seen> seen;
-    seen.reserve(drawable.shape->surface.positions.size());
-    for (const Vec3f& at : drawable.shape->surface.positions) seen.push_back(frustum.see(at));
-    float nearest = INFINITY;
+    std::vector<Vec3d> places;
+    std::vector<std::uint8_t> outside;
+    for (const Vec3f& at : drawable.shape->surface.positions) {
+        places.push_back(frustum.place(at));
+        outside.push_back(frustum.outside(places.back()));
+    }
+    double nearest = INFINITY;
+    std::vector<Vec3d> corners, clipped;
     const auto indices = drawable.indices();
-    const std::size_t corners = corners_of(drawable);
-    for (std::size_t i = 0; i < indices.size(); i += corners) {
-        Frustum::Seen all{INFINITY, 0xFF};
-        for (const Index vertex : indices.subspan(i, corners)) {
-            all.outside &= seen[vertex].outside;
-            all.depth = std::min(all.depth, seen[vertex].depth);
+    const std::size_t count = corners_of(drawable);
+    for (std::size_t i = 0; i < indices.size(); i += count) {
+        unsigned all = 0xFF, any = 0;
+        double least = INFINITY;
+        corners.clear();
+        for (const Index vertex : indices.subspan(i, count)) {
+            all &= outside[vertex];
+            any |= outside[vertex];
+            least = std::min(least, places[vertex][2]);
+            corners.push_back(places[vertex]);
         }
-        if (all.outside == 0) nearest = std::min(nearest, all.depth);
+        if (all != 0 || least >= nearest) continue;
+        nearest = std::min(nearest, any == 0 ? least : frustum.nearest_of(corners, clipped));
     }
     return nearest;
 }
@@ -115,25 +153,42 @@ double flat_height(const Geometry& geometry) {
     return least;
 }
 
-} // namespace
-
-double nearest_pixel(const Geometry& geometry, const render::Camera& camera, const ViewSize& size) {
-    const double rows = std::max(size.height, 1U);
-    if (camera.parallel) return camera.parallel_height / rows;
-    const Frustum frustum(geometry, camera, size);
-    double nearest = INFINITY;
-    for (const Drawable& drawable : geometry.drawables) nearest = std::min(nearest, nearest_depth(drawable, frustum));
-    if (!(nearest < INFINITY)) nearest = length(minus(camera.target, camera.position)); // nothing in view
-    return 2 * std::tan(camera.fov_degrees * std::numbers::pi / 360) * std::max(nearest, frustum.nearest()) / rows;
-}
-
-double needed_grid(const Geometry& geometry, const render::Camera& camera, const ViewSize& size) {
+double largest_offset(const Geometry& geometry) {
     double largest = 0;
     for (std::size_t axis = 0; axis < 3; ++axis)
         for (const double bound : {geometry.bounds_min[axis], geometry.bounds_max[axis]})
             largest = std::max(largest, std::abs(bound - geometry.origin[axis]));
+    return largest;
+}
+
+double pixel_at(double depth, const render::Camera& camera, const ViewSize& size) {
+    return 2 * std::tan(camera.fov_degrees * std::numbers::pi / 360) * depth / std::max(size.height, 1U);
+}
+
+} // namespace
+
+double nearest_pixel(const Geometry& geometry, const render::Camera& camera, const ViewSize& size) {
+    if (camera.parallel) return camera.parallel_height / std::max(size.height, 1U);
+    const Frustum frustum(geometry, camera, size);
+    double nearest = INFINITY;
+    for (const Drawable& drawable : geometry.drawables) nearest = std::min(nearest, nearest_depth(drawable, frustum));
+    if (!(nearest < INFINITY)) nearest = length(minus(camera.target, camera.position)); // nothing in view
+    return pixel_at(std::max(nearest, frustum.nearest()), camera, size);
+}
+
+double surely_fine_grid(const Geometry& geometry, const render::Camera& camera, const ViewSize& size) {
+    double pixel = 0;
+    if (camera.parallel)
+        pixel = nearest_pixel(geometry, camera, size);
+    else
+        pixel = pixel_at(std::max(0.0, Frustum(geometry, camera, size).nearest_corner()), camera, size);
+    return pixel > 0 ? wire::grid_step(of_a_pixel * pixel, largest_offset(geometry)) : 0;
+}
+
+double needed_grid(const Geometry& geometry, const render::Camera& camera, const ViewSize& size) {
     return wire::grid_step(
-        std::min(of_a_pixel * nearest_pixel(geometry, camera, size), of_a_height * flat_height(geometry)), largest);
+        std::min(of_a_pixel * nearest_pixel(geometry, camera, size), of_a_height * flat_height(geometry)),
+        largest_offset(geometry));
 }
 
 } // namespace ciel::session

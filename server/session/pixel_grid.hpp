@@ -12,6 +12,10 @@ namespace ciel::session {
 // two. Reads all positions.
 [[nodiscard]] double needed_grid(const Geometry& geometry, const render::Camera& camera, const ViewSize& size);
 
+// Never coarser than needed_grid of the same content at another camera; from the bounds alone, so that a camera that
+// turns around a large mesh does not read its positions each time. 0 where the eye is among the bounds.
+[[nodiscard]] double surely_fine_grid(const Geometry& geometry, const render::Camera& camera, const ViewSize& size);
+
 // The length of a pixel at the nearest thing in view; at a tenth of a thousandth of the farthest where things reach to
 // the eye.
 [[nodiscard]] double nearest_pixel(const Geometry& geometry, const render::Camera& camera, const ViewSize& size);

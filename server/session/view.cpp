@@ -205,6 +205,11 @@ void View::finish() {
     schedule();
 }
 
+bool View::shows(const ContentKey& key, double grid) {
+    const std::scoped_lock lock(mutex_);
+    return key == content_ && grid_ > 0 && grid_ <= grid;
+}
+
 std::optional<double> View::grid_of_new(ContentKey key, double needed) {
     constexpr double much_finer = 16; // costs bytes that nobody sees
     const std::scoped_lock lock(mutex_);

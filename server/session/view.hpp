@@ -68,6 +68,8 @@ public:
     void give_way(); // and be taken again
     void fail(const FrameRequest& request, const std::string& sentence);
 
+    // True when the last geometry frame had this content, on a grid as fine as this or finer.
+    [[nodiscard]] bool shows(const ContentKey& key, double grid);
     // The step of the grid that this content is sent on; none where the client has it on one that is fine enough. Both
     // are remembered as the last geometry frame's.
     [[nodiscard]] std::optional<double> grid_of_new(ContentKey key, double needed);

@@ -51,6 +51,19 @@ TEST(pixel_grid, follows_what_is_nearest_in_view) {
     EXPECT_LE(needed_grid(geometry, camera, size), pixel_at(2) / 4);
 }
 
+// The outline of a domain around the eye, of which a part is seen far away.
+TEST(pixel_grid, of_what_passes_the_eye_counts_what_is_seen_of_it) {
+    Geometry geometry = square(40, 4);
+    auto line = std::make_shared<Shape>();
+    line->lines = true;
+    line->surface.positions = {{-50, -10, 0}, {50, -10, 0}}; // comes into view at a depth of 21
+    line->indices = {0, 1};
+    geometry.drawables[0].shape = line;
+    const double enters = 10 / (std::tan(15 * std::numbers::pi / 180) * 1280 / 720);
+    EXPECT_LE(needed_grid(geometry, camera, size), pixel_at(enters) / 4);
+    EXPECT_GE(needed_grid(geometry, camera, size), pixel_at(enters) / 8);
+}
+
 TEST(pixel_grid, of_a_parallel_view_is_the_same_at_all_depths) {
     render::Camera parallel = camera;
     parallel.parallel = true;
@@ -68,6 +81,21 @@ TEST(pixel_grid, of_flat_triangles_is_fine_enough_for_their_light) {
     EXPECT_LE(needed_grid(geometry, camera, size), 0.2 / std::numbers::sqrt2 / 32);
     geometry.drawables[0].lit = false;
     EXPECT_GT(needed_grid(geometry, camera, size), pixel_at(40) / 8);
+}
+
+TEST(pixel_grid, of_the_bounds_is_as_fine_and_reads_no_positions) {
+    const Geometry geometry = square(40, 4);
+    render::Camera outside = camera;
+    for (const double away : {60.0, 200.0, 3000.0}) {
+        outside.position = {-away, 10, 0};
+        const double quick = surely_fine_grid(geometry, outside, size);
+        EXPECT_GT(quick, 0);
+        EXPECT_LE(quick, needed_grid(geometry, outside, size)) << away;
+    }
+    EXPECT_EQ(surely_fine_grid(geometry, camera, size), 0) << "the eye is inside";
+    Geometry unread = geometry;
+    unread.drawables[0].shape = nullptr;
+    EXPECT_GT(surely_fine_grid(unread, outside, size), 0);
 }
 
 TEST(pixel_grid, is_never_finer_than_floats) {
