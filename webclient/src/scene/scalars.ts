@@ -30,11 +30,16 @@ export function thresholdScalarsOf(description: DatasetDescription | null): Scal
 
 /** What a further layer begins with: what the dataset is first shown by, which has more than one value. */
 export function firstScalar(description: DatasetDescription | null): string | undefined {
-  for (const layer of Object.values(description?.default_scene.layers ?? {})) {
-    if (layer.type === "iso" || layer.type === "volume") return layer.array;
-    if ((layer.type === "surface" || layer.type === "slice") && layer.color?.array !== undefined)
-      return layer.color.array;
-  }
+  const shown = Object.values(description?.default_scene.layers ?? {});
+  for (const layer of shown) if (layer.type === "iso" || layer.type === "volume") return layer.array;
+  for (const type of ["surface", "slice"])
+    for (const layer of shown)
+      if (
+        (layer.type === "surface" || layer.type === "slice") &&
+        layer.type === type &&
+        layer.color?.array !== undefined
+      )
+        return layer.color.array;
   return scalarsOf(description)[0]?.name;
 }
 
