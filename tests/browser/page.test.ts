@@ -152,7 +152,8 @@ describe("page", { skip }, () => {
   });
 
   test("light and dark", async () => {
-    const light = await stage.fresh({ scheme: "light" });
+    const light = await stage.open(stage.server.address, { scheme: "light" }); // a link brings its own background
+    await light.settled();
     await light.keep("light");
     const bright = (await light.picture()).at(3, 3);
     assert.ok(distance(bright, [255, 255, 255]) < 12, `light: ${bright.join()}`);
