@@ -126,7 +126,7 @@ nlohmann::json document_of_file(const RenderCommand& render, const std::string& 
     return document;
 }
 
-struct Wanted {
+struct Wanted { // NOLINT(bugprone-exception-escape): of what a json moves, nothing throws
     nlohmann::json document;
     std::optional<session::BoundingBox> box; // what a camera that nobody chose looks at; none: what is shown
 };

@@ -8,7 +8,7 @@
 
 namespace ciel::session {
 
-struct DefaultScene {
+struct DefaultScene {        // NOLINT(bugprone-exception-escape): of what a json moves, nothing throws
     nlohmann::json document; // with an explicit camera
     BoundingBox box;         // what the camera looks at: the bodies, or the whole mesh
 };

@@ -9,6 +9,7 @@ const facts: StreamFacts = {
   current: "image",
   gesture: "rest",
   lineRate: 10 * MBIT,
+  roundTripMs: 200,
   pictureBytes: 40_000,
   pictureMs: 60,
   polygonBytes: 1_800_000,
@@ -29,6 +30,12 @@ describe("the automatic stream", () => {
       change: { gesture: "value", polygonBytes: 90_000, pictureBytes: 300_000 },
       stream: "geometry",
     },
+    {
+      what: "a near server whose frames were too short to measure",
+      change: { lineRate: null, roundTripMs: 2 },
+      stream: "geometry",
+    },
+    { what: "a far server whose frames were too short to measure", change: { lineRate: null }, stream: "image" },
     { what: "the camera, polygons are here", change: { gesture: "camera", current: "geometry" }, stream: "geometry" },
     { what: "the camera, polygons would keep it waiting", change: { gesture: "camera" }, stream: "image" },
     {

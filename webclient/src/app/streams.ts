@@ -88,6 +88,7 @@ export class Streams {
       current: this.asked?.stream ?? "image",
       gesture: this.gesture,
       lineRate: this.rate.bytesPerSecond,
+      roundTripMs: readout.roundTripMs,
       pictureBytes: this.picture?.bytes ?? USUAL_PICTURE.bytesOfPixel * width * height,
       pictureMs: this.picture?.ms ?? USUAL_PICTURE.ms,
       polygonBytes:
