@@ -42,9 +42,8 @@ describe("nothing", { skip }, () => {
 
   /** A page that shows the dataset, and a server that has come back without it. */
   async function lost(scheme: "dark" | "light"): Promise<Client> {
-    const client = await stage.open(server.address, { scheme });
-    await client.settled();
-    await client.choose("gone");
+    const iso = { type: "iso", array: "tracer", values: [0.4] };
+    const client = await stage.open(server.address + fragmentOf({ dataset: "gone", layers: { iso } }), { scheme });
     await client.settled();
     await client.dragIso(0.6);
     await client.settled();
@@ -69,7 +68,7 @@ describe("nothing", { skip }, () => {
     assert.equal(await shown(client), 1);
     assert.ok(await client.button("Undo").isDisabled());
     const before = await client.picture();
-    await client.dragIso(0.7);
+    await client.dragCanvas([0.5, 0.5], [0.7, 0.5]);
     await client.settled();
     assert.ok(difference(before, await client.picture()) > 0.005, "the page is alive");
     assert.deepEqual(client.problems, []);
@@ -111,12 +110,14 @@ describe("nothing", { skip }, () => {
     await client.settled();
     remove();
     await listed(); // the server looks into its folder
-    const value = await client.value();
     await client.button("Undo").click();
     await client.toast("This cannot be undone. There is no dataset 'gone'").waitFor();
     await client.keep("undo-to-nowhere");
     assert.ok(await client.button("Undo").isDisabled());
     await client.settled();
+    await client.button("Add an iso-surface").click();
+    await client.settled();
+    const value = await client.value();
     await client.dragIso(0.3);
     await client.settled();
     assert.notEqual(await client.value(), value);
