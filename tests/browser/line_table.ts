@@ -7,6 +7,7 @@ import { launch, type Browser } from "./chromium.ts";
 import { Line } from "./line.ts";
 import { Client } from "./page.ts";
 import { datasets, Server } from "./server.ts";
+import { isoFragment } from "./stage.ts";
 
 interface Watch {
   /** performance.now() of patches, by the revision that they became. */
@@ -127,7 +128,8 @@ const quantile = (sorted: number[], part: number): string => {
 async function rows(browser: Browser, server: Server, stream: string, roundTrip: number, rate: number): Promise<void> {
   const line = await Line.to(server.port, { roundTrip, rate, buffer: Number(values.buffer) });
   const before = `(${listen.toString()})(); localStorage.setItem("ciel.stream", "${STORED[stream] ?? stream}");`;
-  const client = await Client.open(browser, `http://127.0.0.1:${line.port}/`, { width: 1280, height: 720, before });
+  const address = `http://127.0.0.1:${line.port}/${await isoFragment(server)}`;
+  const client = await Client.open(browser, address, { width: 1280, height: 720, before });
   try {
     await client.page.waitForFunction(() => window.watch.shown.length > 0, undefined, { timeout: 60_000 });
     await client.page.locator(".histogram-track").first().waitFor({ timeout: 60_000 });

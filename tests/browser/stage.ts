@@ -14,8 +14,8 @@ interface Described {
   default_scene: { layers: { surface?: { groups: string[] } } };
 }
 
-/** The address of a scene with what most suites take hold of: an iso-surface at the first step. */
-async function isoFragment(server: Server): Promise<string> {
+/** Of the address: a scene with what most suites take hold of, an iso-surface at the first step. */
+export async function isoFragment(server: Server): Promise<string> {
   const dataset = nameOf(data[0] ?? "");
   const call = { jsonrpc: "2.0", id: 1, method: "dataset.describe", params: { dataset } };
   const answer = await fetch(`${server.address}rpc`, {
