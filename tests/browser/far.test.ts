@@ -5,30 +5,13 @@ import { Line, type LineOptions } from "./line.ts";
 import type { Client } from "./page.ts";
 import { isoFragment, skip, Stage } from "./stage.ts";
 
-/** Runs in the page: as if a graphics card drew. */
-function pretendHardware(): void {
-  const plain = Reflect.get(WebGL2RenderingContext.prototype, "getParameter") as (name: number) => unknown;
-  const UNMASKED_RENDERER = 0x9246;
-  WebGL2RenderingContext.prototype.getParameter = function (name) {
-    return name === UNMASKED_RENDERER ? "ANGLE (NVIDIA, GeForce)" : plain.call(this, name);
-  };
-}
-
-/** Runs in the page: as if each drawing kept the next animation frame waiting. */
-function drawSlowly(): void {
-  const plain = window.requestAnimationFrame.bind(window);
-  window.requestAnimationFrame = (callback) => window.setTimeout(() => plain(callback), 300);
-}
-
-const hardware = `(${pretendHardware.toString()})();`;
-
 describe("far from the server", { skip }, () => {
   const stage = new Stage();
 
-  async function over(options: LineOptions, before: string, use: (client: Client) => Promise<void>): Promise<void> {
+  async function over(options: LineOptions, use: (client: Client) => Promise<void>): Promise<void> {
     const line = await Line.to(stage.server.port, options);
     const fragment = await isoFragment(stage.server);
-    const client = await stage.open(`http://127.0.0.1:${line.port}/${fragment}`, { before });
+    const client = await stage.open(`http://127.0.0.1:${line.port}/${fragment}`);
     try {
       await client.connected();
       await use(client);
@@ -43,7 +26,7 @@ describe("far from the server", { skip }, () => {
     client.page.locator("[data-readout=stream-why]").first().textContent();
 
   test("no change waits for the answer to the one before, and what is wanted is drawn at once", async () => {
-    await over({ roundTrip: 600 }, "", async (client) => {
+    await over({ roundTrip: 600 }, async (client) => {
       await client.settled();
       let [unanswered, most] = [0, 0];
       client.onPatch({ sent: () => (most = Math.max(most, ++unanswered)), answered: () => (unanswered -= 1) });
@@ -64,30 +47,8 @@ describe("far from the server", { skip }, () => {
     });
   });
 
-  test("over a slow line a value moves in pictures, and says why; polygons come when the hand holds still", async () => {
-    await over({ rate: 10 }, hardware, async (client) => {
-      await client.settled("geometry");
-      assert.match((await why(client)) ?? "", /^Polygons: the polygons \(.* MB\) come in .* s at .* MB\/s/);
-      const drag = client.dragIso(0.5, 60);
-      await client.page.locator("[data-readout=stream-why]", { hasText: "Pictures: a change is" }).waitFor();
-      await client.page.locator("[data-frame][data-stream=image]").waitFor({ state: "attached" });
-      await drag;
-      await client.settled("geometry");
-    });
-  });
-
-  test("a browser that draws too slowly gets pictures, and says so", async () => {
-    const slow = `${hardware} (${drawSlowly.toString()})();`;
-    await over({}, slow, async (client) => {
-      await client.settled("geometry");
-      await client.dragCanvas([0.4, 0.5], [0.6, 0.5], 100);
-      await client.page.locator("[data-readout=stream-why]", { hasText: "Pictures: this browser needs" }).waitFor();
-      await client.settled();
-    });
-  });
-
   test("a browser without a graphics card gets pictures", async () => {
-    await over({ rate: 100 }, "", async (client) => {
+    await over({ rate: 100 }, async (client) => {
       await client.settled();
       assert.equal(await why(client), "Pictures: this browser draws without a graphics card.");
     });
