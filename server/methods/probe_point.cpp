@@ -1,6 +1,7 @@
 #include "methods/scene_source.hpp"
 #include "session/picture.hpp"
 #include "session/probe.hpp"
+#include "session/sight.hpp"
 
 #include <cmath>
 
@@ -12,6 +13,17 @@ session::ViewSize size_of(const Context& context, const protocol::ProbePointPara
     if (!params.height) throw InvalidParams("/height", "a pixel needs the height of the picture it is in");
     session::check_picture_size(context.server.limits(), *params.width, *params.height);
     return {static_cast<std::uint32_t>(*params.width), static_cast<std::uint32_t>(*params.height)};
+}
+
+// What of the scene is under the pixel at that position.
+void name_what_is_there(protocol::ProbePointResult& result, const session::Geometry& geometry,
+                        const scene::Scene& scene, session::ViewSize size, const protocol::ProbePointParams& params,
+                        const store::Dataset& dataset) {
+    const auto there =
+        session::crossing_at(session::crossings(geometry, scene, size, *params.pixel), geometry, *result.position);
+    if (!there) return;
+    result.layer = geometry.drawables[there->drawable].layer;
+    result.patch = session::patch_of(*there, geometry, scene, dataset);
 }
 
 std::optional<std::int64_t> id_of(Index id) { return id == none ? std::nullopt : std::optional<std::int64_t>(id); }
@@ -29,8 +41,9 @@ protocol::ProbePointResult probe_point(Context& context, const protocol::ProbePo
     const auto locator = context.server.locators().get(dataset, step);
 
     std::optional<Vec3d> position = params.position;
+    std::shared_ptr<const session::Geometry> geometry;
     if (params.pixel) {
-        const auto geometry = source.geometry(); // not on the worker, which draws others meanwhile
+        geometry = source.geometry(); // not on the worker, which draws others meanwhile
         position = context.server.picture_workers().run([&](session::Worker& worker) {
             context.check_wanted();
             return session::position_under(*geometry, source.version().scene, size, *params.pixel, *locator, worker,
@@ -39,7 +52,14 @@ protocol::ProbePointResult probe_point(Context& context, const protocol::ProbePo
     }
     if (!position) return {};
     const session::Probed probed = session::probe(*dataset, step, *locator, *position);
-    return {probed.cell != none, position, id_of(probed.vertex), id_of(probed.cell), probed.values};
+    protocol::ProbePointResult result;
+    result.hit = probed.cell != none;
+    result.position = position;
+    result.vertex = id_of(probed.vertex);
+    result.cell = id_of(probed.cell);
+    result.values = probed.values;
+    if (geometry) name_what_is_there(result, *geometry, source.version().scene, size, params, *dataset);
+    return result;
 }
 
 } // namespace ciel::methods

@@ -5,7 +5,11 @@ namespace ciel::methods {
 
 protocol::SceneBoundsResult scene_bounds(Context& context, const protocol::SceneBoundsParams& params) {
     const SceneSource source(context, params.session, params.scene);
-    const auto [low, high] = session::shown_bounds(*source.geometry(), source.version().scene);
+    const auto geometry = source.geometry();
+    const scene::Scene& scene = source.version().scene;
+    const bool is_drawn = params.of == "drawn";
+    const auto [low, high] =
+        is_drawn ? session::drawn_bounds(*geometry, scene) : session::shown_bounds(*geometry, scene);
     return {{low[0], high[0], low[1], high[1], low[2], high[2]}};
 }
 

@@ -1,10 +1,12 @@
 #include "session/shown_bounds.hpp"
 
+#include "render/camera.hpp"
 #include "session/cut_box.hpp"
 #include "session/cutter.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <glm/vec4.hpp>
 
 namespace ciel::session {
 namespace {
@@ -63,7 +65,85 @@ bool has_threshold(const scene::Layer& layer) {
         layer.kind);
 }
 
+// Whether the layer shows a part of the mesh's boundary, or of its points, and not all of it.
+bool shows_part(const scene::Layer& layer) {
+    if (has_threshold(layer)) return true;
+    return std::visit(
+        [](const auto& kind) {
+            if constexpr (requires { kind.groups; })
+                return !kind.groups.empty();
+            else
+                return false;
+        },
+        layer.kind);
+}
+
+bool is_iso(const scene::Layer& layer) { return std::holds_alternative<scene::IsoLayer>(layer.kind); }
+
+template <class Counts>
+Box box_of(const Geometry& geometry, const scene::Scene& scene, Counts counts) {
+    Box box;
+    const Cutter cutter(geometry);
+    for (const scene::Layer& layer : scene.layers) {
+        if (!shows_data(layer) || !counts(layer)) continue;
+        for (const Drawable& drawable : geometry.drawables)
+            if (drawable.layer == layer.id) add_drawable(box, drawable, cutter);
+        for (const VolumeDrawable& volume : geometry.volumes)
+            if (volume.layer == layer.id)
+                for (const Vec3d& corner : corners_of_cut_box(geometry, geometry.clip)) box.add(corner);
+    }
+    return box;
+}
+
+// Whether a picture of that size shows a place, given as an offset from the geometry's origin.
+class View {
+public:
+    View(const Geometry& geometry, const scene::Scene& scene, ViewSize size) {
+        const auto view = render::view_transform(
+            frame_of(geometry, scene, static_cast<int>(size.width), static_cast<int>(size.height), 1));
+        clip_of_ = view.projection * view.view;
+    }
+    [[nodiscard]] bool shows(const Vec3f& at) const {
+        const glm::dvec4 clip = clip_of_ * glm::dvec4(at[0], at[1], at[2], 1);
+        return clip.w > 0 && std::abs(clip.x) <= clip.w && std::abs(clip.y) <= clip.w && std::abs(clip.z) <= clip.w;
+    }
+
+private:
+    glm::dmat4 clip_of_{};
+};
+
+template <class Counts>
+Box box_in_view(const Geometry& geometry, const scene::Scene& scene, const View& view, Counts counts) {
+    Box box;
+    const Cutter cutter(geometry);
+    for (const scene::Layer& layer : scene.layers) {
+        if (!shows_data(layer) || !counts(layer)) continue;
+        for (const Drawable& drawable : geometry.drawables) {
+            if (drawable.layer != layer.id) continue;
+            for (const Vec3f& at : drawable.shape->surface.positions)
+                if (view.shows(at) && cutter.keeps(at)) box.add(wide(at));
+        }
+    }
+    return box;
+}
+
 } // namespace
+
+std::optional<BoundingBox> bounds_in_view(const Geometry& geometry, const scene::Scene& scene, ViewSize size) {
+    const View view(geometry, scene, size);
+    Box box = box_in_view(geometry, scene, view, shows_part);
+    if (box.is_empty()) box = box_in_view(geometry, scene, view, [](const scene::Layer&) { return true; });
+    return box.is_empty() ? std::nullopt : std::optional(box.from(geometry.origin));
+}
+
+BoundingBox drawn_bounds(const Geometry& geometry, const scene::Scene& scene) {
+    if (!box_of(geometry, scene, shows_part).is_empty()) {
+        const auto counts = [](const scene::Layer& layer) { return shows_part(layer) || is_iso(layer); };
+        return box_of(geometry, scene, counts).from(geometry.origin);
+    }
+    const Box all = box_of(geometry, scene, [](const scene::Layer&) { return true; });
+    return all.is_empty() ? shown_bounds(geometry, scene) : all.from(geometry.origin);
+}
 
 BoundingBox shown_bounds(const Geometry& geometry, const scene::Scene& scene) {
     const BoundingBox whole{geometry.bounds_min, geometry.bounds_max};

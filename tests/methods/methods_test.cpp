@@ -321,6 +321,37 @@ TEST_F(Methods, probe_by_position_and_by_pixel) {
     EXPECT_EQ(background["position"], nullptr);
 }
 
+TEST_F(Methods, probes_and_picks_name_the_layer_and_the_patch) {
+    json params{{"pixel", {50, 50}}, {"width", 101}, {"height", 101}, {"scene", json::parse(R"({"dataset": "box",
+        "camera": {"position": [980, 3.1, -47.3], "target": [1003, 3.1, -47.3]},
+        "layers": {"walls": {"type": "surface"}}})")}};
+    const json probed = client.call("probe.point", params);
+    EXPECT_EQ(probed["layer"], "walls");
+    EXPECT_EQ(probed["patch"], "left");
+    const json picked = client.call("scene.pick", params);
+    EXPECT_EQ(picked["layer"], "walls");
+    EXPECT_EQ(picked["patch"], "left");
+    EXPECT_NEAR(picked["position"][0].get<double>(), 1000, 1e-3);
+    params["scene"]["layers"]["walls"]["groups"] = {"body"};
+    EXPECT_EQ(client.call("probe.point", params)["patch"], "body");
+    params["pixel"] = {0, 0};
+    const json background = client.call("scene.pick", params);
+    EXPECT_EQ(background["position"], nullptr);
+    EXPECT_EQ(background["layer"], nullptr);
+    EXPECT_EQ(background["centre"], json({1003, 3, -47})) << "of the body, though the pixel is beside it";
+    EXPECT_EQ(client.call("probe.point", params)["patch"], nullptr);
+    params.erase("pixel");
+    params["position"] = {1001, 1, -49};
+    EXPECT_EQ(client.call("probe.point", params)["layer"], nullptr) << "a position is on no layer";
+}
+
+TEST_F(Methods, bounds_of_the_mesh_and_of_what_is_drawn) {
+    json params{{"scene", {{"dataset", "box"}, {"layers", {{"b", {{"type", "surface"}, {"groups", {"body"}}}}}}}}};
+    EXPECT_EQ(client.call("scene.bounds", params)["bounds"], json({1000, 1006, 0, 6, -50, -44}));
+    params["of"] = "drawn";
+    EXPECT_EQ(client.call("scene.bounds", params)["bounds"], json({1002, 1004, 2, 4, -48, -46}));
+}
+
 TEST_F(Methods, color_range_is_that_of_the_values_in_view) {
     json params{{"layers", {"s"}}, {"scene", json::parse(R"({"dataset": "box",
         "camera": {"position": [980, 3, -47], "target": [1003, 3, -47], "parallel": true, "parallel_height": 100},

@@ -72,5 +72,75 @@ TEST(ShownBounds, AreThoseOfWhatClipsAndThresholdsLeave) {
     }
 }
 
+TEST(DrawnBounds, AreThoseOfWhatTheLayersDraw) {
+    test::Folder folder;
+    test::write_small_dataset(folder / "box.ciel");
+    store::Catalog catalog{{folder.path()}};
+    SceneGeometry geometry(test::chosen_engine());
+    const json body{{"type", "surface"}, {"groups", {"body"}}};
+    const json left{{"type", "edges"}, {"groups", {"left"}}};
+    const json iso{{"type", "iso"}, {"array", "U:x"}, {"values", {5}}}; // the plane z = 5
+    json hidden = body;
+    hidden["visible"] = false;
+    const Vec3d none{0, 0, 0}, all{6, 6, 6}, hole{2, 2, 2}, hole_end{4, 4, 4};
+    const std::vector<Row> rows{
+        {"everything", {{"a", surface}}, none, all},
+        {"a patch", {{"a", body}}, hole, hole_end},
+        {"a patch in the far field's slice and outline", {{"a", body}, {"s", slice}, {"o", outline}}, hole, hole_end},
+        {"a patch and all of the boundary", {{"a", body}, {"b", surface}}, hole, hole_end},
+        {"a patch that is switched off", {{"a", hidden}, {"b", surface}}, none, all},
+        {"two patches", {{"a", body}, {"b", left}}, none, {4, 6, 6}},
+        {"a patch and an iso-surface", {{"a", body}, {"i", iso}}, {0, 0, 2}, {6, 6, 5}},
+        {"an iso-surface alone", {{"i", iso}, {"o", outline}}, {0, 0, 5}, {6, 6, 5}},
+        {"a slice alone", {{"a", slice}}, {0, 0, 1}, {6, 6, 1}},
+        {"a slice and an iso-surface", {{"a", slice}, {"i", iso}}, {0, 0, 1}, {6, 6, 5}},
+        {"a clipped patch", {{"a", body}, {"c", clip("x", 3)}}, hole, {3, 4, 4}},
+        {"a patch that is clipped away", {{"a", body}, {"s", slice}, {"c", clip("x", 1)}}, {0, 0, 1}, {1, 6, 1}},
+        {"a volume", {{"v", volume}, {"c", clip("y", 2, true)}}, {0, 2, 0}, all},
+        {"an outline alone", {{"o", outline}}, none, all},
+    };
+    for (const Row& row : rows) {
+        const scene::Scene scene = scene::parse({{"dataset", "box"}, {"layers", row.layers}});
+        const auto shown = geometry.update(scene, catalog.open("box"));
+        const BoundingBox found = drawn_bounds(*shown, scene);
+        for (std::size_t k = 0; k < 3; ++k) {
+            EXPECT_NEAR(found.low[k] - test::box_origin[k], row.low[k], 1e-4) << row.what;
+            EXPECT_NEAR(found.high[k] - test::box_origin[k], row.high[k], 1e-4) << row.what;
+        }
+    }
+}
+
+TEST(BoundsInView, AreThoseOfThePointsThatThePictureShows) {
+    test::Folder folder;
+    test::write_small_dataset(folder / "box.ciel");
+    store::Catalog catalog{{folder.path()}};
+    SceneGeometry geometry(test::chosen_engine());
+    const json body{{"type", "surface"}, {"groups", {"body"}}};
+    const Vec3d& o = test::box_origin;
+    const auto found = [&](json layers, double height, double x = 3) {
+        const json camera{{"position", {o[0] + x, o[1] + 3, o[2] + 30}},
+                          {"target", {o[0] + x, o[1] + 3, o[2]}},
+                          {"up", {0, 1, 0}},
+                          {"parallel", true},
+                          {"parallel_height", height}};
+        const scene::Scene scene =
+            scene::parse({{"dataset", "box"}, {"camera", camera}, {"layers", std::move(layers)}});
+        return bounds_in_view(*geometry.update(scene, catalog.open("box")), scene, {100, 100, 1});
+    };
+    const auto expect = [&](const std::optional<BoundingBox>& box, const Vec3d& low, const Vec3d& high) {
+        ASSERT_TRUE(box);
+        for (std::size_t k = 0; k < 3; ++k) {
+            EXPECT_NEAR(box->low[k] - o[k], low[k], 1e-4);
+            EXPECT_NEAR(box->high[k] - o[k], high[k], 1e-4);
+        }
+    };
+    expect(found({{"a", surface}}, 20), {0, 0, 0}, {6, 6, 6});
+    expect(found({{"a", surface}}, 2.5), {2, 2, 0}, {4, 4, 6});
+    expect(found({{"a", surface}, {"b", body}}, 20), {2, 2, 2}, {4, 4, 4});
+    expect(found({{"a", surface}, {"b", body}, {"c", clip("x", 3)}}, 20), {2, 2, 2}, {3, 4, 4});
+    EXPECT_FALSE(found({{"o", outline}}, 20));
+    EXPECT_FALSE(found({{"a", surface}}, 20, 100));
+}
+
 } // namespace
 } // namespace ciel::session

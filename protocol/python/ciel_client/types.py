@@ -309,6 +309,8 @@ class ProbeResult(TypedDict):
     position: Vec3 | None
     vertex: int | None
     cell: int | None
+    layer: str | None  # the layer whose polygon is under the pixel; null for a position, and where a line or a point is
+    patch: str | None  # the patch under the pixel, where that layer is a surface; null on other layers
     values: dict[str, float | None]  # scalar name to value at the position; null where it was not written
 
 
@@ -545,10 +547,28 @@ class SceneBoundsParams(TypedDict):
 
     session: NotRequired[str]  # without it, `scene` is used and nothing is kept
     scene: NotRequired[Scene]
+    of: NotRequired[Literal["mesh", "drawn"]]  # drawn: the box around what the visible layers draw. Where a part of the boundary is drawn, slices, volumes and the whole boundary do not widen it; an outline counts alone only.
 
 
 class SceneBoundsResult(TypedDict):
     bounds: list[float]  # x minimum, x maximum, y minimum, y maximum, z minimum, z maximum
+
+
+class ScenePickParams(TypedDict):
+    """scene.pick: The first polygon on the line of sight through a pixel of a picture of the given size. Nothing is drawn for it: lines, points and volumes are not met."""
+
+    session: NotRequired[str]  # without it, `scene` is used and nothing is kept
+    scene: NotRequired[Scene]
+    pixel: list[float]  # x, y from the top left
+    width: int  # of the picture, pixels
+    height: int  # of the picture, pixels
+
+
+class ScenePickResult(TypedDict):
+    position: Vec3 | None  # null where no polygon is met
+    layer: str | None  # whose polygon it is
+    patch: str | None  # of the boundary, where the layer is a surface
+    centre: Vec3 | None  # the middle of the box around the points of layers that the picture shows, hidden ones too: of a part of the boundary where one is in view; null where none is
 
 
 class ColorRangeParams(TypedDict):
