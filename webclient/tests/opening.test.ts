@@ -13,7 +13,7 @@ const shown: AppState = {
   empty: [{ layer: "iso", why: "outside", reason: "" }],
   missing: ["iso"],
   probe: {
-    result: { hit: false, position: null, vertex: null, cell: null, values: {} },
+    result: { hit: false, position: null, vertex: null, cell: null, layer: null, patch: null, values: {} },
     time: 0,
   },
 };
