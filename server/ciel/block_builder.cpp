@@ -26,7 +26,6 @@ BuiltBlock BlockBuilder::build(Index cell_begin, Index cell_end) {
         fill<std::uint32_t>(built);
     built.vertices = loops_.vertices;
     built.edge_ends = loops_.edge_ends;
-    loops_.forget();
     return built;
 }
 
@@ -150,7 +149,7 @@ void BlockBuilder::set_standard_mates(BuiltBlock& built, const BlockArrays<Local
                 if (other < built.block.standard_half_edges) {
                     section.mate.push_back(
                         static_cast<std::uint16_t>(turn(built.block, arrays.polyhedra, other, steps)));
-                } else if (side == 0 && loops_.mesh.neighbour[loops_.mesh_face[loop]] == none) {
+                } else if (side == 0 && loops_.is_boundary(loop)) {
                     section.mate.push_back(StandardSection::no_mate);
                 } else {
                     section.mate.push_back(

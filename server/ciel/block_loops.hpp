@@ -3,6 +3,7 @@
 #pragma once
 
 #include "ciel/cell_faces.hpp"
+#include "ciel/local_numbers.hpp"
 
 #include <unordered_map>
 
@@ -11,14 +12,14 @@ namespace ciel {
 // A face seen from one of its cells: 2 * loop + side, side 1 against the stored direction.
 using LoopRef = Index;
 
-// Scratch for many blocks, one per thread; borrows the mesh and its cells' faces. Loops lack the repeats of collapsed
-// cells; one that collapsed to a point is empty and in no cell's list.
+// Scratch for many blocks, one per thread, as long as the largest of them; borrows the mesh and its cells' faces. Loops
+// lack the repeats of collapsed cells; one that collapsed to a point is empty and in no cell's list. What is read of
+// the mesh is read once and agrees with itself, also when the mesh changes meanwhile: else gather throws Error.
 class BlockLoops {
 public:
     BlockLoops(const FaceMeshView& mesh, const CellFaces& faces);
 
     void gather(Index cell_begin, Index cell_end);
-    void forget(); // before the next gather
 
     [[nodiscard]] Index loop_count() const { return static_cast<Index>(mesh_face.size()); }
     [[nodiscard]] Index size(LoopRef ref) const { return begin[ref / 2 + 1] - begin[ref / 2]; }
@@ -37,13 +38,15 @@ public:
     }
     // Local cell on a side of a loop, or none: in another block, or outside.
     [[nodiscard]] Index cell_on(Index loop, Index side) const {
-        const Index cell = side == 0 ? mesh.owner[mesh_face[loop]] : mesh.neighbour[mesh_face[loop]];
+        const Index cell = mesh_cell[loop][side];
         return cell >= cell_begin && cell < cell_end ? cell - cell_begin : none;
     }
+    [[nodiscard]] bool is_boundary(Index loop) const { return mesh_cell[loop][1] == none; }
 
     const FaceMeshView& mesh;
     Index cell_begin = 0, cell_end = 0;
     std::vector<Index> mesh_face;                  // loop -> face: those the cells own, then those of earlier blocks
+    std::vector<std::array<Index, 2>> mesh_cell;   // loop -> owner and neighbour
     std::vector<Index> begin;                      // loop -> first corner; one more at the end
     std::vector<Index> vertex, edge;               // per corner, local; the edge leads to the next corner
     std::vector<Index> vertices;                   // local -> mesh vertex, ascending
@@ -52,13 +55,15 @@ public:
 
 private:
     void list_faces();
-    void note_vertex(Index v);
+    bool append(Index face);
+    void check_sides() const;
     void number_vertices();
     void find_edges();
     Index edge_between(Index low, Index high); // a new one where there is none
 
     const CellFaces& faces_;
-    std::vector<Index> local_vertex_;                       // mesh vertex -> local, none outside this block
+    std::vector<Index> collapsed_;                          // vertices of loops that collapsed to a point
+    LocalNumbers local_vertex_;                             // mesh vertex -> local
     std::vector<Index> edge_head_, edge_next_;              // edges by their lower vertex: the first ones of each
     std::unordered_map<std::uint64_t, Index> crowded_edge_; // the others: a vertex of thousands, say a fan's apex
 };

@@ -7,17 +7,20 @@ namespace ciel {
 CellFaces cell_faces(const FaceMeshView& mesh) {
     CellFaces out;
     out.begin.assign(std::size_t{mesh.cell_count()} + 1, 0);
-    for (Index f = 0; f < mesh.face_count(); ++f) {
-        ++out.begin[mesh.owner[f] + 1];
-        if (mesh.neighbour[f] != none) ++out.begin[mesh.neighbour[f] + 1];
-    }
+    const auto for_cells_of = [&](Index f, auto&& visit) {
+        visit(mesh.owner[f]);
+        if (const Index neighbour = mesh.neighbour[f]; neighbour != none) visit(neighbour);
+    };
+    for (Index f = 0; f < mesh.face_count(); ++f)
+        for_cells_of(f, [&](Index cell) { ++out.begin[std::size_t{cell} + 1]; });
     for (std::size_t c = 1; c < out.begin.size(); ++c) out.begin[c] += out.begin[c - 1];
     out.face.resize(out.begin.back());
     std::vector<std::uint64_t> cursor(out.begin.begin(), out.begin.end() - 1);
-    for (Index f = 0; f < mesh.face_count(); ++f) {
-        out.face[cursor[mesh.owner[f]]++] = f;
-        if (mesh.neighbour[f] != none) out.face[cursor[mesh.neighbour[f]]++] = f;
-    }
+    for (Index f = 0; f < mesh.face_count(); ++f)
+        for_cells_of(f, [&](Index cell) {
+            if (cursor[cell] == out.begin[std::size_t{cell} + 1]) mesh.owner.refuse(); // changed since it was counted
+            out.face[cursor[cell]++] = f;
+        });
     return out;
 }
 
@@ -28,16 +31,17 @@ void check_face_mesh(const FaceMeshView& mesh) {
     require(mesh.positions.size() % 3 == 0, "positions do not hold three numbers per vertex");
     require(mesh.neighbour.size() == mesh.owner.size(), "owner and neighbour differ in length");
     require(mesh.face_offset.size() == mesh.owner.size() + 1, "face_offset does not hold one number more than owner");
-    require(mesh.face_offset.front() == 0 && mesh.face_offset.back() == mesh.face_vertex.size() &&
-                std::ranges::is_sorted(mesh.face_offset),
+    const auto offsets = mesh.face_offset.unchecked();
+    require(offsets.front() == 0 && offsets.back() == mesh.face_vertex.size() && std::ranges::is_sorted(offsets),
             "face_offset does not rise from 0 to the length of face_vertex");
     const Index vertices = mesh.vertex_count(), cells = mesh.cell_count();
-    require(std::ranges::all_of(mesh.face_vertex, [=](Index v) { return v < vertices; }),
+    require(std::ranges::all_of(mesh.face_vertex.unchecked(), [=](Index v) { return v < vertices; }),
             "a vertex id is out of range");
-    require(std::ranges::is_sorted(mesh.owner) && (mesh.owner.empty() || mesh.owner.back() < cells),
+    const auto owners = mesh.owner.unchecked(), neighbours = mesh.neighbour.unchecked();
+    require(std::ranges::is_sorted(owners) && (owners.empty() || owners.back() < cells),
             "owner does not rise to less than the number of cells");
     for (Index f = 0; f < mesh.face_count(); ++f)
-        require(mesh.neighbour[f] == none || (mesh.neighbour[f] > mesh.owner[f] && mesh.neighbour[f] < cells),
+        require(neighbours[f] == none || (neighbours[f] > owners[f] && neighbours[f] < cells),
                 "a neighbour is not between its owner and the number of cells");
 }
 

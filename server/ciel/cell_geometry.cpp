@@ -10,7 +10,6 @@ namespace ciel {
 namespace {
 
 constexpr std::size_t grain = 4096;
-constexpr const char* damaged = "; the dataset is damaged: restore its files or import the data again";
 
 // A fan around the mean of the corners, each triangle weighted by its share of the area along the normal.
 FaceShape face_shape(const FaceMeshView& mesh, std::span<const Index> loop) {
@@ -40,21 +39,11 @@ FaceShape face_shape(const FaceMeshView& mesh, std::span<const Index> loop) {
 } // namespace
 
 void read_loop(const FaceMeshView& mesh, Index face, std::vector<Index>& loop) {
-    const std::uint64_t begin = mesh.face_offset[face], end = mesh.face_offset[std::size_t{face} + 1];
-    if (begin > end || end > mesh.face_vertex.size())
-        fail("face " + std::to_string(face) + " has a loop outside of the mesh" + damaged);
-    const auto from = mesh.face_vertex.subspan(begin, end - begin);
-    loop.assign(from.begin(), from.end());
-    if (std::any_of(loop.begin(), loop.end(), [&](Index vertex) { return vertex >= mesh.vertex_count(); }))
-        fail("face " + std::to_string(face) + " has a vertex outside of the mesh" + damaged);
+    const Ids stored = mesh.loop(face);
+    loop.assign(stored.begin(), stored.end());
 }
 
-FaceCells read_cells(const FaceMeshView& mesh, Index face) {
-    const FaceCells cells{mesh.owner[face], mesh.neighbour[face]};
-    if (cells.owner >= mesh.cell_count() || (cells.neighbour != none && cells.neighbour >= mesh.cell_count()))
-        fail("face " + std::to_string(face) + " has a cell outside of the mesh" + damaged);
-    return cells;
-}
+FaceCells read_cells(const FaceMeshView& mesh, Index face) { return {mesh.owner[face], mesh.neighbour[face]}; }
 
 std::vector<FaceShape> face_shapes(const FaceMeshView& mesh) {
     std::vector<FaceShape> faces(mesh.face_count());

@@ -2,35 +2,59 @@
 // the input of Algorithm 5 (paper, appendix A) with its faces matched.
 #pragma once
 
-#include "ciel/types.hpp"
+#include "ciel/checked_array.hpp"
 
 #include <cstdint>
-#include <span>
 #include <vector>
 
 namespace ciel {
 
-// Borrowed; the owner of the arrays must outlive every use. V vertices, F faces, C cells.
-// A face between two cells is stored once. Its loop is wound so that its normal (right hand) points out of `owner`
-// into `neighbour`; owner < neighbour; neighbour is `none` on the boundary. Repeated vertex ids in a loop (collapsed
-// cells) are allowed and kept. Cells are in storage order, which is a space-filling-curve order; faces are sorted by
-// owner, vertices by their first use in face_vertex; those that no face uses come last.
+// Borrowed; the owner of the arrays must outlive every use. V vertices, F faces, C cells. Indices are checked where
+// they are read, for the arrays may be those of a mapped file; positions and types are values, of which any is
+// harmless. A face between two cells is stored once. Its loop is wound so that its normal (right hand) points out of
+// `owner` into `neighbour`; owner < neighbour; neighbour is `none` on the boundary. Repeated vertex ids in a loop
+// (collapsed cells) are allowed and kept. Cells are in storage order, which is a space-filling-curve order; faces are
+// sorted by owner, vertices by their first use in face_vertex; those that no face uses come last.
 struct FaceMeshView {
-    Vec3d origin{};                             // added to every position
-    std::span<const float> positions;           // 3 V: offsets from origin
-    std::span<const std::uint8_t> cell_types;   // C: CellType
-    std::span<const std::uint64_t> face_offset; // F + 1, into face_vertex
-    std::span<const Index> face_vertex;         // vertex ids of each loop
-    std::span<const Index> owner;               // F
-    std::span<const Index> neighbour;           // F
+    using Offsets = CheckedArray<std::uint64_t>;
+
+    Vec3d origin{};                           // added to every position
+    std::span<const float> positions;         // 3 V: offsets from origin
+    std::span<const std::uint8_t> cell_types; // C: CellType
+    Offsets face_offset;                      // F + 1, into face_vertex
+    Ids face_vertex;                          // vertex ids of each loop
+    Ids owner;                                // F
+    OptionalIds neighbour;                    // F
 
     [[nodiscard]] Index vertex_count() const { return static_cast<Index>(positions.size() / 3); }
     [[nodiscard]] Index cell_count() const { return static_cast<Index>(cell_types.size()); }
     [[nodiscard]] Index face_count() const { return static_cast<Index>(owner.size()); }
-    [[nodiscard]] std::span<const Index> loop(Index face) const {
-        return face_vertex.subspan(face_offset[face], face_offset[face + 1] - face_offset[face]);
+    [[nodiscard]] Ids loop(Index face) const {
+        const std::uint64_t begin = face_offset[face], end = face_offset[std::size_t{face} + 1];
+        if (begin > end) [[unlikely]]
+            face_offset.refuse();
+        return face_vertex.part(begin, end - begin);
     }
 };
+
+// Those who keep the arrays of a mesh; null where they lie in memory that nobody else changes.
+struct FaceMeshKeepers {
+    const ArrayKeeper *face_offset = nullptr, *face_vertex = nullptr, *owner = nullptr, *neighbour = nullptr;
+};
+
+[[nodiscard]] inline FaceMeshView
+face_mesh_view(Vec3d origin, std::span<const float> positions, std::span<const std::uint8_t> cell_types,
+               std::span<const std::uint64_t> face_offset, std::span<const Index> face_vertex,
+               std::span<const Index> owner, std::span<const Index> neighbour, const FaceMeshKeepers& keepers = {}) {
+    const auto vertices = static_cast<Index>(positions.size() / 3), cells = static_cast<Index>(cell_types.size());
+    return {origin,
+            positions,
+            cell_types,
+            {face_offset, face_vertex.size() + 1, keepers.face_offset},
+            {face_vertex, vertices, keepers.face_vertex},
+            {owner, cells, keepers.owner},
+            {neighbour, cells, keepers.neighbour}};
+}
 
 struct FaceMesh {
     Vec3d origin{};
@@ -42,7 +66,7 @@ struct FaceMesh {
     std::vector<Index> neighbour;
 
     [[nodiscard]] FaceMeshView view() const {
-        return {origin, positions, cell_types, face_offset, face_vertex, owner, neighbour};
+        return face_mesh_view(origin, positions, cell_types, face_offset, face_vertex, owner, neighbour);
     }
 };
 

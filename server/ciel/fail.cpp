@@ -1,5 +1,5 @@
 // One place that throws, for builds that cannot (WebAssembly).
-#include "ciel/types.hpp"
+#include "ciel/checked_array.hpp"
 
 #if !defined(__cpp_exceptions)
 #include <cstdio>
@@ -15,6 +15,11 @@ void fail(const std::string& sentence) {
     std::fputs((sentence + "\n").c_str(), stderr);
     std::abort();
 #endif
+}
+
+void refuse_array(const ArrayKeeper* keeper) {
+    if (keeper != nullptr) keeper->refuse();
+    fail("the mesh is damaged: an index leads out of what it numbers, or two contradict each other; import it again");
 }
 
 } // namespace ciel

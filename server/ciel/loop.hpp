@@ -4,18 +4,24 @@
 
 #include "ciel/types.hpp"
 
-#include <span>
 #include <vector>
 
 namespace ciel {
 
 // Appends `loop` to `out`, leaving out each vertex that equals its successor around the loop. A loop that collapsed to
-// a point appends nothing, one that collapsed to a line appends both of its ends. Returns how many were appended.
-inline std::size_t append_without_repeats(std::span<const Index> loop, std::vector<Index>& out) {
+// a point appends nothing, one that collapsed to a line appends both of its ends. Returns how many were appended. Reads
+// each id once, so that what it appends has no repeats even when the loop changes meanwhile.
+template <class Loop>
+std::size_t append_without_repeats(const Loop& loop, std::vector<Index>& out) {
     const std::size_t before = out.size();
-    for (std::size_t i = 0; i < loop.size(); ++i)
-        if (loop[i] != loop[i + 1 == loop.size() ? 0 : i + 1]) out.push_back(loop[i]);
-    return out.size() - before;
+    out.insert(out.end(), loop.begin(), loop.end());
+    if (out.size() == before) return 0;
+    const Index first = out[before];
+    std::size_t kept = before;
+    for (std::size_t i = before; i < out.size(); ++i)
+        if (out[i] != (i + 1 == out.size() ? first : out[i + 1])) out[kept++] = out[i];
+    out.resize(kept);
+    return kept - before;
 }
 
 } // namespace ciel

@@ -153,10 +153,16 @@ void SlabSink::join(std::span<const Part* const> parts, Out& out) const {
 SlabMesh slab_boundary(const FaceMeshView& mesh, const SlabProperty& property) {
     const auto filled = [&](Index cell) { return cell != none && is_filled(property.limits[cell]); };
     SlabMesh out;
-    std::vector<Index> local(mesh.vertex_count(), none), loop, faces;
+    struct Side {
+        Index face, cell;
+        bool is_owner; // out of whom the loop is wound
+    };
+    std::vector<Side> sides;
+    std::vector<Index> local(mesh.vertex_count(), none), loop;
     for (Index face = 0; face < mesh.face_count(); ++face) {
-        if (filled(mesh.owner[face]) == filled(mesh.neighbour[face])) continue;
-        faces.push_back(face);
+        const Index owner = mesh.owner[face], neighbour = mesh.neighbour[face];
+        if (filled(owner) == filled(neighbour)) continue;
+        sides.push_back({face, filled(owner) ? owner : neighbour, filled(owner)});
         for (const Index vertex : mesh.loop(face)) {
             if (local[vertex] == none) {
                 local[vertex] = static_cast<Index>(out.vertices.size());
@@ -166,12 +172,14 @@ SlabMesh slab_boundary(const FaceMeshView& mesh, const SlabProperty& property) {
         }
     }
     FanWriter fans(out);
-    for (const Index face : faces) {
+    for (const auto& [face, cell, is_owner] : sides) {
         loop.clear();
-        for (const Index vertex : mesh.loop(face)) loop.push_back(local[vertex]);
-        const bool is_owners = filled(mesh.owner[face]); // out of whom the loop is wound
-        if (!is_owners) std::ranges::reverse(loop);
-        fans.add(loop, property.limits[is_owners ? mesh.owner[face] : mesh.neighbour[face]]);
+        for (const Index vertex : mesh.loop(face)) {
+            if (local[vertex] == none) mesh.face_vertex.refuse(); // changed since it was numbered
+            loop.push_back(local[vertex]);
+        }
+        if (!is_owner) std::ranges::reverse(loop);
+        fans.add(loop, property.limits[cell]);
     }
     return out;
 }

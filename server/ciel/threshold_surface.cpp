@@ -17,7 +17,7 @@ void add_chunks(Surface& surface) {
         surface.chunks.push_back({begin / polygons_per_chunk, begin, std::min(begin + polygons_per_chunk, polygons)});
 }
 
-bool is_polygon(std::span<const Index> loop) {
+bool is_polygon(const std::vector<Index>& loop) {
     Index other = none; // than the first
     for (const Index vertex : loop) {
         if (vertex == loop[0] || vertex == other) continue;
@@ -61,8 +61,8 @@ std::vector<CellFace> threshold_faces(const FaceMeshView& mesh, std::span<const 
     std::vector<CellFace> faces;
     const auto keeps = [&](Index cell) { return cell != none && kept[cell] != 0; };
     for (Index f = 0; f < mesh.face_count(); ++f) {
-        const bool owner = keeps(mesh.owner[f]), neighbour = keeps(mesh.neighbour[f]);
-        if (owner != neighbour) faces.push_back({f, owner ? mesh.owner[f] : mesh.neighbour[f]});
+        const Index owner = mesh.owner[f], neighbour = mesh.neighbour[f];
+        if (keeps(owner) != keeps(neighbour)) faces.push_back({f, keeps(owner) ? owner : neighbour});
     }
     return faces;
 }
@@ -79,8 +79,10 @@ Surface face_surface(const FaceMeshView& mesh, std::span<const CellFace> faces) 
         }
         surface.polygon_vertex.push_back(local[vertex]);
     };
+    std::vector<Index> loop;
     for (const auto& [face, cell] : faces) {
-        const std::span<const Index> loop = mesh.loop(face);
+        const Ids stored = mesh.loop(face);
+        loop.assign(stored.begin(), stored.end());
         if (!is_polygon(loop)) continue;
         if (cell == mesh.owner[face])
             std::for_each(loop.begin(), loop.end(), add);

@@ -46,8 +46,9 @@ std::uint64_t count_components(const FaceMeshView& mesh) {
     };
     std::uint64_t components = parent.size();
     for (Index f = 0; f < mesh.face_count(); ++f) {
-        if (mesh.neighbour[f] == none) continue;
-        const Index a = root(mesh.owner[f]), b = root(mesh.neighbour[f]);
+        const Index neighbour = mesh.neighbour[f];
+        if (neighbour == none) continue;
+        const Index a = root(mesh.owner[f]), b = root(neighbour);
         if (a == b) continue;
         parent[std::max(a, b)] = std::min(a, b);
         --components;
@@ -90,7 +91,7 @@ Topology::Topology(const FaceMeshView& mesh, Options options) : blocks_(std::mak
     const CellFaces faces = cell_faces(mesh);
     const std::vector<Index> begin = divide(mesh, faces, std::max<Index>(1, options.cells_per_block));
     std::vector<BuiltBlock> built(begin.size() - 1);
-    // Few tasks: each has a table as long as the vertices.
+    // Few tasks: each has scratch that grows to the largest of its blocks.
     parallel_for(built.size(), built.size() / (std::size_t{4} * thread_count()) + 1,
                  [&](std::size_t first, std::size_t last) {
                      BlockBuilder builder(mesh, faces);

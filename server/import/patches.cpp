@@ -13,7 +13,8 @@ class BoundaryFaces {
 public:
     explicit BoundaryFaces(const FaceMeshView& mesh) : corners_(mesh) {
         for (Index face = 0; face < mesh.face_count(); ++face)
-            if (mesh.neighbour[face] == none) faces_[corners_.learn(mesh.loop(face))].push_back({face, 0, none});
+            if (mesh.neighbour[face] == none)
+                faces_[corners_.learn(mesh.loop(face).unchecked())].push_back({face, 0, none});
     }
 
     // The face with these corners that this surface has not claimed, or none.

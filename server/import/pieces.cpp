@@ -35,7 +35,7 @@ Cut find_cut(const Assembled& pieces, const std::vector<Patch>& patches) {
     };
     for (Index face = 0; face < mesh.face_count(); ++face) {
         if (mesh.neighbour[face] != none || named[face]) continue;
-        const auto [other, is_first] = open.try_emplace(index.learn(mesh.loop(face)), face);
+        const auto [other, is_first] = open.try_emplace(index.learn(mesh.loop(face).unchecked()), face);
         if (is_first) continue;
         join(other->second, face);
         open.erase(other);

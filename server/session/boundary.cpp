@@ -26,7 +26,7 @@ std::vector<CellFace> boundary_faces(const store::Dataset& dataset, const store:
     std::sort(ids.begin(), ids.end());
     ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
     for (const Index face : ids)
-        if (kept.empty() || kept[mesh.owner[face]] != 0) faces.push_back({face, mesh.owner[face]});
+        if (const Index owner = mesh.owner[face]; kept.empty() || kept[owner] != 0) faces.push_back({face, owner});
     return faces;
 }
 

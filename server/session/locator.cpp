@@ -28,30 +28,21 @@ double solid_angle(const Vec3d& a, const Vec3d& b, const Vec3d& c) {
 } // namespace
 
 Locator::Locator(std::shared_ptr<const store::Dataset> dataset, std::size_t mesh, std::size_t coordinates)
-    : dataset_(std::move(dataset)), mesh_(dataset_->mesh(mesh, coordinates)), face_offset_(mesh_.cell_count() + 1) {
-    const auto of_both_sides = [&](auto&& visit) {
-        for (Index face = 0; face < mesh_.face_count(); ++face)
-            for (const Index cell : {mesh_.owner[face], mesh_.neighbour[face]})
-                if (cell != none) visit(cell, face);
-    };
-    of_both_sides([&](Index cell, Index) { ++face_offset_[cell + 1]; });
-    for (std::size_t cell = 1; cell < face_offset_.size(); ++cell) face_offset_[cell] += face_offset_[cell - 1];
-    faces_.resize(face_offset_.back());
-    std::vector<Index> next(face_offset_.begin(), face_offset_.end() - 1);
-    of_both_sides([&](Index cell, Index face) { faces_[next[cell]++] = face; });
-
+    : dataset_(std::move(dataset)), mesh_(dataset_->mesh(mesh, coordinates)), faces_(cell_faces(mesh_)) {
     constexpr float infinity = std::numeric_limits<float>::infinity();
     boxes_.assign((mesh_.cell_count() + cells_per_box - 1) / cells_per_box,
                   {Vec3f{infinity, infinity, infinity}, Vec3f{-infinity, -infinity, -infinity}});
-    of_both_sides([&](Index cell, Index face) {
+    for (Index cell = 0; cell < mesh_.cell_count(); ++cell) {
         auto& [low, high] = boxes_[cell / cells_per_box];
-        for (const Index vertex : mesh_.loop(face))
-            for (std::size_t axis = 0; axis < 3; ++axis) {
-                const float at = mesh_.positions[std::size_t{3} * vertex + axis];
-                low[axis] = std::min(low[axis], at);
-                high[axis] = std::max(high[axis], at);
-            }
-    });
+        for (const Index face : faces_.of(cell))
+            for (const Index vertex : mesh_.loop(face))
+                for (std::size_t axis = 0; axis < 3; ++axis) {
+                    const float at = mesh_.positions[std::size_t{3} * vertex + axis];
+                    low[axis] = std::min(low[axis], at);
+                    high[axis] = std::max(high[axis], at);
+                }
+    }
+    dataset_->check_unchanged();
 }
 
 Vec3d Locator::point(Index vertex) const {
@@ -59,7 +50,8 @@ Vec3d Locator::point(Index vertex) const {
     return {at[0], at[1], at[2]};
 }
 
-Vec3d Locator::centroid(std::span<const Index> vertices) const {
+template <class Vertices>
+Vec3d Locator::centroid(const Vertices& vertices) const {
     Vec3d sum{};
     for (const Index vertex : vertices) {
         const Vec3d at = point(vertex);
@@ -70,24 +62,25 @@ Vec3d Locator::centroid(std::span<const Index> vertices) const {
 
 std::vector<Index> Locator::vertices(Index cell) const {
     std::vector<Index> all;
-    for (Index i = face_offset_[cell]; i < face_offset_[cell + 1]; ++i) {
-        const auto loop = mesh_.loop(faces_[i]);
+    for (const Index face : faces_.of(cell)) {
+        const Ids loop = mesh_.loop(face);
         all.insert(all.end(), loop.begin(), loop.end());
     }
     std::sort(all.begin(), all.end());
     all.erase(std::unique(all.begin(), all.end()), all.end());
+    if (all.empty()) mesh_.face_offset.refuse(); // around a cell that holds a point
     return all;
 }
 
 double Locator::winding(Index cell, const Vec3d& at) const {
     double angle = 0;
-    for (Index i = face_offset_[cell]; i < face_offset_[cell + 1]; ++i) {
-        const auto loop = mesh_.loop(faces_[i]);
+    for (const Index face : faces_.of(cell)) {
+        const Ids loop = mesh_.loop(face);
         const Vec3d middle = minus(centroid(loop), at);
         double face_angle = 0;
         for (std::size_t k = 0; k < loop.size(); ++k)
             face_angle += solid_angle(middle, minus(point(loop[k]), at), minus(point(loop[(k + 1) % loop.size()]), at));
-        angle += mesh_.owner[faces_[i]] == cell ? face_angle : -face_angle;
+        angle += mesh_.owner[face] == cell ? face_angle : -face_angle;
     }
     return angle / (4 * std::numbers::pi);
 }
@@ -129,10 +122,10 @@ Weights Locator::weights_in(Index cell, const Vec3d& position) const {
     // The tetrahedron that the point is deepest in; in a bent cell it may lie a little outside of all.
     std::array<double, 4> best{};
     double deepest = -std::numeric_limits<double>::infinity();
-    std::span<const Index> best_loop;
+    Ids best_loop;
     Index best_a = none, best_b = none;
-    for (Index i = face_offset_[cell]; i < face_offset_[cell + 1]; ++i) {
-        const auto loop = mesh_.loop(faces_[i]);
+    for (const Index face : faces_.of(cell)) {
+        const Ids loop = mesh_.loop(face);
         const Vec3d middle = minus(centroid(loop), center);
         for (std::size_t k = 0; k < loop.size(); ++k) {
             const Index a = loop[k], b = loop[(k + 1) % loop.size()];
@@ -177,6 +170,11 @@ std::shared_ptr<const Locator> Locators::get(const std::shared_ptr<store::Datase
 void Locators::forget() {
     const std::scoped_lock lock(mutex_);
     kept_.clear();
+}
+
+void Locators::forget_lost() {
+    const std::scoped_lock lock(mutex_);
+    std::erase_if(kept_, [](const Kept& kept) { return !kept.locator->dataset().is_intact(); });
 }
 
 } // namespace ciel::session

@@ -1,6 +1,7 @@
 // Which cell holds a point, and how its vertices weigh there.
 #pragma once
 
+#include "ciel/cell_faces.hpp"
 #include "store/dataset.hpp"
 
 #include <memory>
@@ -23,17 +24,19 @@ public:
     [[nodiscard]] Index cell_at(const Vec3d& position) const;
     // Linear in the tetrahedra (cell centre, face centroid, edge): exact for linear fields.
     [[nodiscard]] Weights weights_in(Index cell, const Vec3d& position) const;
+    [[nodiscard]] const store::Dataset& dataset() const { return *dataset_; }
     [[nodiscard]] Index nearest_vertex(Index cell, const Vec3d& position) const;
 
 private:
     [[nodiscard]] Vec3d point(Index vertex) const; // offset from the mesh's origin
     [[nodiscard]] std::vector<Index> vertices(Index cell) const;
     [[nodiscard]] double winding(Index cell, const Vec3d& at) const; // in 4 pi: 1 inside, 0 outside
-    [[nodiscard]] Vec3d centroid(std::span<const Index> vertices) const;
+    template <class Vertices>
+    [[nodiscard]] Vec3d centroid(const Vertices& vertices) const;
 
     std::shared_ptr<const store::Dataset> dataset_;
     FaceMeshView mesh_;
-    std::vector<Index> face_offset_, faces_;  // of each cell
+    CellFaces faces_;
     std::vector<std::array<Vec3f, 2>> boxes_; // of each run of cells, low and high
 };
 
@@ -41,7 +44,8 @@ private:
 class Locators {
 public:
     [[nodiscard]] std::shared_ptr<const Locator> get(const std::shared_ptr<store::Dataset>& dataset, std::size_t step);
-    void forget(); // datasets that they keep can then be given back
+    void forget();      // datasets that they keep can then be given back
+    void forget_lost(); // those whose files were truncated or rewritten
 
 private:
     struct Kept {

@@ -73,6 +73,7 @@ struct Server::State {
             text = notification_text(note);
         }
         connections.send_all(text);
+        locators.forget_lost();
         sessions.dataset_changed(dataset);
     }
 };

@@ -39,7 +39,7 @@ std::string plain_name(const fs::path& dataset) {
 
 bool is_intact(const LoadedDataset& loaded) {
     try {
-        loaded.dataset()->check_intact();
+        loaded.dataset()->check_unchanged();
         return true;
     } catch (const Error&) {
         return false;
@@ -52,6 +52,8 @@ struct Known {
     bool failed = false; // to be made: `problem` holds as long as the marker is the one in `examined`
     Stamp examined{};    // the marker that `problem` is about
     std::shared_ptr<LoadedDataset> loaded;
+    // The one before was lost, and could not be opened when that was told: who holds it is to hear when it can be.
+    enum class Lost { no, told, refused, came_back } lost = Lost::no;
     Stamp loaded_stamp{};
     Catalog::Clock::time_point used{};
     std::shared_ptr<std::mutex> opening = std::make_shared<std::mutex>();
@@ -192,6 +194,8 @@ std::shared_ptr<LoadedDataset> Catalog::open(const std::string& name) {
         Known& entry = found->second;
         entry.loaded = loaded;
         entry.problem = problem;
+        if (entry.lost != Known::Lost::no && !loaded) entry.lost = Known::Lost::refused;
+        if (loaded) entry.lost = entry.lost == Known::Lost::refused ? Known::Lost::came_back : Known::Lost::no;
         entry.examined = entry.loaded_stamp = stamp;
     }
     if (failure) std::rethrow_exception(failure);
@@ -230,18 +234,27 @@ std::size_t Catalog::give_back(Clock::time_point unused_since) {
 }
 
 void Catalog::State::poll(const std::function<void(const std::string&)>& on_change) {
-    std::vector<std::pair<std::string, std::shared_ptr<LoadedDataset>>> changed;
+    struct Seen {
+        std::string name;
+        std::shared_ptr<LoadedDataset> loaded;
+        bool has_new_marker = false, came_back = false;
+    };
+    std::vector<Seen> all;
     {
         const std::lock_guard lock(mutex);
         for (auto& [name, entry] : known) {
             if (!entry.loaded) continue;
             const Stamp now = stamp_of(entry.directory);
-            if (now == entry.loaded_stamp && is_intact(*entry.loaded)) continue;
+            all.push_back({name, entry.loaded, now != entry.loaded_stamp, entry.lost == Known::Lost::came_back});
             entry.loaded_stamp = now;
-            changed.emplace_back(name, entry.loaded);
+            entry.lost = Known::Lost::no;
         }
     }
-    for (const auto& [name, loaded] : changed) {
+    for (const auto& [name, loaded, has_new_marker, came_back] : all) {
+        if (!has_new_marker && is_intact(*loaded)) { // without the lock: a slow disk holds up nobody
+            if (came_back) on_change(name);
+            continue;
+        }
         bool tell = true;
         try {
             tell = loaded->refresh();
@@ -249,6 +262,7 @@ void Catalog::State::poll(const std::function<void(const std::string&)>& on_chan
             const std::lock_guard lock(mutex);
             if (const auto found = known.find(name); found != known.end() && found->second.loaded == loaded) {
                 found->second.loaded = nullptr;
+                found->second.lost = Known::Lost::told;
                 found->second.examined = {};
             }
         }

@@ -18,7 +18,7 @@ std::span<const float> ChunkCache::get(const std::filesystem::path& file, std::s
     }
     const std::lock_guard lock(entry->mutex);
     if (!entry->ready) {
-        MappedFile mapped(file, bytes);
+        MappedFile mapped(file, bytes, any_lost_);
         if (!sum.empty() && checksum(mapped.bytes()) != sum)
             refuse(file,
                    "does not have its checksum; the dataset is damaged: restore the file or import the data again");
@@ -26,6 +26,7 @@ std::span<const float> ChunkCache::get(const std::filesystem::path& file, std::s
         entry->file = std::move(mapped);
         entry->ready = true;
     }
+    entry->file.check_intact();
     return entry->file.as<float>();
 }
 

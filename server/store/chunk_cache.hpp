@@ -13,8 +13,9 @@ namespace ciel::store {
 
 class ChunkCache {
 public:
+    explicit ChunkCache(AnyLost any_lost) : any_lost_(std::move(any_lost)) {}
     // Maps `file` on the first call, compares it with `checksum` (empty: not known) and calls `verify`; when one of
-    // them throws, the next call tries again.
+    // them throws, the next call tries again. Throws Error when the chunk was lost.
     [[nodiscard]] std::span<const float> get(const std::filesystem::path& file, std::size_t bytes,
                                              const std::string& checksum,
                                              const std::function<void(std::span<const float>)>& verify = {});
@@ -29,6 +30,7 @@ private:
         MappedFile file;
         bool ready = false;
     };
+    AnyLost any_lost_;
     mutable std::mutex mutex_;
     std::unordered_map<std::string, std::unique_ptr<Entry>> entries_;
 };

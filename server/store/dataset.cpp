@@ -5,7 +5,6 @@
 #include "store/files.hpp"
 #include "store/layout.hpp"
 #include "store/mapped_mesh.hpp"
-#include "store/shrunken_files.hpp"
 #include "store/statistics.hpp"
 
 #include <algorithm>
@@ -45,12 +44,13 @@ public:
     MappedDataset(fs::path directory, Documents documents, Chunks chunks, const MappedDataset* before)
         : directory_(std::move(directory)), info_(std::move(documents.info)), marker_(std::move(documents.marker)) {
         if (before != nullptr) {
+            any_lost_ = before->any_lost_;
             chunks_ = before->chunks_;
             meshes_ = before->meshes_;
             steps_ = before->steps_;
         }
         for (std::size_t m = meshes_.size(); m < marker_.meshes; ++m)
-            meshes_.push_back(std::make_shared<MappedMesh>(layout::mesh(directory_, m)));
+            meshes_.push_back(std::make_shared<MappedMesh>(layout::mesh(directory_, m), any_lost_));
         for (std::size_t m = 0; m < meshes_.size(); ++m) {
             positions_.push_back(read_layout(meshes_[m]->directory() / "positions", meshes_[m]->vertex_count(), 3));
             coordinate_checksums_.push_back(coordinate_checksums(m, before));
@@ -66,7 +66,7 @@ public:
     const std::vector<Step>& steps() const override { return steps_; }
 
     std::shared_ptr<Dataset> refreshed() const override {
-        for (const auto& mesh : meshes_) mesh->check_sizes();
+        for (const auto& mesh : meshes_) mesh->check_unchanged();
         chunks_->check_sizes();
         Documents now = read_documents(directory_);
         if (now.info.id != info_.id || now.marker.steps.size() < steps_.size() || now.marker.meshes < meshes_.size())
@@ -76,9 +76,14 @@ public:
     }
 
     void check_intact() const override {
-        if (!any_mapping_lost()) return;
+        if (!*any_lost_) return;
         for (const auto& mesh : meshes_) mesh->check_intact();
         chunks_->check_intact();
+    }
+
+    void check_unchanged() const override {
+        check_intact();
+        for (const auto& mesh : meshes_) mesh->check_unchanged();
     }
 
     FaceMeshView mesh(std::size_t mesh, std::size_t coordinates) const override {
@@ -207,13 +212,23 @@ private:
     std::vector<ArrayLayout> positions_;                         // per mesh
     std::vector<std::vector<std::string>> coordinate_checksums_; // per mesh, per set
     std::vector<std::map<std::string, ArrayLayout>> layouts_;    // per mesh
-    std::shared_ptr<ChunkCache> chunks_ = std::make_shared<ChunkCache>();
+    AnyLost any_lost_ = none_lost();                             // shared with all refreshes, as the files are
+    std::shared_ptr<ChunkCache> chunks_ = std::make_shared<ChunkCache>(any_lost_);
 };
 
 } // namespace
 
 std::shared_ptr<Dataset> Dataset::open(const fs::path& directory, Chunks chunks) {
     return std::make_shared<MappedDataset>(directory, read_documents(directory), chunks, nullptr);
+}
+
+bool Dataset::is_intact() const {
+    try {
+        check_intact();
+        return true;
+    } catch (const Error&) {
+        return false;
+    }
 }
 
 const ArrayInfo* Dataset::find(const std::string& array) const {

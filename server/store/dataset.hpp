@@ -45,7 +45,7 @@ struct Group { // a named set of boundary faces (a patch) or of cells (a zone)
     enum class Of { faces, cells };
     Of of = Of::faces;
     std::string name;
-    std::span<const Index> ids; // sorted stored ids, borrowed from the dataset
+    Ids ids; // sorted stored ids, borrowed from the dataset
 };
 
 struct MeshInfo {
@@ -74,7 +74,9 @@ enum class Chunks {
 };
 
 // Immutable view of what was committed when it was opened or last refreshed. Everything borrowed from it stays valid as
-// long as the shared pointer lives: files are mapped, and are replaced, never truncated, by writers. Thread-safe.
+// long as the shared pointer lives: files are mapped, and are replaced, never truncated or rewritten, by writers. Who
+// does so all the same is noticed: indices are checked where they are read, and check_intact says what was lost.
+// Thread-safe.
 class Dataset : public std::enable_shared_from_this<Dataset> {
 public:
     // Throws Error naming the file when it is missing, damaged, truncated, of a newer version or not a dataset.
@@ -90,9 +92,13 @@ public:
     // files of the new steps and at those that are mapped, not at those of the other steps.
     [[nodiscard]] virtual std::shared_ptr<Dataset> refreshed() const = 0;
 
-    // Throws Error naming a file that was truncated while somebody read it: whatever was made since is worthless. To be
-    // asked after the reading; costs next to nothing.
+    // Throws Error naming a file that was truncated while somebody read it, or that holds what it did not hold when it
+    // was opened: whatever was made since is worthless. To be asked after the reading; costs next to nothing.
     virtual void check_intact() const = 0;
+    [[nodiscard]] bool is_intact() const; // whether check_intact would not throw
+    // As check_intact, and looks for files of the topology that were truncated or rewritten unnoticed. Examines each of
+    // them.
+    virtual void check_unchanged() const = 0;
 
     [[nodiscard]] virtual FaceMeshView mesh(std::size_t mesh, std::size_t coordinates) const = 0;
     [[nodiscard]] virtual std::vector<Group> groups(std::size_t mesh) const = 0;

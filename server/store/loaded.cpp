@@ -20,6 +20,7 @@ struct KeptField {
 std::size_t field_bytes(std::uint64_t vertices) { return vertices * (2 * sizeof(float) + sizeof(Vec3f)); }
 
 std::vector<float> one_scalar(std::span<const float> values, std::size_t components, const ScalarName& scalar) {
+    if (components == 1) return {values.begin(), values.end()};
     std::vector<float> result(values.size() / components);
     for (std::size_t i = 0; i < result.size(); ++i) {
         const auto tuple = values.subspan(i * components, components);
@@ -120,17 +121,15 @@ struct LoadedDataset::State {
         return found;
     }
 
+    // The values are copied from the mapped file, for the kernel looks at each several times and relies on it.
     [[nodiscard]] ScalarField field(
         const std::shared_ptr<Dataset>& of, std::size_t step, const std::string& key,
         const std::shared_ptr<const Topology>& topology,
-        const std::function<std::shared_ptr<const std::vector<float>>()>& make_values, std::span<const float> mapped,
+        const std::function<std::shared_ptr<const std::vector<float>>()>& make_values,
         const std::function<void(Field&)>& prepare = [](Field&) {}) {
         const Step& at = of->steps()[step];
         const FaceMeshView mesh = of->mesh(at.mesh, at.coordinates);
         const auto kept = fields.get<KeptField>(key, [&]() -> Cache::Made {
-            if (!mapped.empty())
-                return {std::make_shared<KeptField>(KeptField{topology, Field(*topology, mapped, of)}),
-                        field_bytes(mesh.vertex_count())};
             const auto made = make_values();
             auto made_field = std::make_shared<KeptField>(KeptField{topology, Field(*topology, *made, made)});
             prepare(made_field->field);
@@ -167,19 +166,26 @@ bool LoadedDataset::refresh() {
 std::shared_ptr<const Topology> LoadedDataset::topology(std::size_t mesh) {
     const auto slot = state_->slot(mesh);
     const std::lock_guard making(slot->making);
-    if (!slot->topology) slot->topology = std::make_shared<const Topology>(state_->current()->mesh(mesh, 0));
-    return slot->topology;
+    if (slot->topology) return slot->topology;
+    const auto of = state_->current();
+    std::shared_ptr<const Topology> made;
+    try {
+        made = std::make_shared<const Topology>(of->mesh(mesh, 0));
+    } catch (const Error&) { // the kernel does not know which file it was
+        of->check_unchanged();
+        throw;
+    }
+    of->check_unchanged();
+    return slot->topology = std::move(made);
 }
 
 ScalarField LoadedDataset::scalar(const std::string& name, std::size_t step) {
     const auto of = state_->current();
     const Step& at = State::step_of(*of, step);
     const ScalarName scalar = parse_scalar(*of, name);
-    const auto values = State::written(*of, scalar.array, step, Association::point);
-    const bool as_it_is = !scalar.magnitude && !scalar.component;
-    return state_->field(
-        of, step, step_key("field", name, step), topology(at.mesh), [&] { return scalar_values(name, step); },
-        as_it_is ? values : std::span<const float>());
+    (void)State::written(*of, scalar.array, step, Association::point);
+    return state_->field(of, step, step_key("field", name, step), topology(at.mesh),
+                         [&] { return scalar_values(name, step); });
 }
 
 std::shared_ptr<const std::vector<float>> LoadedDataset::scalar_values(const std::string& name, std::size_t step) {
@@ -201,7 +207,7 @@ ScalarField LoadedDataset::plane(std::size_t step, Vec3d origin, Vec3d normal) {
             return std::make_shared<const std::vector<float>>(
                 plane_distance(of->mesh(at.mesh, at.coordinates), origin, normal));
         },
-        {}, [&](Field& field) { field.set_direction(state_->geometric(of, at), normal); });
+        [&](Field& field) { field.set_direction(state_->geometric(of, at), normal); });
 }
 
 std::size_t LoadedDataset::memory_bytes() const {

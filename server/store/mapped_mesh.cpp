@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <functional>
+#include <tuple>
+#include <utility>
 
 namespace ciel::store {
 namespace {
@@ -72,7 +74,7 @@ void check_neighbours(const MappedFile& owner, const MappedFile& neighbour, std:
 }
 
 void check_group(const Group& group, const MappedFile& file, std::uint64_t limit) {
-    const auto ids = group.ids;
+    const auto ids = group.ids.unchecked();
     if (std::adjacent_find(ids.begin(), ids.end(), std::greater_equal<>()) != ids.end())
         refuse(file.path(), "is not sorted or holds an id twice" + std::string(damaged));
     check_below(file, limit, group.of == Group::Of::faces ? "faces" : "cells");
@@ -80,7 +82,8 @@ void check_group(const Group& group, const MappedFile& file, std::uint64_t limit
 
 } // namespace
 
-MappedMesh::MappedMesh(std::filesystem::path directory) : directory_(std::move(directory)) {
+MappedMesh::MappedMesh(std::filesystem::path directory, AnyLost any_lost)
+    : directory_(std::move(directory)), any_lost_(std::move(any_lost)) {
     const auto attributes = directory_ / layout::attributes_document;
     attributes_ = parse_mesh_attributes(read_text(attributes, layout::document_bytes), attributes);
     for (const char* name : layout::whole_arrays) map(name, type_of(name));
@@ -103,9 +106,7 @@ MappedMesh::MappedMesh(std::filesystem::path directory) : directory_(std::move(d
     expect("original_cell", original_cell().size(), cell_count());
     expect("neighbour", array("neighbour").as<Index>().size(), faces);
     expect("face_offset", array("face_offset").as<std::uint64_t>().size(), faces + 1);
-    for (std::size_t i = 0; i < attributes_.groups.size(); ++i)
-        groups_.push_back(
-            {attributes_.groups[i].of, attributes_.groups[i].name, array("groups/" + std::to_string(i)).as<Index>()});
+    for (std::size_t i = 0; i < attributes_.groups.size(); ++i) map_group(i, faces);
     verify_checksums();
     verify_indices();
 }
@@ -116,7 +117,16 @@ void MappedMesh::map(const std::string& name, ElementType type) {
     const ZarrArray zarr = parse_zarr_array(read_text(document, layout::document_bytes), document);
     if (zarr.type != type || zarr.shape.size() != 1 || (zarr.shape != zarr.chunks && zarr.shape[0] != 0))
         refuse(document, std::string("is not the one-chunk array that '") + name + "' must be" + damaged);
-    arrays_.emplace(name, MappedFile(layout::chunk(path, 0, 1), zarr.chunk_bytes(document)));
+    arrays_.emplace(name, MappedFile(layout::chunk(path, 0, 1), zarr.chunk_bytes(document), any_lost_));
+    keepers_.emplace(std::piecewise_construct, std::forward_as_tuple(name), std::forward_as_tuple(*this, name));
+}
+
+void MappedMesh::map_group(std::size_t index, std::uint64_t faces) {
+    const auto& [of, name] = attributes_.groups[index];
+    const MappedFile& file = array("groups/" + std::to_string(index));
+    const std::uint64_t limit = of == Group::Of::faces ? faces : cell_count();
+    groups_.push_back(
+        {of, name, {file.as<Index>(), static_cast<Index>(limit), keeper("groups/" + std::to_string(index))}});
 }
 
 void MappedMesh::verify_checksums() const {
@@ -125,13 +135,16 @@ void MappedMesh::verify_checksums() const {
     parallel_for(all.size(), 1, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
             const auto& [name, file] = all[i];
-            const auto declared = attributes_.checksums.find(*name);
-            if (declared == attributes_.checksums.end())
+            if (!attributes_.checksums.contains(*name))
                 refuse(directory_ / layout::attributes_document, "lacks the checksum of '" + *name + "'" + damaged);
-            if (checksum(file->bytes()) != declared->second)
+            if (!has_its_checksum(*name, *file))
                 refuse(file->path(), std::string("does not have its checksum") + damaged);
         }
     });
+}
+
+bool MappedMesh::has_its_checksum(const std::string& name, const MappedFile& file) const {
+    return checksum(file.bytes()) == attributes_.checksums.at(name);
 }
 
 void MappedMesh::verify_indices() const {
@@ -156,17 +169,28 @@ void MappedMesh::verify_indices() const {
 }
 
 FaceMeshView MappedMesh::view(std::span<const float> positions) const {
-    return {attributes_.origin,
-            positions,
-            cell_types(),
-            array("face_offset").as<std::uint64_t>(),
-            array("face_vertex").as<Index>(),
-            array("owner").as<Index>(),
-            array("neighbour").as<Index>()};
+    return face_mesh_view(attributes_.origin, positions, cell_types(), array("face_offset").as<std::uint64_t>(),
+                          array("face_vertex").as<Index>(), array("owner").as<Index>(), array("neighbour").as<Index>(),
+                          {keeper("face_offset"), keeper("face_vertex"), keeper("owner"), keeper("neighbour")});
 }
 
-void MappedMesh::check_sizes() const {
-    for (const auto& [name, file] : arrays_) file.check_size();
+// A contradiction shows in another array than the one that changed: the checksums tell which.
+void MappedMesh::refuse_changed(const std::string& suspected) const {
+    check_intact(); // many threads may meet it
+    if (!has_its_checksum(suspected, array(suspected))) array(suspected).refuse();
+    for (const auto& [name, file] : arrays_)
+        if (!has_its_checksum(name, file)) file.refuse();
+    array(suspected).refuse(); // it holds again what it held
+}
+
+void MappedMesh::check_unchanged() {
+    const std::lock_guard lock(checking_);
+    for (auto& [name, file] : arrays_) {
+        file.check_size();
+        if (!file.was_touched()) continue;
+        file.accept_touch(); // first: what is written from now on is another touch
+        if (!has_its_checksum(name, file)) file.refuse();
+    }
 }
 
 void MappedMesh::check_intact() const {

@@ -11,7 +11,10 @@ constexpr std::size_t never = std::numeric_limits<std::size_t>::max();
 std::atomic<std::size_t> asked{0};
 std::atomic<std::size_t> failing{never};
 
-void count() {
+std::atomic<std::size_t> large{never}, large_count{0};
+
+void count(std::size_t bytes) {
+    if (bytes >= large) ++large_count;
     if (++asked == failing) throw std::bad_alloc();
 }
 
@@ -21,6 +24,13 @@ namespace ciel::test {
 
 std::size_t allocations() { return asked; }
 
+LargeAllocations::LargeAllocations(std::size_t bytes) {
+    large_count = 0;
+    large = bytes;
+}
+LargeAllocations::~LargeAllocations() { large = never; }
+std::size_t LargeAllocations::count() { return large_count; }
+
 FailingAllocation::FailingAllocation(std::size_t nth) { failing = asked + nth; }
 FailingAllocation::~FailingAllocation() { failing = never; }
 bool FailingAllocation::has_failed() { return asked >= failing; }
@@ -28,7 +38,7 @@ bool FailingAllocation::has_failed() { return asked >= failing; }
 } // namespace ciel::test
 
 void* operator new(std::size_t bytes) {
-    count();
+    count(bytes);
     if (void* memory = std::malloc(bytes > 0 ? bytes : 1)) return memory;
     throw std::bad_alloc();
 }
@@ -37,7 +47,7 @@ void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
 
 // Vectors of what the kernel adds up four at a time ask for it.
 void* operator new(std::size_t bytes, std::align_val_t alignment) {
-    count();
+    count(bytes);
     const auto step = static_cast<std::size_t>(alignment);
     if (void* memory = std::aligned_alloc(step, (bytes / step + 1) * step)) return memory;
     throw std::bad_alloc();

@@ -8,6 +8,15 @@ namespace ciel::test {
 
 [[nodiscard]] std::size_t allocations(); // so far, by any thread
 
+// While it lives, allocations of at least so many bytes are counted, of any thread. One at a time.
+class LargeAllocations {
+public:
+    explicit LargeAllocations(std::size_t bytes);
+    ~LargeAllocations();
+    LargeAllocations(const LargeAllocations&) = delete;
+    [[nodiscard]] static std::size_t count();
+};
+
 // While it lives, the n-th allocation from here on throws bad_alloc, whoever asks for it; the others do not. One at a
 // time.
 class FailingAllocation {

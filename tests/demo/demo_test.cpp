@@ -30,7 +30,7 @@ protected:
         folder.reset();
     }
 
-    static std::span<const Index> group(std::string_view name) {
+    static Ids group(std::string_view name) {
         for (const store::Group& each : dataset->groups(0))
             if (each.name == name) return each.ids;
         ADD_FAILURE() << "no group " << name;

@@ -17,7 +17,7 @@ using Pair = std::pair<Index, Index>;
 Pair unordered(Index a, Index b) { return std::minmax(a, b); }
 
 // A loop as the topology holds it: a half-edge joins two different vertices.
-Loop half_edge_loop(std::span<const Index> loop) {
+Loop half_edge_loop(const Ids& loop) {
     Loop result = without_repeats({loop.begin(), loop.end()});
     if (result.size() == 1) result.clear();
     return result;

@@ -1,6 +1,5 @@
-#include "store/shrunken_files.hpp"
+#include "store/watched_mappings.hpp"
 
-#include <atomic>
 #include <csignal>
 #include <cstdint>
 #include <mutex>
@@ -13,30 +12,41 @@ namespace ciel::store {
 struct WatchedMapping {
     std::atomic<std::uintptr_t> begin{0};
     std::atomic<std::size_t> bytes{0};
-    std::atomic<bool> lost{false};
+    std::atomic<Loss> loss{Loss::none};
+    std::atomic<std::atomic<bool>*> any_lost{nullptr};
     WatchedMapping* next = nullptr;
 };
 
 namespace {
 
 std::atomic<WatchedMapping*> first{nullptr};
-std::atomic<bool> any_lost{false};
+std::atomic<std::size_t> lost_count{0};
 std::mutex changing;
 struct sigaction previous {};
 
-static_assert(std::atomic<std::uintptr_t>::is_always_lock_free && std::atomic<bool>::is_always_lock_free);
+static_assert(std::atomic<std::uintptr_t>::is_always_lock_free && std::atomic<bool>::is_always_lock_free &&
+              std::atomic<Loss>::is_always_lock_free);
+
+void lose(WatchedMapping& mapping, Loss loss) {
+    if (mapping.loss.exchange(loss) == Loss::none) ++lost_count;
+    *mapping.any_lost.load() = true;
+}
+
+// Whether the mapping holds the address. A node that is given to another mapping meanwhile has another beginning.
+bool holds(const WatchedMapping& mapping, std::uintptr_t address) {
+    const std::uintptr_t begin = mapping.begin.load();
+    const std::size_t bytes = mapping.bytes.load();
+    return begin != 0 && address >= begin && address - begin < bytes && mapping.begin.load() == begin;
+}
 
 // Only what is allowed in a signal handler: atomics and system calls.
 bool replace_by_zeros(std::uintptr_t address) {
     for (WatchedMapping* each = first.load(); each != nullptr; each = each->next) {
-        const std::uintptr_t begin = each->begin.load();
-        const std::size_t bytes = each->bytes.load();
-        if (begin == 0 || address < begin || address - begin >= bytes) continue;
-        each->lost = true;
-        any_lost = true;
+        if (!holds(*each, address)) continue;
+        lose(*each, Loss::shrunk);
         // NOLINTNEXTLINE(performance-no-int-to-ptr): the address came from a pointer
-        return ::mmap(reinterpret_cast<void*>(begin), bytes, PROT_READ, MAP_PRIVATE | MAP_ANONYMOUS | MAP_FIXED, -1,
-                      0) != MAP_FAILED;
+        return ::mmap(reinterpret_cast<void*>(each->begin.load()), each->bytes.load(), PROT_READ,
+                      MAP_PRIVATE | MAP_ANONYMOUS | MAP_FIXED, -1, 0) != MAP_FAILED;
     }
     return false;
 }
@@ -66,12 +76,13 @@ WatchedMapping* free_node() {
 
 } // namespace
 
-WatchedMapping* watch_mapping(void* data, std::size_t bytes) {
+WatchedMapping* watch_mapping(void* data, std::size_t bytes, std::atomic<bool>& any_lost) {
     static std::once_flag installed;
     std::call_once(installed, install_handler);
     const std::lock_guard lock(changing);
     WatchedMapping* node = free_node();
-    node->lost = false;
+    node->loss = Loss::none;
+    node->any_lost = &any_lost;
     node->bytes = bytes;
     node->begin = reinterpret_cast<std::uintptr_t>(data);
     return node;
@@ -80,10 +91,13 @@ WatchedMapping* watch_mapping(void* data, std::size_t bytes) {
 void unwatch_mapping(WatchedMapping* mapping) {
     const std::lock_guard lock(changing);
     mapping->begin = 0;
+    if (mapping->loss != Loss::none) --lost_count;
 }
 
-bool is_lost(const WatchedMapping& mapping) { return mapping.lost; }
+Loss loss_of(const WatchedMapping& mapping) { return mapping.loss; }
 
-bool any_mapping_lost() { return any_lost; }
+void note_change(WatchedMapping& mapping) { lose(mapping, Loss::changed); }
+
+std::size_t lost_mapping_count() { return lost_count; }
 
 } // namespace ciel::store

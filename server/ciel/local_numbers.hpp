@@ -1,0 +1,38 @@
+// Mesh ids of one block -> local numbers, in memory that grows with the block and not with the mesh. A block's own
+// vertices are consecutive and the highest that it has, so most ids lie in a window that is an array; the others are
+// hashed. Not in the paper, whose half-edges are not in blocks.
+#pragma once
+
+#include "ciel/types.hpp"
+
+#include <vector>
+
+namespace ciel {
+
+// One thread at a time; used again for many blocks.
+class LocalNumbers {
+public:
+    // Forgets all. `highest`: that will be added; `most`: so many will be added at most, each counted as often as add
+    // is called.
+    void begin(Index highest, std::size_t most);
+    // False when it was added before.
+    bool add(Index id);
+    // REQUIRES: id was added
+    [[nodiscard]] Index& operator[](Index id) {
+        return id >= window_begin_ ? window_[id - window_begin_] : hashed_[slot_of(id)].number;
+    }
+
+private:
+    struct Slot {
+        Index id = none, number = 0;
+    };
+    [[nodiscard]] std::size_t slot_of(Index id) const; // where it is, or would be
+    void grow();
+
+    Index window_begin_ = 0;
+    std::vector<Index> window_; // none where it was not added
+    std::vector<Slot> hashed_;  // a power of two; at least half of them are free
+    std::size_t used_ = 0;
+};
+
+} // namespace ciel
