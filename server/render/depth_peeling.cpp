@@ -34,6 +34,10 @@ enum Unit : int {
 
 } // namespace
 
+bool has_finer_layers(int width, int height, int samples) {
+    return samples > 1 && width * height <= most_pixels_at_twice_the_resolution;
+}
+
 DepthPeeling::DepthPeeling(const Gl& gl)
     : gl_(gl), programs_{make_peeling_program(gl, false), make_peeling_line_program(gl, false),
                          make_peeling_point_program(gl, false)},
@@ -78,8 +82,7 @@ void DepthPeeling::attach(GLuint framebuffer, GLuint color, GLuint depth) const 
 }
 
 void DepthPeeling::resize(const Scene& scene) {
-    const bool twice = scene.samples > 1 && scene.width * scene.height <= most_pixels_at_twice_the_resolution;
-    const int factor = twice ? 2 : 1;
+    const int factor = has_finer_layers(scene.width, scene.height, scene.samples) ? 2 : 1;
     if (width_ == scene.width && height_ == scene.height && factor_ == factor) return;
     factor_ = 0; // not usable until it is known to be complete
     width_ = scene.width;

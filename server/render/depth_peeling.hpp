@@ -13,6 +13,9 @@
 
 namespace ciel::render {
 
+// Whether the layers of such a picture have twice its resolution.
+[[nodiscard]] bool has_finer_layers(int width, int height, int samples);
+
 // Its GL objects live as long as their context; sheets are allocated anew when the size changes.
 class DepthPeeling {
 public:

@@ -1,7 +1,12 @@
 #include "render/context.hpp"
 #include "render/painter.hpp"
+#include "render/picture_memory.hpp"
 
+#include <algorithm>
+#include <exception>
+#include <new>
 #include <optional>
+#include <thread>
 
 namespace ciel::render {
 namespace {
@@ -20,68 +25,151 @@ constexpr BackendName backend_names[] = {
 // The stills of a large screen stay below: nobody waits for a new context there.
 constexpr std::int64_t most_kept_pixels = 12 << 20;
 
+// For whatever else the process does while it draws, and for the shaders that are compiled for a picture.
+constexpr std::uint64_t reserve = std::uint64_t{96} << 20;
+
+// That a new llvmpipe reserves, mostly for the stacks and heaps of its threads; little of it is ever used.
+std::uint64_t addresses_of_a_context() {
+    constexpr std::uint64_t whole = 240, of_thread = 136; // MB; 463 measured with 2 threads
+    return (whole + of_thread * std::min(32U, std::max(1U, std::thread::hardware_concurrency()))) << 20;
+}
+
 std::int64_t pixels_of(const Frame& frame) { return std::int64_t{frame.width} * frame.height; }
+std::string size_of(const Frame& frame) {
+    return std::to_string(frame.width) + " x " + std::to_string(frame.height) + " pixels";
+}
+std::string megabytes(std::uint64_t bytes) { return std::to_string(bytes >> 20) + " MB"; }
 
 } // namespace
 
 struct Renderer::State {
-    ChosenContext chosen;
+    Backend wanted;
+    std::function<Spare()> spare;
+    std::string selection, renderer_name, version;
     Gl gl;
+    std::unique_ptr<Context> context; // null while nothing is kept
     std::optional<Painter> painter;
     std::int64_t drawn_pixels = 0; // of the last frame
+    std::uint64_t kept = 0;        // bytes of the largest picture of this context
 
-    explicit State(Backend backend) : chosen(make_context(backend)) { start(); }
+    State(Backend backend, std::function<Spare()> ask) : wanted(backend), spare(std::move(ask)) { start(); }
 
+    // The same back end as before: a server must not go on in software without anybody having been told.
     void start() {
-        if (!make_current(*chosen.context)) throw Error("a new OpenGL context was lost at once");
-        gl = Gl::load(chosen.context->loader());
+        if (const std::uint64_t left = spare ? spare().address_space : UINT64_MAX; left < addresses_of_a_context())
+            throw Error("to draw at all needs about " + megabytes(addresses_of_a_context()) +
+                        " of address space, and " + megabytes(left) + " are left to the server; give it more");
+        ChosenContext chosen = make_context(wanted);
+        wanted = chosen.backend;
+        selection = std::move(chosen.selection);
+        context = std::move(chosen.context);
+        if (!make_current(*context)) throw Error("a new OpenGL context was lost at once");
+        gl = Gl::load(context->loader());
         painter.emplace(gl);
+        renderer_name = painter->renderer_name();
+        version = painter->version();
+    }
+    void stop() {
+        painter.reset();
+        context.reset();
+        drawn_pixels = 0;
+        kept = 0;
     }
     [[nodiscard]] bool is_lost() {
-        return !make_current(*chosen.context) ||
+        return !painter || !make_current(*context) ||
                (gl.GetGraphicsResetStatus != nullptr && gl.GetGraphicsResetStatus() != GL_NO_ERROR);
     }
     // Objects of the GL live as long as their context, so what a very large picture has taken goes with that.
     [[nodiscard]] bool is_much_larger_than(const Frame& frame) const {
         return drawn_pixels > most_kept_pixels && pixels_of(frame) < drawn_pixels / 2;
     }
-    // The same back end as before: a server must not go on in software without anybody having been told.
-    void rebuild() {
-        const Backend backend = chosen.backend;
-        painter.reset();
-        chosen.context.reset();
-        chosen = make_context(backend);
-        start();
+    [[nodiscard]] bool is_software() const {
+        return renderer_name.find("llvmpipe") != std::string::npos ||
+               renderer_name.find("softpipe") != std::string::npos;
+    }
+    void check_memory(const Frame& frame) const {
+        const std::uint64_t needed = picture_memory(frame);
+        if (!spare || !is_software() || (painter && needed <= kept)) return; // what is kept is there
+        const std::uint64_t more = needed - std::min(needed, kept) + reserve;
+        const Spare left = spare();
+        const std::uint64_t addresses = more + (painter ? 0 : addresses_of_a_context());
+        if (more <= left.memory && addresses <= left.address_space) return;
+        const bool lacks_memory = more > left.memory;
+        throw Error("a picture of " + size_of(frame) + " needs about " + megabytes(lacks_memory ? more : addresses) +
+                    " of memory, and " + megabytes(lacks_memory ? left.memory : left.address_space) +
+                    " are left to the server; ask for a smaller picture, show less in it, or give the server more");
+    }
+    // Whether an allocation failed since it was asked last.
+    [[nodiscard]] bool ran_out_of_memory() const {
+        bool failed = false;
+        for (int i = 0; i < 8; ++i) { // a lost context may give errors without end
+            const GLenum error = gl.GetError();
+            failed = failed || error == GL_OUT_OF_MEMORY;
+            if (error == GL_NO_ERROR) break;
+        }
+        return failed;
+    }
+    const Image& draw(const Frame& frame, const AfterStage& after) {
+        const Image* image = nullptr;
+        std::exception_ptr refused;
+        bool failed = false;
+        try {
+            image = &painter->draw(frame, after);
+        } catch (const std::bad_alloc&) {
+            failed = true;
+        } catch (...) {
+            refused = std::current_exception();
+        }
+        if (failed || ran_out_of_memory()) {
+            stop(); // what it kept of this picture is of no use to the next
+            throw Error("the server ran out of memory while it drew a picture of " + size_of(frame) +
+                        "; ask for a smaller picture, or show less in it");
+        }
+        if (refused) std::rethrow_exception(refused);
+        return *image;
     }
 };
 
-Renderer::Renderer(Backend backend) : state_(std::make_unique<State>(backend)) {}
+Renderer::Renderer(Backend backend, std::function<Spare()> spare)
+    : state_(std::make_unique<State>(backend, std::move(spare))) {}
 Renderer::~Renderer() = default;
 Renderer::Renderer(Renderer&&) noexcept = default;
 
 void Renderer::draw(const Frame& frame, Image& image, const AfterStage& after) { image = draw(frame, after); }
 
 const Image& Renderer::draw(const Frame& frame, const AfterStage& after) {
-    if (state_->is_lost() || state_->is_much_larger_than(frame)) state_->rebuild();
+    if (state_->is_lost() || state_->is_much_larger_than(frame)) state_->stop();
+    state_->check_memory(frame);
+    if (!state_->painter) state_->start();
     state_->drawn_pixels = pixels_of(frame);
-    const Image& image = state_->painter->draw(frame, after);
+    state_->kept = std::max(state_->kept, picture_memory(frame));
+    const Image& image = state_->draw(frame, after);
     if (!state_->is_lost()) return image;
-    state_->rebuild(); // while drawing: what was read is no picture
-    return state_->painter->draw(frame, after);
+    state_->stop(); // while drawing: what was read is no picture
+    state_->start();
+    return state_->draw(frame, after);
 }
 
-const std::vector<std::string>& Renderer::remarks() const { return state_->painter->remarks(); }
+const std::vector<std::string>& Renderer::remarks() const {
+    static const std::vector<std::string> none;
+    return state_->painter ? state_->painter->remarks() : none;
+}
 
 bool Renderer::pick(int x, int y, Vec3d& position) {
     return !state_->is_lost() && state_->painter->pick(x, y, position);
 }
 
-void Renderer::simulate_context_loss() { state_->chosen.context->lose(); }
+void Renderer::check_memory(const Frame& frame) const { state_->check_memory(frame); }
+std::uint64_t Renderer::kept_memory() const { return state_->kept; }
+void Renderer::give_back_memory() { state_->stop(); }
+void Renderer::simulate_context_loss() {
+    if (state_->context) state_->context->lose();
+}
 
-const std::string& Renderer::gl_renderer() const { return state_->painter->renderer_name(); }
-const std::string& Renderer::gl_version() const { return state_->painter->version(); }
-const std::string& Renderer::selection() const { return state_->chosen.selection; }
-Backend Renderer::backend() const { return state_->chosen.backend; }
+const std::string& Renderer::gl_renderer() const { return state_->renderer_name; }
+const std::string& Renderer::gl_version() const { return state_->version; }
+const std::string& Renderer::selection() const { return state_->selection; }
+Backend Renderer::backend() const { return state_->wanted; }
 
 std::vector<Backend> available_backends() {
     std::vector<Backend> available;

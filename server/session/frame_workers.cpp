@@ -1,15 +1,28 @@
 #include "session/frame_workers.hpp"
 
+#include "store/machine_memory.hpp"
+
 #include <algorithm>
 
 namespace ciel::session {
 namespace {
 constexpr std::chrono::seconds patience{1}; // after which a waiting still goes before interactive frames
+constexpr std::uint64_t worth_giving_back = std::uint64_t{64} << 20; // bytes
+
+render::Spare spare() {
+    const store::SpareMemory left = store::spare_memory();
+    return {left.memory, left.address_space};
 }
 
+} // namespace
+
 render::Renderer& Worker::renderer() {
-    if (!renderer_) renderer_.emplace(backend_);
+    if (!renderer_) renderer_.emplace(backend_, spare);
     return *renderer_;
+}
+
+void Worker::rest() {
+    if (renderer_ && renderer_->kept_memory() > worth_giving_back) renderer_->give_back_memory();
 }
 
 FrameWorkers::FrameWorkers(unsigned threads, render::Backend backend) : backend_(backend) {
@@ -38,6 +51,12 @@ bool FrameWorkers::post_later(Clock::time_point due, Job job) {
     return true;
 }
 
+void FrameWorkers::rest() {
+    const std::scoped_lock lock(mutex_);
+    ++rests_;
+    changed_.notify_all();
+}
+
 void FrameWorkers::drain() {
     std::deque<Job> dropped_now; // destroyed after the lock is released: a job may hold the last reference to a view
     std::multimap<Clock::time_point, Job> dropped_later;
@@ -63,7 +82,8 @@ bool FrameWorkers::has_waiting() const {
     return busy_ == threads_.size() && !now_.empty();
 }
 
-FrameWorkers::Job FrameWorkers::next(std::unique_lock<std::mutex>& lock, const std::stop_token& stop) {
+FrameWorkers::Job FrameWorkers::next(std::unique_lock<std::mutex>& lock, const std::stop_token& stop, Worker& worker,
+                                     std::uint64_t& rests) {
     const auto take_later = [&] {
         Job job = std::move(later_.begin()->second);
         later_.erase(later_.begin());
@@ -82,12 +102,20 @@ FrameWorkers::Job FrameWorkers::next(std::unique_lock<std::mutex>& lock, const s
             return job;
         }
         if (!later_.empty() && later_.begin()->first <= time) return take_later();
+        if (rests != rests_) {
+            rests = rests_;
+            lock.unlock();
+            worker.rest();
+            lock.lock();
+            continue;
+        }
         if (later_.empty())
-            changed_.wait(lock, stop, [&] { return !now_.empty() || !later_.empty(); });
+            changed_.wait(lock, stop, [&] { return !now_.empty() || !later_.empty() || rests != rests_; });
         else {
             const auto due = later_.begin()->first;
-            changed_.wait_until(lock, stop, due,
-                                [&] { return !now_.empty() || later_.empty() || later_.begin()->first < due; });
+            changed_.wait_until(lock, stop, due, [&] {
+                return !now_.empty() || later_.empty() || later_.begin()->first < due || rests != rests_;
+            });
         }
     }
     return {};
@@ -96,13 +124,15 @@ FrameWorkers::Job FrameWorkers::next(std::unique_lock<std::mutex>& lock, const s
 void FrameWorkers::work(const std::stop_token& stop) {
     Worker worker(*this, backend_);
     std::unique_lock lock(mutex_);
-    while (Job job = next(lock, stop)) {
+    std::uint64_t rests = rests_;
+    while (Job job = next(lock, stop, worker, rests)) {
         ++busy_;
         lock.unlock();
         job(worker);
         job = nullptr; // what it holds goes before the lock is taken
         lock.lock();
         --busy_;
+        rests = rests_; // it has just drawn
         changed_.notify_all();
     }
 }

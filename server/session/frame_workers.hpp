@@ -28,6 +28,7 @@ public:
     // Made at first use, so that work without pictures needs no GL. Throws Error; the next call tries again.
     [[nodiscard]] render::Renderer& renderer();
     [[nodiscard]] const FrameWorkers& all() const { return all_; } // of which this is one
+    void rest();                                                   // gives back what large pictures have taken
 
 private:
     const FrameWorkers& all_;
@@ -65,6 +66,7 @@ public:
         throw Error("the server is about to stop and draws no more");
     }
 
+    void rest();                         // each worker does, as soon as it has nothing to do
     void drain();                        // no new jobs; returns when those under way have ended
     [[nodiscard]] unsigned busy() const; // workers with a job under way
     [[nodiscard]] bool draining() const;
@@ -72,7 +74,9 @@ public:
 
 private:
     void work(const std::stop_token& stop);
-    [[nodiscard]] Job next(std::unique_lock<std::mutex>& lock, const std::stop_token& stop);
+    // Rests meanwhile: `rests` counts those that this worker knows of.
+    [[nodiscard]] Job next(std::unique_lock<std::mutex>& lock, const std::stop_token& stop, Worker& worker,
+                           std::uint64_t& rests);
 
     render::Backend backend_;
     mutable std::mutex mutex_;
@@ -82,6 +86,7 @@ private:
     std::size_t passed_over_ = 0; // jobs of now_, the first ones, that one of later_ went before
     unsigned busy_ = 0;
     bool draining_ = false;
+    std::uint64_t rests_ = 0; // that were asked for
     std::vector<std::jthread> threads_;
 };
 

@@ -6,8 +6,10 @@
 #include "session/sessions.hpp"
 #include "session/slow_calls.hpp"
 #include "session/uploads.hpp"
+#include "store/machine_memory.hpp"
 #include "wire/frame_header.hpp"
 
+#include <algorithm>
 #include <set>
 
 namespace ciel::session {
@@ -57,6 +59,10 @@ struct Server::State {
         sessions.expire(now);
         uploads.expire(now);
         if (catalog.give_back(now - std::chrono::seconds(options.limits.dataset_idle_seconds)) > 0) locators.forget();
+        const auto all = sessions.all();
+        if (std::ranges::all_of(all, [](const auto& session) { return session->view_count() == 0; })) workers.rest();
+        picture_workers.rest();
+        store::give_back_free_memory();
     }
 
     void tell_steps(const std::string& dataset) {

@@ -46,8 +46,19 @@ Readiness draw_test_picture(render::Renderer& renderer) {
     readiness.gl_version = renderer.gl_version();
     readiness.backend = render::name_of(renderer.backend());
     readiness.ready = is_test_picture(image);
-    if (!readiness.ready)
+    if (!readiness.ready) {
         readiness.problem = readiness.gl_renderer + " drew a test picture with wrong pixels; try another --gl";
+        return readiness;
+    }
+    frame.width = 1280; // what a usual still needs
+    frame.height = 720;
+    frame.samples = 4;
+    try {
+        renderer.check_memory(frame);
+    } catch (const Error& error) {
+        readiness.ready = false;
+        readiness.problem = error.what();
+    }
     return readiness;
 }
 

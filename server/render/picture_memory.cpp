@@ -1,0 +1,47 @@
+#include "render/picture_memory.hpp"
+
+#include "render/depth_peeling.hpp"
+#include "render/frame_parts.hpp"
+
+namespace ciel::render {
+namespace {
+
+// Bytes a pixel.
+constexpr std::uint64_t color_and_depth = 8;
+constexpr std::uint64_t image = 6;        // RGB, and once more encoded
+constexpr std::uint64_t layers = 36;      // color, two depths, sum, depths of what is opaque (depth_peeling.hpp)
+constexpr std::uint64_t lines = 16;       // records of both layers
+constexpr std::uint64_t occlusion = 48;   // depth, normals, found and even light (ambient_occlusion.hpp)
+constexpr std::uint64_t volumes = 72;     // pictures of 4 floats, rays, reach and coverage (volume_painter.hpp)
+constexpr std::uint64_t scene = 24 << 20; // what the GL keeps of the triangles that it draws at a time
+
+std::uint64_t bytes_of(const Mesh& mesh) {
+    return mesh.positions.size_bytes() + mesh.normals.size_bytes() + mesh.scalars.size_bytes() +
+           mesh.indices.size_bytes();
+}
+
+std::uint64_t bytes_of(const Volume& volume) {
+    std::uint64_t bytes = volume.boundary != nullptr ? volume.boundary->memory_bytes() : 0;
+    for (const SlabMesh& slice : volume.slices) bytes = std::max<std::uint64_t>(bytes, slice.memory_bytes());
+    return bytes;
+}
+
+} // namespace
+
+std::uint64_t picture_memory(const Frame& frame) {
+    const auto pixels = static_cast<std::uint64_t>(frame.width) * static_cast<std::uint64_t>(frame.height);
+    const auto samples = static_cast<std::uint64_t>(frame.samples);
+    std::uint64_t of_pixel = color_and_depth + image + (samples > 1 ? samples * color_and_depth : 0);
+    if (has_transparent_overlays(frame) || (is_peeled(frame) && has(frame, is_transparent))) {
+        const std::uint64_t finer = has_finer_layers(frame.width, frame.height, frame.samples) ? 4 : 1;
+        of_pixel += finer * (layers + (has_transparent_lines(frame) ? lines : 0)) + color_and_depth;
+    }
+    if (frame.occlusion.radius > 0) of_pixel += occlusion;
+    if (!frame.volumes.empty()) of_pixel += volumes;
+    std::uint64_t bytes = pixels * of_pixel + scene;
+    for (const Mesh& mesh : frame.meshes) bytes += (is_transparent(mesh) ? 3 : 1) * bytes_of(mesh); // sorted
+    for (const Volume& volume : frame.volumes) bytes += bytes_of(volume);
+    return bytes + bytes / 8;
+}
+
+} // namespace ciel::render

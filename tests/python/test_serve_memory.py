@@ -1,0 +1,87 @@
+"""A server that may take little more memory: it refuses pictures in words, lives, and draws again what fits."""
+
+import pathlib
+import re
+import resource
+
+import pytest
+import requests
+
+import box_dataset
+from serve_process import PATIENCE, Server, until
+
+SURFACE = {"layers": {"a": {"type": "surface", "color": {"array": "r"}}}}
+GLASS = {"layers": {"a": {"type": "surface", "opacity": 0.5}, "b": {"type": "iso", "array": "r", "values": [0.4, 0.6], "opacity": 0.5}}}
+CLOUD = {"layers": {"a": {"type": "volume", "array": "r"}}}
+
+
+@pytest.fixture(scope="module")
+def box(tmp_path_factory):
+    return box_dataset.write_box(tmp_path_factory.mktemp("data") / "box.ciel", n=24)
+
+
+def address_space(running: Server) -> int:
+    status = pathlib.Path(f"/proc/{running.process.pid}/status").read_text()
+    return int(re.search(r"VmSize:\s+(\d+)", status).group(1)) * 1024
+
+
+def limit(running: Server, megabytes: int | None) -> None:
+    """So much more than it has; None: as much as it likes."""
+    soft = resource.RLIM_INFINITY if megabytes is None else address_space(running) + (megabytes << 20)
+    resource.prlimit(running.process.pid, resource.RLIMIT_AS, (soft, resource.RLIM_INFINITY))
+
+
+def picture(running: Server, scene: dict, width: int, height: int) -> str:
+    """Empty, or why it was refused."""
+    answer = requests.post(running.base + "/rpc", timeout=4 * PATIENCE, json={
+        "jsonrpc": "2.0", "id": 1, "method": "picture.render",
+        "params": {"scene": {"dataset": "box", **scene}, "width": width, "height": height}}).json()
+    return "" if "result" in answer else answer["error"]["data"]["reason"]
+
+
+@pytest.mark.parametrize("megabytes", [100, 200, 300, 450, 600, 800])
+@pytest.mark.parametrize("scene", [SURFACE, GLASS, CLOUD], ids=["surface", "glass", "cloud"])
+def test_a_picture_that_does_not_fit_is_refused_in_words(box, scene, megabytes):
+    with Server(box) as running:
+        assert running.get("/readyz").status_code == 200
+        limit(running, megabytes)
+        for width, height in ((640, 360), (1920, 1080), (3840, 2160), (7680, 4320), (640, 360)):
+            refused = picture(running, scene, width, height)
+            assert running.process.poll() is None
+            assert refused == "" or "memory" in refused or "address space" in refused, refused
+            assert "bad_alloc" not in refused and "font" not in refused, refused
+        limit(running, None)
+        assert picture(running, scene, 640, 360) == ""
+        assert running.get("/readyz").status_code == 200
+        assert running.stop() == 0
+
+
+def test_what_was_drawn_before_a_refusal_is_drawn_after_it(box):
+    with Server(box) as running:
+        assert picture(running, SURFACE, 640, 360) == ""
+        limit(running, 300)
+        assert picture(running, SURFACE, 640, 360) == ""
+        assert "memory" in picture(running, SURFACE, 7680, 4320)
+        for _ in range(3):
+            assert picture(running, SURFACE, 640, 360) == ""
+        assert running.get("/readyz").status_code == 200
+
+
+def test_a_server_without_room_for_a_picture_is_not_ready(box):
+    with Server(box) as running:
+        assert running.get("/readyz").status_code == 200
+        limit(running, 20)
+        answer = running.get("/readyz")
+        assert answer.status_code == 503 and "memory" in answer.json()["problem"], answer.text
+        limit(running, None)
+
+
+def test_a_large_picture_leaves_little_behind(box):
+    """What drawing took goes back to the system once nobody draws: the server looks every ten seconds."""
+    with Server(box) as running:
+        assert picture(running, SURFACE, 640, 360) == ""
+        before = running.resident_kilobytes()
+        assert picture(running, SURFACE, 7680, 4320) == ""
+        peak = running.resident_kilobytes()
+        assert peak > before + 500_000
+        until(lambda: running.resident_kilobytes() < before + 100_000)
