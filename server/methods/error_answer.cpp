@@ -1,6 +1,7 @@
 #include "methods/error_answer.hpp"
 
 #include "methods/context.hpp"
+#include "store/files.hpp"
 
 namespace ciel::methods {
 namespace {
@@ -42,8 +43,9 @@ json error_of_current_exception() {
     } catch (const NeedsWebSocket& e) {
         return error(protocol::NeedsWebSocket, "Needs a WebSocket", e.what());
     } catch (const Error& e) {
-        return error(protocol::Failed, "Failed", e.what());
+        return error(protocol::Failed, "Failed", store::sentence_for_clients(e));
     } catch (const std::exception& e) {
+        if (store::is_out_of_memory(e)) return limit_error(store::sentence_for_clients(e));
         return error(-32603, "Internal error", e.what());
     } catch (...) {
         return error(-32603, "Internal error", "an exception that is none of the standard's");

@@ -3,6 +3,7 @@
 #include "session/batches.hpp"
 #include "session/picture.hpp"
 #include "session/pixel_grid.hpp"
+#include "store/files.hpp"
 
 #include <algorithm>
 
@@ -95,7 +96,7 @@ void show_frame(View& view, Worker& worker, bool still) {
     } catch (const GivesWay&) {
         view.give_way();
     } catch (const std::exception& error) {
-        view.fail(*request, error.what());
+        view.fail(*request, store::sentence_for_clients(error));
     }
 }
 

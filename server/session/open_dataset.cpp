@@ -1,6 +1,7 @@
 #include "session/open_dataset.hpp"
 
 #include "session/errors.hpp"
+#include "store/files.hpp"
 
 namespace ciel::session {
 
@@ -10,7 +11,7 @@ std::shared_ptr<store::LoadedDataset> open_dataset(store::Catalog& catalog, cons
     } catch (const Error& error) {
         for (const auto& entry : catalog.list())
             if (entry.name == name) throw;
-        throw NotFound(error.what());
+        throw NotFound(store::sentence_for_clients(error));
     }
 }
 

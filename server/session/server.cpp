@@ -6,6 +6,7 @@
 #include "session/sessions.hpp"
 #include "session/slow_calls.hpp"
 #include "session/uploads.hpp"
+#include "store/files.hpp"
 #include "store/machine_memory.hpp"
 #include "wire/frame_header.hpp"
 
@@ -120,7 +121,7 @@ Readiness Server::readiness() {
     try {
         readiness = state_->workers.run([](Worker& worker) { return draw_test_picture(worker.renderer()); });
     } catch (const std::exception& error) {
-        readiness.problem = error.what();
+        readiness.problem = store::sentence_for_clients(error);
     }
     const std::scoped_lock lock(state_->readiness_mutex);
     state_->last_readiness = readiness;

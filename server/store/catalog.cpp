@@ -106,7 +106,7 @@ struct Catalog::State {
             (void)read_documents(entry.directory);
             entry.problem.clear();
         } catch (const std::exception& error) {
-            entry.problem = error.what();
+            entry.problem = sentence_for_clients(error);
         }
     }
 
@@ -186,7 +186,7 @@ std::shared_ptr<LoadedDataset> Catalog::open(const std::string& name) {
     try {
         loaded = std::make_shared<LoadedDataset>(Dataset::open(directory), state_->field_budget);
     } catch (const std::exception& error) {
-        problem = error.what();
+        problem = sentence_for_clients(error);
         failure = std::current_exception();
     }
     const std::lock_guard lock(state_->mutex);

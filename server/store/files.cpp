@@ -6,8 +6,11 @@
 #include <cerrno>
 #include <cstring>
 #include <fcntl.h>
+#include <new>
+#include <stdexcept>
 #include <sys/file.h>
 #include <sys/stat.h>
+#include <system_error>
 #include <unistd.h>
 #include <utility>
 
@@ -39,9 +42,35 @@ bool is_beside(const std::string& name) {
 
 } // namespace
 
-void refuse(const std::filesystem::path& file, const std::string& sentence) {
-    throw Error(file.string() + ": " + sentence);
+FileError::FileError(const std::filesystem::path& file, const std::string& sentence)
+    : Error(file.string() + ": " + sentence) {
+    std::filesystem::path shown;
+    for (const std::filesystem::path& part : file) {
+        if (shown.empty() && part.extension() != ".ciel") continue;
+        shown /= part;
+    }
+    for_clients_ = (shown.empty() ? file.filename() : shown).string() + ": " + sentence;
 }
+
+bool is_out_of_memory(const std::exception& error) {
+    if (dynamic_cast<const std::bad_alloc*>(&error) != nullptr) return true;
+    if (dynamic_cast<const std::length_error*>(&error) != nullptr) return true;
+    if (const auto* failed = dynamic_cast<const std::system_error*>(&error))
+        return failed->code() == std::errc::not_enough_memory ||
+               failed->code() == std::errc::resource_unavailable_try_again;
+    if (dynamic_cast<const Error*>(&error) != nullptr) return false;
+    // TBB tells of a thread that it cannot start in these words alone.
+    return std::string_view(error.what()).find(std::strerror(EAGAIN)) != std::string_view::npos;
+}
+
+std::string sentence_for_clients(const std::exception& error) {
+    if (const auto* of_file = dynamic_cast<const FileError*>(&error)) return of_file->for_clients();
+    if (is_out_of_memory(error))
+        return "the server has not enough memory for this; ask for less at a time, or again when others have left";
+    return error.what();
+}
+
+void refuse(const std::filesystem::path& file, const std::string& sentence) { throw FileError(file, sentence); }
 
 void refuse_errno(const std::filesystem::path& file, const std::string& what_failed) {
     const int number = errno;

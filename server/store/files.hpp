@@ -2,7 +2,10 @@
 // the file.
 #pragma once
 
+#include "ciel/types.hpp"
+
 #include <cstddef>
+#include <exception>
 #include <filesystem>
 #include <span>
 #include <string>
@@ -10,7 +13,23 @@
 
 namespace ciel::store {
 
-[[noreturn]] void refuse(const std::filesystem::path& file, const std::string& sentence);
+// An Error about a file. Who runs the program is told where the file lies; clients of a server are told only where in
+// which dataset.
+class FileError : public Error {
+public:
+    FileError(const std::filesystem::path& file, const std::string& sentence);
+    [[nodiscard]] const std::string& for_clients() const { return for_clients_; }
+
+private:
+    std::string for_clients_;
+};
+
+// Whether it is what the libraries make of memory, or of a thread, that the system does not give.
+[[nodiscard]] bool is_out_of_memory(const std::exception& error);
+// What a client of a server may be told of an error: no folders of the machine, no names of the C++ library.
+[[nodiscard]] std::string sentence_for_clients(const std::exception& error);
+
+[[noreturn]] void refuse(const std::filesystem::path& file, const std::string& sentence); // throws FileError
 [[noreturn]] void refuse_errno(const std::filesystem::path& file, const std::string& what_failed);
 
 // Throws when it is missing, not a regular file, or longer than `limit`.

@@ -100,8 +100,9 @@ TEST(Font, GlyphsHaveSolidLettersWithAHaloAroundThem) {
 TEST(Font, ThatIsNotThereIsNamedWithItsPackage) {
     Font font("/nowhere/font.ttf");
     EXPECT_THAT([&] { static_cast<void>(font.shape("a", 13)); },
-                testing::ThrowsMessage<Error>(
-                    testing::AllOf(testing::HasSubstr("/nowhere/font.ttf"), testing::HasSubstr("fonts-dejavu-core"))));
+                testing::ThrowsMessage<Error>(testing::AllOf(testing::HasSubstr("font font.ttf"),
+                                                             testing::Not(testing::HasSubstr("/nowhere")),
+                                                             testing::HasSubstr("fonts-dejavu-core"))));
     Font text(CIEL_SOURCE_DIR "/README.md");
     EXPECT_THROW(static_cast<void>(text.metrics(13)), Error);
 }

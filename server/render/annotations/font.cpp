@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <new>
 #include <unordered_map>
 #include <utility>
 
@@ -77,15 +78,17 @@ struct Font::State {
         if (FT_Init_FreeType(&library) != 0) throw Error("FreeType cannot be started");
         if (!open(file, 0)) {
             FT_Done_FreeType(library);
-            throw Error("the font " + file.string() +
-                        ", which annotations are written with, cannot be read; install fonts-dejavu-core");
+            throw Error("titles, axes and legends cannot be written: this machine's font " + file.filename().string() +
+                        " cannot be read; leave them out, or install the package fonts-dejavu-core on it");
         }
         FT_Stroker_New(library, &stroker);
     }
-    // False where it cannot be read.
+    // False where it cannot be read. Throws std::bad_alloc.
     bool open(const std::filesystem::path& file, int index) {
         FT_Face face = nullptr;
-        if (FT_New_Face(library, file.c_str(), index, &face) != 0) return false;
+        const FT_Error failed = FT_New_Face(library, file.c_str(), index, &face);
+        if (failed == FT_Err_Out_Of_Memory) throw std::bad_alloc();
+        if (failed != 0) return false;
         faces.push_back({file, index, face, 0});
         return true;
     }
