@@ -7,6 +7,7 @@
 #include "ciel/types.hpp"
 #include "gateway/gateway.hpp"
 #include "render/renderer.hpp"
+#include "session/log.hpp"
 #include "session/server.hpp"
 #include "store/import_missing.hpp"
 
@@ -16,7 +17,6 @@
 #include <cstdlib>
 #include <fstream>
 #include <iostream>
-#include <spdlog/sinks/stdout_color_sinks.h>
 #include <spdlog/spdlog.h>
 
 namespace ciel::app {
@@ -35,7 +35,7 @@ fs::path default_import_folder() {
 struct ServeOptions {
     std::vector<fs::path> data;
     fs::path import_folder = default_import_folder(), token_file;
-    std::string gl = "auto", log_level = "info";
+    std::string gl = "auto", log_level = "info", log_format = "text";
     ExtractionOptions extraction;
     unsigned render_workers = 1, threads = 0;
     session::Limits limits;
@@ -78,14 +78,6 @@ fs::path find_webclient() {
     return {};
 }
 
-void start_log(const std::string& level) {
-    auto logger = spdlog::stderr_color_mt("ciel");
-    logger->set_pattern("%Y-%m-%d %H:%M:%S.%e %^%l%$ %v");
-    logger->set_level(spdlog::level::from_str(level));
-    logger->flush_on(spdlog::level::info);
-    spdlog::set_default_logger(std::move(logger));
-}
-
 // The first line of the file.
 std::string token_in(const fs::path& file) {
     std::ifstream stream(file);
@@ -121,7 +113,8 @@ void log_renderer(session::Server& server) {
 }
 
 int serve(ServeOptions& options) {
-    start_log(options.log_level);
+    session::start_log(options.log_level,
+                       options.log_format == "json" ? session::LogFormat::json : session::LogFormat::text);
     complete_token(options);
     set_thread_count(options.threads);
     if (options.gateway.webclient.empty()) options.gateway.webclient = find_webclient();
@@ -187,6 +180,9 @@ void add_serve(CLI::App& app, Run& run) {
     command->add_option("--webclient", gateway.webclient, "folder of the built web client");
     command->add_option("--log-level", options->log_level, "how much to log on stderr")
         ->check(CLI::IsMember({"debug", "info", "warn", "error", "off"}))
+        ->capture_default_str();
+    command->add_option("--log-format", options->log_format, "the form of a line of the log; times are UTC")
+        ->check(CLI::IsMember({"text", "json"}))
         ->capture_default_str();
     add_limits(*command, options->limits);
     command->callback([options, &run] { run = [options] { return serve(*options); }; });

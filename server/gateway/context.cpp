@@ -32,14 +32,4 @@ Context::Context(session::Server& server_, const GatewayOptions& options, Access
       files(options.webclient.empty() ? StaticFiles() : StaticFiles(options.webclient)),
       connections(rules_of(server_.limits())), proxies(options.trusted_proxies), most_files(raised_file_limit()) {}
 
-session::Readiness ReadinessProbe::check(session::Server& server) {
-    const std::unique_lock lock(mutex_, std::try_to_lock);
-    if (!lock) return server.last_readiness();
-    if (!checked_ || std::chrono::steady_clock::now() - *checked_ > std::chrono::seconds(1)) {
-        last_ = server.readiness();
-        checked_ = std::chrono::steady_clock::now();
-    }
-    return last_;
-}
-
 } // namespace ciel::gateway

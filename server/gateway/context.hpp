@@ -10,9 +10,6 @@
 
 #include <array>
 #include <atomic>
-#include <chrono>
-#include <mutex>
-#include <optional>
 
 namespace ciel::gateway {
 
@@ -20,18 +17,6 @@ struct Counters { // for /metrics
     std::atomic<std::uint64_t> connections{0}, refused_connections{0}, websockets_open{0};
     std::array<std::atomic<std::uint64_t>, 6> responses{}; // by status / 100
     std::atomic<std::uint64_t> texts_received{0}, texts_sent{0}, frames_sent{0}, frames_dropped{0}, bytes_sent{0};
-};
-
-// Draws the test picture at most once a second, however often it is asked, and one at a time: it may wait for a frame,
-// and who asks meanwhile gets the last answer.
-class ReadinessProbe {
-public:
-    [[nodiscard]] session::Readiness check(session::Server& server);
-
-private:
-    std::mutex mutex_;
-    std::optional<std::chrono::steady_clock::time_point> checked_;
-    session::Readiness last_;
 };
 
 struct Context {
@@ -45,7 +30,6 @@ struct Context {
     Connections connections;
     TrustedProxies proxies;
     std::size_t most_files; // descriptors that the process may have
-    ReadinessProbe readiness;
     LogLimiter log_limiter;
     std::atomic<std::uint64_t> guesses_waiting{0}; // answers to wrong tokens
     std::atomic<bool> draining{false};

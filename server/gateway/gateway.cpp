@@ -72,17 +72,25 @@ private:
 
     asio::awaitable<void> drain() {
         spdlog::info("stopping: {} connections", context_.connections.count());
-        const auto deadline = Clock::now() + std::chrono::seconds(context_.server.limits().drain_seconds);
+        const auto begin = Clock::now();
+        const auto half = std::chrono::milliseconds(500) * context_.server.limits().drain_seconds;
+        const auto is_over = [this] { return server_drained_ && context_.connections.count() == 0; };
         acceptor_.close();
         context_.draining = true;
+        context_.server.announce_end();
         asio::post(workers_, [this] {
+            context_.server.drain_frames();
+            frames_drained_ = true;
             context_.server.drain();
             server_drained_ = true;
         });
-        co_await until(deadline, [this] { return server_drained_.load(); });
-        context_.connections.drain_all();
-        co_await until(deadline, [this] { return context_.connections.count() == 0; });
-        drained_ = server_drained_ && context_.connections.count() == 0;
+        co_await until(begin + half, [this] { return frames_drained_.load(); });
+        context_.connections.drain_all(); // each ends when its calls have been answered and the answers are read
+        co_await until(begin + half, is_over);
+        context_.server.give_up();
+        context_.connections.drain_all(); // the second time they end at once
+        co_await until(begin + 2 * half, is_over);
+        drained_ = is_over();
     }
 
     template <typename Condition>
@@ -112,7 +120,7 @@ private:
     unsigned threads_;
     asio::thread_pool workers_;
     Context context_;
-    std::atomic<bool> server_drained_{false};
+    std::atomic<bool> frames_drained_{false}, server_drained_{false};
     bool drained_ = false;
 };
 

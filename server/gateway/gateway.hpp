@@ -36,10 +36,11 @@ struct Listening {
 // 128 random bits as a token that needs no quoting anywhere.
 [[nodiscard]] std::string generate_token();
 
-// Serves until SIGINT or SIGTERM, then drains: no new connections, clients are told, what is under way is finished,
-// WebSockets close with 1001. A second signal ends the process at once. on_listening is called from the thread that
-// called serve, before anything is served. Throws Error when the address cannot be bound, the token is badly formed,
-// or the web client's folder cannot be read. Returns the process's exit code.
+// Serves until SIGINT or SIGTERM, then drains: no new connections, clients are told, WebSockets close with 1001. What
+// is under way has half of Limits::drain_seconds to finish; then calls are given up, WebSockets closed though answers
+// are missing, and clients that do not read are cut off. A second signal ends the process at once. on_listening is
+// called from the thread that called serve, before anything is served. Throws Error when the address cannot be bound,
+// the token is badly formed, or the web client's folder cannot be read. Returns the process's exit code.
 int serve(session::Server& server, const GatewayOptions& options,
           const std::function<void(const Listening&)>& on_listening);
 

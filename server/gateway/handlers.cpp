@@ -53,7 +53,7 @@ Response websocket_expected(Context&, const Request&, const Target&) {
 Response healthz(Context&, const Request&, const Target&) { return sentence(200, "ok"); }
 
 Response readyz(Context& context, const Request&, const Target&) {
-    session::Readiness readiness = context.readiness.check(context.server);
+    session::Readiness readiness = context.server.readiness_by_now();
     if (context.draining) {
         readiness.ready = false;
         readiness.problem = "the server is about to stop";
@@ -94,6 +94,7 @@ Response static_file(Context& context, const Request& request, const Target& tar
 void add_common_headers(const Context& context, const Request& request, Response& response) {
     auto& headers = response.headers;
     headers.emplace_back("Server", "CIEL/" + context.version);
+    headers.emplace_back("X-Request-Id", request.id);
     headers.emplace_back("X-Content-Type-Options", "nosniff");
     headers.emplace_back("Referrer-Policy", "no-referrer"); // the address may hold the token
     headers.emplace_back("Cross-Origin-Resource-Policy", "same-origin");

@@ -7,6 +7,8 @@
 #include "gateway/routes.hpp"
 #include "gateway/rpc_call.hpp"
 #include "gateway/websocket_session.hpp"
+#include "session/log.hpp"
+#include "session/memory.hpp"
 
 #include <boost/asio/write.hpp>
 #include <boost/beast/core/flat_buffer.hpp>
@@ -133,8 +135,10 @@ private:
     Request request_of(const HttpRequest& message) const {
         Request request = plain_request(message);
         request.remote = remote_;
+        request.id = session::next_request_id();
         request.address = address_;
         request.is_of_own_user = is_of_own_user_;
+        if (!start_.is_of_trusted_proxy) request.forwarded_user.clear();
         return request;
     }
 
@@ -158,7 +162,7 @@ private:
                 resolved = refused(std::move(*problem));
             else {
                 HttpRequest message = parser.release();
-                WebSocketPeer peer{request.remote, resolved.claim == Claim::token};
+                WebSocketPeer peer{request.remote, request.forwarded_user, resolved.claim == Claim::token};
                 co_await upgrade(std::move(message), std::move(peer));
                 co_return false;
             }
@@ -187,8 +191,11 @@ private:
     // Makes guessing slow: the answer waits, and of many guesses at a time most get none.
     asio::awaitable<void> slow_down(const Request& request, Resolved& resolved) {
         if (context_.log_limiter.allows("token " + request.address))
-            spdlog::warn("{}: a wrong token was refused; further ones of this address are not logged for a minute",
-                         request.address);
+            session::log_event(session::LogLevel::warning, "a wrong token was refused",
+                               {{"remote", request.address},
+                                {"user", request.forwarded_user},
+                                {"request", request.id},
+                                {"note", "further ones of this address are not logged for a minute"}});
         if (context_.guesses_waiting.fetch_add(1) < limits_.wrong_tokens_waiting) {
             guess_pause_.expires_after(std::chrono::seconds(limits_.wrong_token_seconds));
             error_code ignored;
@@ -258,7 +265,8 @@ private:
         deadline_.stop();
         if (!refusal) co_return;
         const Resolved resolved = refused(std::move(*refusal));
-        const Request unknown;
+        Request unknown;
+        unknown.id = session::next_request_id();
         Response response = respond(context_, unknown, resolved);
         const bool written = co_await write(std::move(response), false, 11, false);
         if (written) co_await linger();
@@ -270,6 +278,8 @@ private:
         message.set(http::field::date, http_date(std::time(nullptr)));
         for (const auto& [name, value] : response.headers) message.insert(name, value);
         message.keep_alive(keep_alive);
+        session::Memory::Charge held(context_.server.memory(), session::Held::unsent);
+        held.note(response.body.size());
         message.body() = std::move(response.body);
         if (response.status != 204 && response.status != 304) {
             message.set(http::field::content_type, response.content_type);

@@ -8,7 +8,8 @@
 
 namespace ciel::gateway {
 
-// What draining, or cutting, does to a connection right now; runs on the connection's own executor.
+// What draining, or cutting, does to a connection right now; runs on the connection's own executor. Draining comes a
+// second time when the connection has to end at once.
 using OnDrain = std::shared_ptr<std::function<void()>>;
 
 struct ConnectionStart {

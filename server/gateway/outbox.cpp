@@ -3,23 +3,24 @@
 #include "ciel/types.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace ciel::gateway {
 
-Outbox::Outbox(std::size_t text_limit_bytes, std::function<void()> on_push)
-    : on_push_(std::move(on_push)), text_limit_(text_limit_bytes) {}
+Outbox::Outbox(std::size_t most_bytes, session::Memory& memory, std::function<void()> on_push)
+    : on_push_(std::move(on_push)), share_(most_bytes / 2), held_(memory, session::Held::unsent) {}
 
 void Outbox::push_text(std::string text) {
     const std::lock_guard lock(mutex_);
     if (!on_push_ || overflowed_) return;
-    if (text_bytes_ > text_limit_) {
+    if (text_bytes_ > share_) {
         overflowed_ = true;
-        texts_.clear();
-        frames_.clear();
+        forget();
     } else {
         text_bytes_ += text.size();
         texts_.push_back(std::move(text));
     }
+    count();
     on_push_();
 }
 
@@ -29,16 +30,45 @@ void Outbox::push_frame(FrameBytes bytes) {
     const std::lock_guard lock(mutex_);
     if (!on_push_ || overflowed_) return;
     if (header.kind == wire::FrameKind::image || (header.flags & wire::first_of_frame) != 0)
-        dropped_ += std::erase_if(frames_, [&](const Waiting& other) { return other.header.view == header.view; });
+        dropped_ += std::erase_if(frames_, [&](const Waiting& other) {
+            if (other.header.view != header.view) return false;
+            frame_bytes_ -= other.bytes->size();
+            return true;
+        });
+    frame_bytes_ += bytes->size();
     frames_.push_back({std::move(bytes), header});
+    count();
     on_push_();
 }
 
 void Outbox::close() {
     const std::lock_guard lock(mutex_);
     on_push_ = nullptr;
+    forget();
+    count();
+}
+
+void Outbox::forget() {
     texts_.clear();
     frames_.clear();
+    text_bytes_ = frame_bytes_ = 0;
+}
+
+void Outbox::count() { held_.note(text_bytes_ + text_taken_ + frame_bytes_ + frame_taken_); }
+
+bool Outbox::has_room(std::size_t bytes) {
+    const std::lock_guard lock(mutex_);
+    const std::size_t frames = frame_bytes_ + frame_taken_;
+    if (frames == 0 || frames + bytes <= share_) return true;
+    had_no_room_ = true;
+    return false;
+}
+
+bool Outbox::sent() {
+    const std::lock_guard lock(mutex_);
+    text_taken_ = frame_taken_ = 0;
+    count();
+    return frame_bytes_ <= share_ / 2 && std::exchange(had_no_room_, false);
 }
 
 std::optional<Outbox::Message> Outbox::pop() {
@@ -47,7 +77,8 @@ std::optional<Outbox::Message> Outbox::pop() {
     if (!texts_.empty()) {
         message.text = std::move(texts_.front());
         texts_.pop_front();
-        text_bytes_ -= message.text.size();
+        text_taken_ = message.text.size();
+        text_bytes_ -= text_taken_;
         return message;
     }
     if (frames_.empty()) return std::nullopt;
@@ -57,7 +88,11 @@ std::optional<Outbox::Message> Outbox::pop() {
     message.frame = frame.bytes;
     message.payload = std::span(*frame.bytes).subspan(wire::frame_header_bytes + frame.sent, piece.payload_bytes);
     frame.sent += piece.payload_bytes;
-    if (frame.sent == frame.header.whole_bytes) frames_.pop_front();
+    if (frame.sent == frame.header.whole_bytes) {
+        frame_taken_ = frame.bytes->size();
+        frame_bytes_ -= frame_taken_;
+        frames_.pop_front();
+    }
     return message;
 }
 

@@ -1,8 +1,7 @@
 #include "gateway/routes.hpp"
 
 #include "gateway/handlers.hpp"
-
-#include <spdlog/spdlog.h>
+#include "session/log.hpp"
 
 namespace ciel::gateway {
 namespace {
@@ -114,7 +113,12 @@ Response respond(Context& context, const Request& request, const Resolved& resol
         try {
             response = resolved.route->handler(context, request, resolved.target);
         } catch (const std::exception& error) {
-            spdlog::error("{} {}: {}", request.method, resolved.target.path, error.what());
+            session::log_event(session::LogLevel::error, "request failed",
+                               {{"method", request.method},
+                                {"path", resolved.target.path},
+                                {"reason", error.what()},
+                                {"request", request.id},
+                                {"remote", request.remote}});
             response = sentence(500, "The request failed; the server's log says why.");
         }
     add_common_headers(context, request, response);

@@ -41,7 +41,9 @@ asio::awaitable<Response> rpc_call(beast::tcp_stream& stream, const Request& req
     const auto connection = std::make_shared<session::Connection>();
     connection->id = context.next_connection_id++;
     connection->remote = request.remote;
+    connection->user = request.forwarded_user;
     connection->has_token = has_token;
+    connection->request = request.id;
     connection->stop = pending->hung_up.get_token();
     const auto answer = [pending, executor = stream.get_executor()](std::string text) {
         asio::post(executor, [pending, text = std::move(text)]() mutable {

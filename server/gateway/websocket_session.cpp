@@ -3,6 +3,7 @@
 #include "gateway/outbox.hpp"
 #include "methods/binary_message.hpp"
 #include "methods/dispatcher.hpp"
+#include "session/sessions.hpp"
 
 #include <boost/asio/post.hpp>
 #include <boost/beast/core/buffers_to_string.hpp>
@@ -55,6 +56,7 @@ private:
         if (!close_) close_ = websocket::close_reason(code, boost::string_view(reason.data(), bytes));
         outbox_changed_.cancel();
     }
+    void drain();
     methods::Answer answer();
     std::string take_piece(std::string_view bytes, const methods::Answer& reply);
     void outbox_pushed();
@@ -75,7 +77,7 @@ private:
     std::size_t inbox_bytes_ = 0;
     asio::steady_timer inbox_changed_, outbox_changed_, part_ended_;
     std::optional<websocket::close_reason> close_; // wanted; sent when nothing is under way
-    bool ended_ = false;
+    bool ended_ = false, closes_now_ = false, writing_ = false;
     int parts_ = 0, unanswered_ = 0; // messages that were taken from the inbox
 };
 
@@ -105,7 +107,7 @@ asio::awaitable<bool> WebSocketSession::accept(HttpRequest upgrade) {
 
 void WebSocketSession::open(const WebSocketPeer& peer) {
     const std::weak_ptr<WebSocketSession> weak = weak_from_this();
-    outbox_ = std::make_shared<Outbox>(context_.server.limits().waiting_text_bytes, [this, weak] {
+    outbox_ = std::make_shared<Outbox>(context_.server.limits().unsent_bytes, context_.server.memory(), [this, weak] {
         asio::post(socket_.get_executor(), [weak] {
             if (const auto self = weak.lock()) self->outbox_pushed();
         });
@@ -113,10 +115,12 @@ void WebSocketSession::open(const WebSocketPeer& peer) {
     connection_ = std::make_shared<session::Connection>();
     connection_->id = context_.next_connection_id++;
     connection_->remote = peer.remote;
+    connection_->user = peer.user;
     connection_->has_token = peer.has_token;
     connection_->stop = closed_.get_token();
     connection_->send_text = [outbox = outbox_](std::string text) { outbox->push_text(std::move(text)); };
     connection_->send_binary = [outbox = outbox_](FrameBytes bytes) { outbox->push_frame(std::move(bytes)); };
+    connection_->has_room = [outbox = outbox_](std::size_t bytes) { return outbox->has_room(bytes); };
     context_.server.connection_opened(connection_);
 }
 
@@ -126,7 +130,7 @@ asio::awaitable<void> WebSocketSession::run(HttpRequest upgrade, WebSocketPeer p
     spdlog::debug("{}: WebSocket opened", peer.remote);
     ++context_.counters.websockets_open;
     open(peer);
-    *on_drain = [this] { request_close(close_code::going_away, "the server stops"); };
+    *on_drain = [this] { drain(); };
     start([this] { return handle_in_order(); });
     start([this] { return write(); });
     co_await read();
@@ -217,7 +221,7 @@ asio::awaitable<void> WebSocketSession::write() {
     while (!ended_ && !error) {
         const auto message = outbox_->pop();
         const bool idle = unanswered_ == 0 && inbox_.empty();
-        if (!message && close_ && (idle || close_->code != close_code::going_away)) {
+        if (!message && close_ && (idle || closes_now_ || close_->code != close_code::going_away)) {
             co_await socket_.async_close(*close_, asio::redirect_error(asio::use_awaitable, error));
             break;
         }
@@ -230,11 +234,25 @@ asio::awaitable<void> WebSocketSession::write() {
                                                               : asio::buffer(message->header),
                                                       asio::buffer(message->payload.data(), message->payload.size())};
         socket_.binary(!is_text);
+        writing_ = true;
         co_await socket_.async_write(bytes, asio::redirect_error(asio::use_awaitable, error));
+        writing_ = false;
         ++(is_text ? context_.counters.texts_sent : context_.counters.frames_sent);
         context_.counters.bytes_sent += asio::buffer_size(bytes);
+        if (outbox_->sent()) context_.server.sessions().connection_has_room(connection_->id);
     }
     cut(); // also ends a read that waits for a peer who is gone
+}
+
+// The first time it waits for the answers and until they are read, the second time for neither.
+void WebSocketSession::drain() {
+    if (!close_) return request_close(close_code::going_away, "the server stops");
+    closes_now_ = true;
+    outbox_->close();
+    if (writing_)
+        cut(); // the client does not read: it would not see why
+    else
+        outbox_changed_.cancel();
 }
 
 void WebSocketSession::outbox_pushed() {

@@ -11,6 +11,7 @@ namespace ciel::gateway {
 
 struct WebSocketPeer {
     std::string remote;     // address, for logs
+    std::string user;       // for logs; empty: not known
     bool has_token = false; // session::Connection
 };
 

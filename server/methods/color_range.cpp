@@ -4,7 +4,7 @@
 namespace ciel::methods {
 
 protocol::ColorRangeResult color_range(Context& context, const protocol::ColorRangeParams& params) {
-    const SceneSource source(context, params.session, params.scene);
+    SceneSource source(context, params.session, params.scene);
     const scene::Scene& scene = source.version().scene;
     for (const std::string& id : params.layers)
         if (std::none_of(scene.layers.begin(), scene.layers.end(), [&](const auto& layer) { return layer.id == id; }))

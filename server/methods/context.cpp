@@ -1,8 +1,18 @@
 #include "methods/context.hpp"
 
+#include "session/log.hpp"
 #include "session/open_dataset.hpp"
 
 namespace ciel::methods {
+
+void Context::begin() {
+    request_id = connection.request.empty() ? session::next_request_id() : connection.request;
+    begun = std::chrono::steady_clock::now();
+}
+
+double Context::milliseconds() const {
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begun).count();
+}
 
 std::shared_ptr<store::LoadedDataset> Context::dataset(const std::string& name) const {
     return session::open_dataset(server.catalog(), name);
@@ -11,6 +21,7 @@ std::shared_ptr<store::LoadedDataset> Context::dataset(const std::string& name) 
 void Context::check_wanted() const {
     if (connection.stop.stop_requested())
         throw Error("the connection ended before the answer; keep it open until the answer has come");
+    if (stop.stop_requested()) throw Error("the server is about to stop and has given the call up; ask again later");
 }
 
 void check_may_append(const session::Server& server, const session::Connection& connection) {

@@ -8,19 +8,27 @@
 #include "session/services.hpp"
 #include "session/sessions.hpp"
 
+#include <chrono>
+
 namespace ciel::methods {
 
 // Throws NotAllowed unless the server takes steps and the connection came with its token.
 void check_may_append(const session::Server& server, const session::Connection& connection);
 
-struct Context {
+struct Context { // NOLINT(bugprone-exception-escape): of what a string moves, nothing throws
     session::Server& server;
     session::Connection& connection;
+    std::stop_token stop{};   // the connection has ended, or the server has given the call up
+    std::string request_id{}; // of the call under way, in the log and in errors
+    std::chrono::steady_clock::time_point begun{};
+
+    void begin();                              // a call
+    [[nodiscard]] double milliseconds() const; // since then
 
     [[nodiscard]] std::shared_ptr<session::Session> session(const std::string& id) const {
         return server.sessions().find(id);
     }
-    void check_wanted() const; // throws Error when the connection has ended, and nobody waits for the answer
+    void check_wanted() const; // throws Error when `stop` was requested
     void check_may_append() const { methods::check_may_append(server, connection); }
     [[nodiscard]] std::shared_ptr<session::View> view(std::int64_t id) const;
     [[nodiscard]] std::shared_ptr<store::LoadedDataset> dataset(const std::string& name) const;

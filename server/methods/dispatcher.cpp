@@ -64,9 +64,10 @@ public:
     // ids: of raw_ids, or empty when the requests have them all as they came.
     Requests(session::Server& server, std::shared_ptr<session::Connection> connection, json requests,
              std::vector<std::string> ids, Answer answer)
-        : connection_(std::move(connection)), context_{server, *connection_}, is_batch_(requests.is_array()),
+        : connection_(std::move(connection)), context_{server, *connection_, stop_.get_token()},
+          is_batch_(requests.is_array()),
           requests_(is_batch_ ? std::move(requests) : json::array({std::move(requests)})), ids_(std::move(ids)),
-          answer_(std::move(answer)) {}
+          answer_(std::move(answer)), held_(server.memory(), session::Held::answers) {}
 
     void go_on() {
         for (; next_ < requests_.size(); ++next_) {
@@ -81,9 +82,10 @@ public:
     }
 
 private:
-    [[nodiscard]] bool is_wanted() const { return !given_up_ && !connection_->stop.stop_requested(); }
+    [[nodiscard]] bool is_wanted() const { return !given_up_ && !context_.stop.stop_requested(); }
 
     bool waits_for_its_turn() {
+        context_.begin();
         auto& slow_calls = context_.server.slow_calls();
         auto job = [self = shared_from_this()](Turn turn) { self->take(turn); };
         try {
@@ -101,12 +103,14 @@ private:
     void take(Turn turn) {
         has_had_a_turn_ = true;
         given_up_ = turn == Turn::given_up;
-        add(is_wanted() ? handle(context_, requests_[next_]) : given_up());
+        const std::chrono::duration<double> waited = session::Clock::now() - context_.begun;
+        add(is_wanted() ? handle(context_, requests_[next_], waited.count()) : given_up());
         ++next_;
         go_on();
     }
 
     std::optional<json> given_up() {
+        context_.begin();
         try {
             throw Error("the call was given up: the connection has ended, or the server is about to stop");
         } catch (...) {
@@ -114,50 +118,71 @@ private:
         }
     }
 
+    // As text at once: a batch holds no second copy of its answers.
     void add(std::optional<json> one) {
         if (!one) return;
-        answers_.push_back(std::move(*one));
-        answered_.push_back(ids_.empty() ? std::string() : ids_[next_]);
+        const std::string id = ids_.empty() ? std::string() : ids_[next_];
+        answered_.push_back({(*one)["id"], id});
+        try {
+            append(text_of(*one, id));
+        } catch (...) { // too much for the batch, or for the server
+            append(text_of(refuse(context_, requests_[next_]).value_or(json()), id), true);
+        }
     }
 
-    [[nodiscard]] std::string text_of_answers() const {
-        if (answers_.empty()) return {};
-        if (!is_batch_) return text_of(answers_.front(), answered_.front());
-        std::string text;
-        for (std::size_t i = 0; i < answers_.size(); ++i)
-            text += (i == 0 ? '[' : ',') + text_of(answers_[i], answered_[i]);
-        return text + ']';
+    void append(const std::string& one, bool in_any_case = false) {
+        const std::uint64_t limit = context_.server.limits().batch_answer_bytes;
+        if (is_batch_ && !in_any_case && text_.size() + one.size() > limit)
+            throw session::LimitReached("the answers of this batch would have more than the " +
+                                        std::to_string(limit >> 20) +
+                                        " MB that a batch may have; send this request by itself");
+        in_any_case ? held_.note(text_.size() + one.size()) : held_.change(text_.size() + one.size());
+        if (is_batch_) text_ += text_.empty() ? '[' : ',';
+        text_ += one;
     }
 
     void finish() {
-        std::string text;
-        try {
-            text = text_of_answers();
-            if (connection_->is_streaming() && text.size() > wire::longest_message) text = too_long(text.size());
-        } catch (...) { // no memory for a text of that size
-            text = text_of({{"jsonrpc", "2.0"}, {"id", nullptr}, {"error", error_of_current_exception()}});
-        }
-        answer_(std::move(text));
+        if (is_batch_ && !text_.empty()) text_ += ']';
+        if (connection_->is_streaming() && text_.size() > wire::longest_message) refuse_as_too_long(text_.size());
+        held_.note(0); // from here on it is counted by who sends it
+        answer_(std::move(text_));
     }
 
     // Every answer of a batch is refused: which of them made it too long does not help who asks.
-    std::string too_long(std::size_t bytes) {
+    void refuse_as_too_long(std::size_t bytes) {
         const std::string reason = "the answer is " + std::to_string(bytes) +
                                    " bytes long, and a message of a WebSocket " +
                                    std::to_string(wire::longest_message) + " at most; ask by POST /rpc";
-        for (json& one : answers_) one = {{"jsonrpc", "2.0"}, {"id", one["id"]}, {"error", too_long_error(reason)}};
+        text_.clear();
+        for (const auto& [id, as_it_came] : answered_) {
+            if (is_batch_) text_ += text_.empty() ? '[' : ',';
+            text_ += text_of({{"jsonrpc", "2.0"}, {"id", id}, {"error", too_long_error(reason)}}, as_it_came);
+        }
+        if (is_batch_) text_ += ']';
         context_.server.counters().count_error(protocol::AnswerTooLong);
-        return text_of_answers();
     }
 
+    struct Answered {
+        json id;
+        std::string as_it_came; // where the json would change it
+    };
+    struct Stop {
+        std::stop_source& source;
+        void operator()() const { source.request_stop(); }
+    };
+
     const std::shared_ptr<session::Connection> connection_;
+    std::stop_source stop_;
     Context context_;
     const bool is_batch_;
     const json requests_;
     const std::vector<std::string> ids_;
     const Answer answer_;
-    std::vector<json> answers_;
-    std::vector<std::string> answered_; // the id of each, when it is among ids_
+    const std::stop_callback<Stop> on_hang_up_{connection_->stop, Stop{stop_}};
+    const std::stop_callback<Stop> on_server_end_{context_.server.call_stop(), Stop{stop_}};
+    std::vector<Answered> answered_; // in text_
+    std::string text_;
+    session::Memory::Charge held_; // text_
     std::size_t next_ = 0;
     bool has_had_a_turn_ = false, given_up_ = false;
 };
@@ -190,8 +215,8 @@ void dispatch(session::Server& server, std::shared_ptr<session::Connection> conn
               Answer answer) {
     json requests;
     if (auto error = refusal(server.limits(), text, requests)) {
-        server.counters().count_error((*error)["code"].get<int>());
-        return answer(text_of({{"jsonrpc", "2.0"}, {"id", nullptr}, {"error", std::move(*error)}}));
+        Context context{server, *connection};
+        return answer(text_of(refuse_text(context, std::move(*error))));
     }
     const bool changes_ids =
         requests.is_array() ? std::any_of(requests.begin(), requests.end(), changes_id) : changes_id(requests);

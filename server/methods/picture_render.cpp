@@ -5,10 +5,18 @@
 
 namespace ciel::methods {
 
+namespace {
+// The file, and as base64 in the result, its JSON and its text: 1 + 3 * 4 / 3.
+constexpr std::size_t copies_of_a_picture = 5;
+} // namespace
+
 protocol::PictureRenderResult picture_render(Context& context, const protocol::PictureRenderParams& params) {
     session::check_picture_size(context.server.limits(), params.width, params.height);
-    const SceneSource source(context, params.session, params.scene);
+    SceneSource source(context, params.session, params.scene);
     const session::ViewSize size{static_cast<std::uint32_t>(params.width), static_cast<std::uint32_t>(params.height)};
+    session::Memory::Charge charge(context.server.memory(), session::Held::answers);
+    const std::size_t pixel_bytes = 3 * std::size_t{size.width} * size.height;
+    charge.change(pixel_bytes);
     const auto geometry = source.geometry(); // not on the worker, which draws others meanwhile
     std::vector<std::string> remarks;
     const render::Image image = context.server.picture_workers().run([&](session::Worker& worker) {
@@ -23,6 +31,7 @@ protocol::PictureRenderResult picture_render(Context& context, const protocol::P
     context.check_wanted();
     std::vector<std::uint8_t> png;
     wire::encode_png(image.width, image.height, image.rgb, png);
+    charge.change(pixel_bytes + copies_of_a_picture * png.size());
     context.server.counters().count_picture(png.size());
     return {"image/png",    params.width,       params.height, static_cast<std::int64_t>(source.version().revision),
             geometry->time, std::move(remarks), base64(png)};

@@ -34,7 +34,7 @@ protocol::ProbePointResult probe_point(Context& context, const protocol::ProbePo
     if (params.position.has_value() == params.pixel.has_value())
         throw InvalidParams("/position", "give either a position or a pixel");
     const auto size = params.pixel ? size_of(context, params) : session::ViewSize{};
-    const SceneSource source(context, params.session, params.scene);
+    SceneSource source(context, params.session, params.scene);
     const auto dataset = source.loaded().dataset();
     if (dataset->steps().empty()) throw Error(dataset->info().name + " has no time step yet");
     const std::size_t step = dataset->step_at(source.version().scene.time);

@@ -4,6 +4,7 @@
 #include "methods/error_answer.hpp"
 #include "methods/method_params.hpp"
 #include "protocol/method_table.hpp"
+#include "session/log.hpp"
 #include "session/metrics.hpp"
 
 #include <algorithm>
@@ -12,6 +13,9 @@ namespace ciel::methods {
 namespace {
 
 using nlohmann::json;
+
+constexpr int internal_error = -32603;
+constexpr double slow_quick_call_ms = 1000, slow_call_ms = 10'000; // the latter of methods with x-slow
 
 json answer(const json& id, const char* member, json content) {
     return {{"jsonrpc", "2.0"}, {"id", id}, {member, std::move(content)}};
@@ -44,12 +48,64 @@ json call(Context& context, const json& request) {
     const Method* method = find_method(name);
     context.server.counters().count_request(method == nullptr ? "unknown" : name);
     if (method == nullptr) throw MethodNotFound("there is no method " + name + "; rpc.discover lists them");
-    return method->call(context, checked_params(name, request.value("params", json::object())));
+    const auto count = [&] { context.server.counters().count_call(name, context.milliseconds() / 1000); };
+    try {
+        json result = method->call(context, checked_params(name, request.value("params", json::object())));
+        count();
+        return result;
+    } catch (...) {
+        count();
+        throw;
+    }
+}
+
+// The server's own failures are warnings or errors; what a client may not do is information.
+session::LogLevel level_of(int code) {
+    if (code == internal_error) return session::LogLevel::error;
+    return code == protocol::Failed || code == protocol::Limit ? session::LogLevel::warning : session::LogLevel::info;
+}
+
+// A name of the contract: others are the client's text, which may be anything.
+std::string method_of(const json& request) {
+    if (!is_request(request)) return {};
+    const auto& name = request["method"].get_ref<const std::string&>();
+    return find_method(name) == nullptr ? "unknown" : name;
+}
+
+std::string session_of(const json& request) {
+    const auto params = request.is_object() ? request.find("params") : request.end();
+    if (!request.is_object() || params == request.end() || !params->is_object()) return {};
+    const auto id = params->find("session");
+    return id != params->end() && id->is_string() ? session::short_id(id->get_ref<const std::string&>()) : "";
 }
 
 json failed(Context& context, const json& request, json error) {
-    context.server.counters().count_error(error["code"].get<int>());
+    const int code = error["code"].get<int>();
+    context.server.counters().count_error(code);
+    error["data"]["request"] = context.request_id;
+    session::log_event(level_of(code), "call failed",
+                       {{"method", method_of(request)},
+                        {"code", code},
+                        {"reason", error["data"]["reason"].get_ref<const std::string&>()},
+                        {"session", session_of(request)},
+                        {"request", context.request_id},
+                        {"user", context.connection.user},
+                        {"remote", context.connection.remote},
+                        {"ms", context.milliseconds()}});
     return answer(id_of(request), "error", std::move(error));
+}
+
+void tell_if_slow(const Context& context, const json& request, double waited) {
+    const double took = context.milliseconds();
+    if (took < (is_slow(request) ? slow_call_ms : slow_quick_call_ms)) return;
+    session::log_event(session::LogLevel::warning, "slow call",
+                       {{"method", method_of(request)},
+                        {"session", session_of(request)},
+                        {"request", context.request_id},
+                        {"user", context.connection.user},
+                        {"remote", context.connection.remote},
+                        {"waited_ms", 1000 * waited},
+                        {"ms", took}});
 }
 
 } // namespace
@@ -60,19 +116,26 @@ bool is_slow(const json& request) {
     return method != nullptr && method->slow;
 }
 
+json refuse_text(Context& context, json error) {
+    context.begin();
+    return failed(context, nullptr, std::move(error));
+}
+
 std::optional<json> refuse(Context& context, const json& request) {
     json error = failed(context, request, error_of_current_exception());
     if (is_request(request) && !request.contains("id")) return {}; // a notification
     return error;
 }
 
-std::optional<json> handle(Context& context, const json& request) {
+std::optional<json> handle(Context& context, const json& request, double waited) {
+    context.begin();
     if (!is_request(request))
         return failed(context, request, invalid_request("a request is an object with jsonrpc \"2.0\" and a method"));
     if (const auto id = request.find("id"); id != request.end() && !is_id(*id))
         return failed(context, request, invalid_request("an id is a text, a number or null"));
     try {
         json result = call(context, request);
+        tell_if_slow(context, request, waited);
         if (!request.contains("id")) return {};
         return answer(request["id"], "result", std::move(result));
     } catch (...) {

@@ -4,7 +4,7 @@
 namespace ciel::methods {
 
 protocol::SceneBoundsResult scene_bounds(Context& context, const protocol::SceneBoundsParams& params) {
-    const SceneSource source(context, params.session, params.scene);
+    SceneSource source(context, params.session, params.scene);
     const auto geometry = source.geometry();
     const scene::Scene& scene = source.version().scene;
     const bool is_drawn = params.of == "drawn";

@@ -5,7 +5,7 @@ namespace ciel::methods {
 
 protocol::SceneCameraResult scene_camera(Context& context, const protocol::SceneCameraParams& params) {
     session::check_picture_size(context.server.limits(), params.width, params.height);
-    const SceneSource source(context, params.session, params.scene);
+    SceneSource source(context, params.session, params.scene);
     const render::Camera camera = session::frame_of(*source.geometry(), source.version().scene,
                                                     static_cast<int>(params.width), static_cast<int>(params.height), 1)
                                       .camera;

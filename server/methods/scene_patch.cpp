@@ -3,8 +3,11 @@
 namespace ciel::methods {
 
 protocol::ScenePatchResult scene_patch(Context& context, const protocol::ScenePatchParams& params) {
-    const auto status =
-        context.session(params.session)->patch(params.patch, params.gesture.value_or(""), context.connection.id);
+    const std::string gesture = params.gesture.value_or("");
+    if (gesture.size() > scene::most_name_bytes) // the contract counts characters
+        throw InvalidParams("/gesture",
+                            "/gesture may have at most " + std::to_string(scene::most_name_bytes) + " bytes of UTF-8");
+    const auto status = context.session(params.session)->patch(params.patch, gesture, context.connection.id);
     return {static_cast<std::int64_t>(status.version->revision), status.can_undo, status.can_redo};
 }
 

@@ -8,7 +8,7 @@ namespace ciel::methods {
 protocol::ScenePickResult scene_pick(Context& context, const protocol::ScenePickParams& params) {
     session::check_picture_size(context.server.limits(), params.width, params.height);
     const session::ViewSize size{static_cast<std::uint32_t>(params.width), static_cast<std::uint32_t>(params.height)};
-    const SceneSource source(context, params.session, params.scene);
+    SceneSource source(context, params.session, params.scene);
     const scene::Scene& scene = source.version().scene;
     const auto geometry = source.geometry();
     const auto crossings = session::crossings(*geometry, scene, size, params.pixel);

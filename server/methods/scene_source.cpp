@@ -4,7 +4,7 @@ namespace ciel::methods {
 
 SceneSource::SceneSource(const Context& context, const std::optional<std::string>& session,
                          const std::optional<nlohmann::json>& scene)
-    : context_(context) {
+    : context_(context), surfaces_(context.server.memory(), session::Held::surfaces) {
     if (session) session_ = context.session(*session);
     if (scene)
         version_ = session::make_version(context.server.services(), *scene, 0);
@@ -15,14 +15,24 @@ SceneSource::SceneSource(const Context& context, const std::optional<std::string
     if (scene) session_ = nullptr; // its own geometry: another scene would throw the session's away
 }
 
-std::shared_ptr<const session::Geometry> SceneSource::geometry() const {
-    const std::stop_token& stop = context_.connection.stop;
-    const session::Services& services = context_.server.services();
-    auto made = session_ ? session_->geometry(*version_, stop)
-                         : session::SceneGeometry(services.extraction)
-                               .update(version_->scene, version_->loaded, stop, services.limits.session_memory_bytes);
+std::shared_ptr<const session::Geometry> SceneSource::geometry() {
+    auto made = session_ ? session_->geometry(*version_, context_.stop) : geometry_of_scene();
     context_.check_wanted();
     return made;
+}
+
+std::shared_ptr<const session::Geometry> SceneSource::geometry_of_scene() {
+    const session::Services& services = context_.server.services();
+    const std::uint64_t own = services.limits.session_memory_bytes, left = services.memory.room();
+    try {
+        session::SceneGeometry geometry(services.extraction);
+        auto made = geometry.update(version_->scene, version_->loaded, context_.stop, std::min(own, left));
+        surfaces_.change(geometry.memory_bytes());
+        return made;
+    } catch (const session::LimitReached&) {
+        if (left >= own) throw;
+        throw session::LimitReached(services.memory.refusal());
+    }
 }
 
 } // namespace ciel::methods

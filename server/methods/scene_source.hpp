@@ -15,14 +15,17 @@ public:
 
     [[nodiscard]] const session::SceneVersion& version() const { return *version_; }
     [[nodiscard]] store::LoadedDataset& loaded() const { return *version_->loaded; }
-    // A session's geometry is kept and shared with its views; without a session it is made for this call.
-    // Throws Error when the connection ends meanwhile.
-    [[nodiscard]] std::shared_ptr<const session::Geometry> geometry() const;
+    // A session's geometry is kept and shared with its views; without a session it is made for this call, and counted
+    // as long as this object lives. Throws LimitReached, and Error when the connection ends meanwhile.
+    [[nodiscard]] std::shared_ptr<const session::Geometry> geometry();
 
 private:
+    [[nodiscard]] std::shared_ptr<const session::Geometry> geometry_of_scene();
+
     const Context& context_;
     std::shared_ptr<session::Session> session_;
     std::shared_ptr<const session::SceneVersion> version_;
+    session::Memory::Charge surfaces_;
 };
 
 } // namespace ciel::methods

@@ -18,7 +18,10 @@ protocol::SessionOpenResult session_open(Context& context, const protocol::Sessi
         const std::string name = params.dataset ? *params.dataset : first_dataset(context.server.catalog());
         return session::default_scene(*context.dataset(name), name).document;
     };
-    const auto session = context.server.sessions().open(params.session.value_or(""), document);
+    const session::Steps steps{params.undo.value_or(std::vector<nlohmann::json>()),
+                               params.redo.value_or(std::vector<nlohmann::json>())};
+    const auto session =
+        context.server.sessions().open(params.session.value_or(""), document, context.connection, steps);
     if (context.streaming_connection()) session->subscribe(context.connection.id);
     return state_of(*session, session->status());
 }

@@ -56,16 +56,22 @@ bool has_polygons(const scene::Layer& layer) {
            std::holds_alternative<scene::SurfaceLayer>(layer.kind);
 }
 
+// The stream, the file, and as base64 in the result, its JSON and its text: 2 + 3 * 4 / 3.
+constexpr std::size_t copies_of_a_file = 6;
+
 struct File {
     std::string bytes;
     wire::ExportedCounts counts;
 };
 
-File file_of(const Context& context, const SceneSource& source, const protocol::SurfaceExportParams& params) {
+File file_of(const Context& context, SceneSource& source, session::Memory::Charge& charge,
+             const protocol::SurfaceExportParams& params) {
     const wire::SurfaceFormat format = wire::surface_format("." + params.format);
     const auto geometry = source.geometry();
     session::require_complete(*geometry);
     const wire::JoinedSurface surface = joined(context, *geometry, params.layer, format, params.triangles);
+    charge.change(copies_of_a_file *
+                  wire::body_bytes(format, {surface.surface(), geometry->origin, surface.values(), params.triangles}));
     std::ostringstream out;
     const wire::ExportedCounts counts =
         wire::write_surface(format, {surface.surface(), geometry->origin, surface.values(), params.triangles}, out);
@@ -87,7 +93,7 @@ const char* mime_of(wire::SurfaceFormat format) {
 } // namespace
 
 protocol::SurfaceExportResult surface_export(Context& context, const protocol::SurfaceExportParams& params) {
-    const SceneSource source(context, params.session, params.scene);
+    SceneSource source(context, params.session, params.scene);
     const auto& layers = source.version().scene.layers;
     const auto layer =
         std::find_if(layers.begin(), layers.end(), [&](const auto& one) { return one.id == params.layer; });
@@ -97,7 +103,8 @@ protocol::SurfaceExportResult surface_export(Context& context, const protocol::S
         throw InvalidParams("/layer", "layer " + params.layer +
                                           " has no polygons; iso-surfaces, slices and surfaces can be exported");
 
-    const File file = file_of(context, source, params);
+    session::Memory::Charge charge(context.server.memory(), session::Held::answers);
+    const File file = file_of(context, source, charge, params);
     context.check_wanted();
     return {mime_of(wire::surface_format("." + params.format)), params.layer + "." + params.format,
             base64({reinterpret_cast<const std::uint8_t*>(file.bytes.data()), file.bytes.size()}),

@@ -254,6 +254,13 @@ SurfaceLayer surface_of(const json& object, const std::string& path) {
 
 OutlineLayer outline_of(const json& object, const std::string& path) { return {coloring_of(object, path)}; }
 
+// Bytes: a character of the contract's maxLength has up to four.
+void check_name(const std::string& name, const std::string& path, const char* what) {
+    if (name.size() > most_name_bytes)
+        throw Invalid(path, std::string(what) + " may have at most " + std::to_string(most_name_bytes) +
+                                " bytes of UTF-8; shorten it");
+}
+
 Annotations annotations_of(const json& object) {
     Annotations annotations;
     read(object, "legend", annotations.legend);
@@ -262,6 +269,7 @@ Annotations annotations_of(const json& object) {
     read(object, "time", annotations.time);
     read(object, "dataset", annotations.dataset);
     read(object, "title", annotations.title);
+    check_name(annotations.title, "/annotations/title", "a title");
     read(object, "scale", annotations.scale);
     return annotations;
 }
@@ -380,7 +388,10 @@ Scene parse(const json& document) {
     if (const auto camera = document.find("camera"); camera != document.end() && !camera->is_null())
         scene.camera = camera_of(*camera);
     if (const auto layers = document.find("layers"); layers != document.end())
-        for (const auto& [id, layer] : layers->items()) scene.layers.push_back(layer_of(id, layer));
+        for (const auto& [id, layer] : layers->items()) {
+            check_name(id, "/layers", "a layer's id");
+            scene.layers.push_back(layer_of(id, layer));
+        }
     std::sort(scene.layers.begin(), scene.layers.end(),
               [](const Layer& a, const Layer& b) { return std::tie(a.order, a.id) < std::tie(b.order, b.id); });
     check_clip_planes(scene.layers);

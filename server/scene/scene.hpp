@@ -86,7 +86,8 @@ struct ClipLayer {                                   // a plane that cuts all la
     std::array<double, 3> origin{}, normal{1, 0, 0}; // the normal points to what is cut away
     bool caps = true;                                // where it cuts the mesh's surface layers open
 };
-inline constexpr std::size_t most_clip_planes = 6; // visible ones: what every OpenGL has at least, less two
+inline constexpr std::size_t most_name_bytes = 256; // of a layer id, a title, a gesture; the contract counts characters
+inline constexpr std::size_t most_clip_planes = 6;  // visible ones: what every OpenGL has at least, less two
 
 struct EdgesLayer { // of the boundary's faces
     std::vector<std::string> groups;

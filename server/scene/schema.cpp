@@ -151,6 +151,15 @@ Result check_additional(const json& rule, const json& value, const json& schema,
     return {};
 }
 
+// The names are not repeated: one may be as long as the message.
+Result check_names(const json& rule, const json& value, const json&, const std::string& path) {
+    if (!value.is_object()) return {};
+    for (const auto& [name, member] : value.items())
+        if (const auto violation = check_schema(rule, name, path))
+            return Violation{path, "has a member whose name " + violation->reason};
+    return {};
+}
+
 const json& resolve(const json& schema) {
     const auto reference = schema.find("$ref");
     if (reference == schema.end()) return schema;
@@ -233,6 +242,7 @@ const std::vector<std::pair<std::string, Check>>& checks() {
              return check_size(r, v, p, is_object, size_of, std::less_equal<>(), "must have at most ", "member");
          }},
         {"pattern", check_pattern},
+        {"propertyNames", check_names},
         {"required", check_required},
         {"properties", check_properties},
         {"additionalProperties", check_additional},

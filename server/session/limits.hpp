@@ -17,6 +17,7 @@ struct Limits {
     std::uint64_t message_bytes = 1 << 20;
     std::uint64_t json_depth = 32;
     std::uint64_t batch_requests = 64;
+    std::uint64_t batch_answer_bytes = 64 << 20;
     std::uint64_t header_bytes = 16 << 10;
     std::uint64_t connections = 128;
     std::uint64_t reserved_connections = 32;
@@ -26,6 +27,8 @@ struct Limits {
     std::uint64_t layers = 64;
     std::uint64_t values_per_layer = 64;
     std::uint64_t undo_steps = 200;
+    std::uint64_t scene_bytes = 1 << 20;
+    std::uint64_t history_bytes = 8 << 20;
     std::uint64_t image_side = 8192;
     std::uint64_t image_pixels = 33'554'432;
     std::uint64_t histogram_bins = 4096;
@@ -41,6 +44,7 @@ struct Limits {
     std::uint64_t dataset_memory_bytes = memory_share(40);
     std::uint64_t dataset_idle_seconds = 600;
     std::uint64_t session_memory_bytes = memory_share(10);
+    std::uint64_t memory_bytes = memory_share(75);
     std::uint64_t unacknowledged_frames = 2;
     std::uint64_t session_idle_seconds = 3600;
     std::uint64_t keep_alive_seconds = 30;
@@ -49,9 +53,9 @@ struct Limits {
     std::uint64_t wrong_token_seconds = 1;
     std::uint64_t wrong_tokens_waiting = 16;
     std::uint64_t waiting_call_bytes = 4 << 20;
-    std::uint64_t waiting_text_bytes = 16 << 20;
+    std::uint64_t unsent_bytes = 32 << 20;
     std::uint64_t websocket_idle_seconds = 60;
-    std::uint64_t drain_seconds = 10;
+    std::uint64_t drain_seconds = 1;
 };
 
 struct LimitRow {

@@ -2,6 +2,7 @@
 
 #include "protocol/json.hpp"
 #include "session/locator.hpp"
+#include "session/log.hpp"
 #include "session/notify.hpp"
 #include "session/sessions.hpp"
 #include "session/slow_calls.hpp"
@@ -15,29 +16,53 @@
 
 namespace ciel::session {
 
+namespace {
+
+constexpr std::chrono::seconds readiness_lasts{1};
+constexpr std::chrono::milliseconds readiness_patience{500}; // of a probe, which wants its answer within a second
+
+Readiness tested(Worker& worker) {
+    try {
+        return draw_test_picture(worker.renderer());
+    } catch (const std::exception& error) {
+        return {.problem = store::sentence_for_clients(error)};
+    }
+}
+
+} // namespace
+
 struct Server::State {
     ServerOptions options;
     Metrics metrics;
     Connections connections;
     store::Catalog catalog;
+    Memory memory;
     FrameWorkers workers, picture_workers;
     Services services;
     Sessions sessions;
     Locators locators;
     Uploads uploads;
     SlowCalls slow_calls;
+    std::stop_source calls; // requested: those under way are given up
     std::mutex readiness_mutex;
+    std::condition_variable readiness_known;
     std::optional<Readiness> last_readiness;
+    bool readiness_asked = false;                     // a test picture waits for a worker, or is drawn
+    std::optional<Clock::time_point> readiness_since; // of the last result
     std::shared_ptr<void> watch;
     std::jthread housekeeping; // last: it uses the others
 
     explicit State(ServerOptions chosen)
         : options(std::move(chosen)),
           catalog(options.data, options.limits.field_cache_bytes, options.limits.dataset_memory_bytes),
+          memory(
+              options.limits.memory_bytes, [this] { return dataset_bytes(); },
+              [this] { release_unused(Clock::now()); }),
           workers(options.render_workers, options.backend),
           picture_workers(1, options.backend), services{options.limits, options.extraction,
                                                         catalog,        connections,
-                                                        workers,        metrics},
+                                                        workers,        metrics,
+                                                        memory},
           sessions(services), uploads(options.limits), slow_calls(options.limits) {
         watch = catalog.watch([this](const std::string& dataset) { tell_steps(dataset); });
         housekeeping = std::jthread([this](const std::stop_token& stop) {
@@ -59,11 +84,32 @@ struct Server::State {
     void tidy(Clock::time_point now) {
         sessions.expire(now);
         uploads.expire(now);
-        if (catalog.give_back(now - std::chrono::seconds(options.limits.dataset_idle_seconds)) > 0) locators.forget();
+        release_unused(now - std::chrono::seconds(options.limits.dataset_idle_seconds));
         const auto all = sessions.all();
         if (std::ranges::all_of(all, [](const auto& session) { return session->view_count() == 0; })) workers.rest();
         picture_workers.rest();
         store::give_back_free_memory();
+    }
+
+    void release_unused(Clock::time_point unused_since) {
+        if (catalog.give_back(unused_since) > 0) locators.forget();
+    }
+
+    [[nodiscard]] std::uint64_t dataset_bytes() const {
+        std::uint64_t bytes = 0;
+        for (const auto& dataset : catalog.loaded()) bytes += dataset->memory_bytes();
+        return bytes;
+    }
+
+    void know(const Readiness& readiness) {
+        const std::scoped_lock lock(readiness_mutex);
+        if (last_readiness && last_readiness->ready != readiness.ready)
+            log_event(readiness.ready ? LogLevel::info : LogLevel::error,
+                      readiness.ready ? "draws again" : "cannot draw", {{"reason", readiness.problem}});
+        last_readiness = readiness;
+        readiness_since = Clock::now();
+        readiness_asked = false;
+        readiness_known.notify_all();
     }
 
     void tell_steps(const std::string& dataset) {
@@ -98,6 +144,7 @@ Metrics& Server::counters() { return state_->metrics; }
 Locators& Server::locators() { return state_->locators; }
 SlowCalls& Server::slow_calls() { return state_->slow_calls; }
 Uploads& Server::uploads() { return state_->uploads; }
+Memory& Server::memory() { return state_->memory; }
 const Services& Server::services() const { return state_->services; }
 
 void Server::connection_opened(std::shared_ptr<Connection> connection) {
@@ -119,13 +166,28 @@ void Server::tidy(std::chrono::steady_clock::time_point now) { state_->tidy(now)
 Readiness Server::readiness() {
     Readiness readiness;
     try {
-        readiness = state_->workers.run([](Worker& worker) { return draw_test_picture(worker.renderer()); });
-    } catch (const std::exception& error) {
+        readiness = state_->workers.run([](Worker& worker) { return tested(worker); });
+    } catch (const std::exception& error) { // drained
         readiness.problem = store::sentence_for_clients(error);
     }
-    const std::scoped_lock lock(state_->readiness_mutex);
-    state_->last_readiness = readiness;
+    state_->know(readiness);
     return readiness;
+}
+
+Readiness Server::readiness_by_now() {
+    State& state = *state_;
+    std::unique_lock lock(state.readiness_mutex);
+    const bool is_fresh = state.readiness_since && Clock::now() - *state.readiness_since < readiness_lasts;
+    if (!is_fresh && !state.readiness_asked) {
+        state.readiness_asked = true;
+        lock.unlock();
+        const bool posted =
+            state.workers.post_later(Clock::now(), [&state](Worker& worker) { state.know(tested(worker)); });
+        if (!posted) state.know({.problem = "the server is about to stop and draws no more"});
+        lock.lock();
+    }
+    state.readiness_known.wait_for(lock, readiness_patience, [&] { return !state.readiness_asked; });
+    return state.last_readiness.value_or(Readiness{.problem = "no test picture has been drawn yet"});
 }
 
 Readiness Server::last_readiness() {
@@ -152,6 +214,10 @@ std::string Server::metrics() const {
     gauges.slow_calls = state_->slow_calls.running();
     gauges.slow_calls_waiting = state_->slow_calls.waiting();
     for (const auto& dataset : datasets) gauges.dataset_bytes += dataset->memory_bytes();
+    for (std::size_t i = 0; i < held_names.size(); ++i)
+        gauges.held_bytes[i] = state_->memory.bytes(static_cast<Held>(i));
+    gauges.memory_limit = state_->memory.most();
+    gauges.version = CIEL_VERSION;
     const std::scoped_lock lock(state_->readiness_mutex);
     if (state_->last_readiness) {
         gauges.gl_renderer = state_->last_readiness->gl_renderer;
@@ -160,12 +226,22 @@ std::string Server::metrics() const {
     return state_->metrics.text(gauges);
 }
 
-void Server::drain() {
+void Server::announce_end() {
     state_->sessions.stop_opening();
     state_->connections.send_all(notification_text(protocol::ServerDraining{}));
+}
+
+void Server::give_up() { state_->calls.request_stop(); }
+
+std::stop_token Server::call_stop() const { return state_->calls.get_token(); }
+
+void Server::drain_frames() { state_->workers.drain(); }
+
+void Server::drain() {
+    state_->sessions.stop_opening();
     state_->slow_calls.drain(); // first: those under way still need a worker
     state_->picture_workers.drain();
-    state_->workers.drain();
+    drain_frames();
 }
 
 } // namespace ciel::session

@@ -9,6 +9,7 @@
 
 #include <chrono>
 #include <memory>
+#include <stop_token>
 #include <string>
 
 namespace ciel::session {
@@ -24,7 +25,7 @@ struct ServerOptions {
 
 struct Readiness {
     bool ready = false;
-    std::string gl_renderer, gl_version, backend, problem;
+    std::string gl_renderer{}, gl_version{}, backend{}, problem{};
 };
 
 class Sessions;     // sessions.hpp
@@ -34,6 +35,7 @@ struct Services;    // services.hpp
 class Locators;     // locator.hpp
 class SlowCalls;    // slow_calls.hpp
 class Uploads;      // uploads.hpp
+class Memory;       // memory.hpp
 
 // Draws a triangle and checks its pixels.
 [[nodiscard]] Readiness draw_test_picture(render::Renderer& renderer);
@@ -57,6 +59,7 @@ public:
     [[nodiscard]] Locators& locators();
     [[nodiscard]] SlowCalls& slow_calls();
     [[nodiscard]] Uploads& uploads();
+    [[nodiscard]] Memory& memory();
 
     // Tells clients of steps that were appended to a dataset of the catalog, without waiting for its watch.
     void look_for_steps(const std::string& name, store::LoadedDataset& dataset);
@@ -67,13 +70,22 @@ public:
     // Gives back what has not been used for long: sessions, datasets. Called every now and then by the server itself.
     void tidy(std::chrono::steady_clock::time_point now);
 
-    // Draws a test picture and checks its pixels.
+    // Draws a test picture and checks its pixels: waits for a frame worker.
     [[nodiscard]] Readiness readiness();
+    // Asks for a test picture, at most once a second, and waits for it for a moment: while the workers draw for others
+    // the answer is that of the last one.
+    [[nodiscard]] Readiness readiness_by_now();
     [[nodiscard]] Readiness last_readiness();  // of the last test picture; draws one only when none was drawn yet
     [[nodiscard]] std::string metrics() const; // Prometheus text exposition format 0.0.4
-    // SIGTERM: no new sessions, frames or slow calls, clients are told. Slow calls under way are finished; of frames,
-    // which clients get again where they go on, the drawing is given up.
+    // SIGTERM, in this order. announce_end: no new sessions from here on, and clients are told; does not block.
+    void announce_end();
+    // No new frames. The drawing of those under way is given up: clients get them again where they go on.
+    void drain_frames();
+    // No new slow calls either; returns when those under way have been finished, or given up after give_up.
     void drain();
+    // Slow calls under way end as soon as they look at call_stop(). Does not block.
+    void give_up();
+    [[nodiscard]] std::stop_token call_stop() const;
 
 private:
     struct State;

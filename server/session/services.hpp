@@ -5,6 +5,7 @@
 #include "session/connections.hpp"
 #include "session/frame_workers.hpp"
 #include "session/limits.hpp"
+#include "session/memory.hpp"
 #include "session/metrics.hpp"
 #include "store/catalog.hpp"
 
@@ -17,6 +18,7 @@ struct Services {
     Connections& connections;
     FrameWorkers& workers;
     Metrics& metrics;
+    Memory& memory;
 };
 
 } // namespace ciel::session

@@ -1,6 +1,7 @@
 #include "session/session.hpp"
 
 #include "protocol/json.hpp"
+#include "scene/document_size.hpp"
 #include "session/errors.hpp"
 #include "session/notify.hpp"
 #include "session/open_dataset.hpp"
@@ -12,6 +13,13 @@
 
 namespace ciel::session {
 namespace {
+
+void check_size(const nlohmann::json& document, const Limits& limits) {
+    const std::size_t bytes = scene::text_bytes(document);
+    if (bytes > limits.scene_bytes)
+        throw LimitReached("the scene would have " + std::to_string(bytes) + " bytes; it may have at most " +
+                           std::to_string(limits.scene_bytes) + ". Remove layers, values or patches from it");
+}
 
 void check_limits(const scene::Scene& scene, const Limits& limits) {
     if (scene.layers.size() > limits.layers)
@@ -30,11 +38,13 @@ std::shared_ptr<const SceneVersion> make_version(const Services& services, nlohm
     auto version = std::make_shared<SceneVersion>();
     // Null and absent mean the same in a scene; a merge patch can only make the latter, so only the latter is kept.
     document = scene::merge_patch(nlohmann::json::object(), document);
+    check_size(document, services.limits);
     version->scene = scene::parse(document);
     check_limits(version->scene, services.limits);
     version->loaded = open_dataset(services.catalog, version->scene.dataset);
     check_names(version->scene, *version->loaded->dataset());
     version->revision = revision;
+    version->bytes = 2 * scene::heap_bytes(document); // parsed it has about as much
     version->document = std::make_shared<const nlohmann::json>(std::move(document));
     version->changed = Clock::now();
     return version;
@@ -51,11 +61,28 @@ std::string scene_changed(const std::string& session, const SceneVersion& versio
     return notification_text(note);
 }
 
+// The documents that the patches lead to, one after the other, as long as `take` returns true.
+template <class Take>
+void follow(nlohmann::json document, const std::vector<nlohmann::json>& patches, std::size_t most_bytes, Take take) {
+    for (const nlohmann::json& patch : patches) {
+        document = scene::merge_patch(std::move(document), patch);
+        if (scene::text_bytes(document) > most_bytes) return;
+        if (!take(std::make_shared<const nlohmann::json>(document))) return;
+    }
+}
+
 } // namespace
 
-Session::Session(std::string id, const Services& services, std::shared_ptr<const SceneVersion> first)
-    : id_(std::move(id)), services_(services), version_(std::move(first)), history_(services.limits.undo_steps),
-      used_(Clock::now()), scene_geometry_(services.extraction) {}
+Session::Session(std::string id, const Services& services, std::shared_ptr<const SceneVersion> first,
+                 const Steps& steps)
+    : id_(std::move(id)), services_(services), version_(std::move(first)),
+      history_(services.limits.undo_steps, services.limits.history_bytes), documents_(services.memory, Held::scenes),
+      used_(Clock::now()), scene_geometry_(services.extraction), surfaces_(services.memory, Held::surfaces) {
+    const std::size_t most = services.limits.scene_bytes;
+    follow(*version_->document, steps.undo, most, [&](Document step) { return history_.append_undo(std::move(step)); });
+    follow(*version_->document, steps.redo, most, [&](Document step) { return history_.append_redo(std::move(step)); });
+    documents_.change(version_->bytes + history_.bytes());
+}
 
 SessionStatus Session::current() const { return {version_, history_.can_undo(), history_.can_redo()}; }
 
@@ -70,9 +97,17 @@ std::shared_ptr<const SceneVersion> Session::newest() const {
     return version_;
 }
 
-SessionStatus Session::change(std::shared_ptr<const SceneVersion> next, std::uint64_t author) {
+SessionStatus Session::change(std::shared_ptr<const SceneVersion> next, History after, std::uint64_t author) {
+    documents_.change(next->bytes + after.bytes());
     version_ = std::move(next);
+    history_ = std::move(after);
     used_ = Clock::now();
+    tell_others(author);
+    for (const auto& [id, view] : views_) view->offer(version_);
+    return current();
+}
+
+void Session::tell_others(std::uint64_t author) const {
     std::string text;
     for (const auto connection_id : subscribers_) {
         if (connection_id == author) continue;
@@ -81,24 +116,24 @@ SessionStatus Session::change(std::shared_ptr<const SceneVersion> next, std::uin
         if (text.empty()) text = scene_changed(id_, *version_);
         connection->send_text(text);
     }
-    for (const auto& [id, view] : views_) view->offer(version_);
-    return current();
 }
 
 SessionStatus Session::patch(const nlohmann::json& merge_patch, const std::string& gesture, std::uint64_t author) {
     const std::scoped_lock lock(mutex_);
     auto next = make_version(services_, scene::merge_patch(*version_->document, merge_patch), version_->revision + 1);
     if (*next->document == *version_->document) return current();
-    history_.record(version_->document, gesture);
-    return change(std::move(next), author);
+    History after = history_;
+    after.record(version_->document, gesture);
+    return change(std::move(next), std::move(after), author);
 }
 
 SessionStatus Session::replace(nlohmann::json document, std::uint64_t author) {
     const std::scoped_lock lock(mutex_);
     auto next = make_version(services_, std::move(document), version_->revision + 1);
     if (*next->document == *version_->document) return current();
-    history_.record(version_->document, "");
-    return change(std::move(next), author);
+    History after = history_;
+    after.record(version_->document, "");
+    return change(std::move(next), std::move(after), author);
 }
 
 SessionStatus Session::undo(std::uint64_t author) { return move_in_history(&History::undo, author); }
@@ -112,8 +147,7 @@ SessionStatus Session::move_in_history(Document (History::*move)(Document), std:
     while ((document = (after.*move)(document))) {
         try {
             auto next = make_version(services_, *document, version_->revision + 1);
-            history_ = std::move(after);
-            return change(std::move(next), author);
+            return change(std::move(next), after, author);
         } catch (const std::exception&) { // its dataset is gone, or has other arrays: the step before may do
             if (!refused) refused = std::current_exception();
         }
@@ -178,22 +212,32 @@ void Session::dataset_changed() {
 std::shared_ptr<const Geometry> Session::geometry(const SceneVersion& version, const std::stop_token& stop,
                                                   bool moving) {
     const std::scoped_lock lock(geometry_mutex_);
+    const std::uint64_t own = services_.limits.session_memory_bytes;
+    const std::uint64_t left = surfaces_.bytes() + services_.memory.room();
     try {
-        auto made =
-            scene_geometry_.update(version.scene, version.loaded, stop, services_.limits.session_memory_bytes, moving);
-        bytes_ = scene_geometry_.memory_bytes();
+        auto made = scene_geometry_.update(version.scene, version.loaded, stop, std::min(own, left), moving);
+        charge_surfaces();
         return made;
     } catch (const LimitReached&) {
-        scene_geometry_ = SceneGeometry(services_.extraction);
-        bytes_ = 0;
-        throw;
+        forget_surfaces();
+        if (left >= own) throw;
+        throw LimitReached(services_.memory.refusal());
     }
+}
+
+void Session::charge_surfaces() {
+    surface_bytes_ = scene_geometry_.memory_bytes();
+    surfaces_.change(surface_bytes_);
+}
+
+void Session::forget_surfaces() {
+    scene_geometry_ = SceneGeometry(services_.extraction);
+    charge_surfaces();
 }
 
 void Session::release_geometry() {
     const std::scoped_lock lock(geometry_mutex_);
-    scene_geometry_ = SceneGeometry(services_.extraction);
-    bytes_ = 0;
+    forget_surfaces();
 }
 
 bool Session::is_idle_since(Clock::time_point time) const {

@@ -11,7 +11,9 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <nlohmann/json.hpp>
 #include <set>
+#include <vector>
 
 namespace ciel::session {
 
@@ -21,7 +23,8 @@ class View; // view.hpp
 struct SceneVersion {
     std::uint64_t revision = 0;
     Document document;
-    scene::Scene scene; // the document, parsed
+    scene::Scene scene;    // the document, parsed
+    std::size_t bytes = 0; // of the document and the scene
     std::shared_ptr<store::LoadedDataset> loaded;
     Clock::time_point changed;
 };
@@ -35,13 +38,21 @@ struct SessionStatus {
     bool can_undo = false, can_redo = false;
 };
 
+// What a new session can undo and redo: merge patches, nearest step first (session.open in the contract).
+struct Steps {
+    std::vector<nlohmann::json> undo, redo;
+};
+
 // Thread-safe. Changes are applied in order; each that changes the document has a new revision, is heard by the other
 // subscribed connections and offered to all views.
 class Session {
 public:
-    Session(std::string id, const Services& services, std::shared_ptr<const SceneVersion> first);
+    // Steps beyond the limits are left out.
+    Session(std::string id, const Services& services, std::shared_ptr<const SceneVersion> first,
+            const Steps& steps = {});
 
     [[nodiscard]] const std::string& id() const { return id_; }
+    [[nodiscard]] Clock::time_point opened() const { return opened_; }
     [[nodiscard]] SessionStatus status() const; // counts as use
     [[nodiscard]] std::shared_ptr<const SceneVersion> newest() const;
     // `author`: the connection that is not told, for it has the answer. Throw as make_version does, changing nothing.
@@ -65,27 +76,35 @@ public:
 
     [[nodiscard]] bool is_idle_since(Clock::time_point time) const; // no connection, and not used since
     [[nodiscard]] Clock::time_point last_used() const;
-    [[nodiscard]] std::size_t memory_bytes() const { return bytes_; }
+    [[nodiscard]] std::size_t memory_bytes() const { return surface_bytes_; } // query state and surfaces
     [[nodiscard]] std::size_t view_count() const;
 
 private:
     SessionStatus move_in_history(Document (History::*move)(Document), std::uint64_t author);
-    SessionStatus change(std::shared_ptr<const SceneVersion> next, std::uint64_t author); // REQUIRES: the lock
-    [[nodiscard]] SessionStatus current() const;                                          // REQUIRES: the lock
+    // The next three REQUIRE the lock. change: throws LimitReached before anything has changed.
+    SessionStatus change(std::shared_ptr<const SceneVersion> next, History after, std::uint64_t author);
+    void tell_others(std::uint64_t author) const;
+    [[nodiscard]] SessionStatus current() const;
+
+    void charge_surfaces(); // REQUIRES geometry_mutex_, as the next one does. Throws LimitReached.
+    void forget_surfaces();
 
     const std::string id_;
     const Services& services_;
+    const Clock::time_point opened_ = Clock::now();
 
     mutable std::mutex mutex_;
     std::shared_ptr<const SceneVersion> version_;
     History history_;
+    Memory::Charge documents_;
     std::set<std::uint64_t> subscribers_;
     std::map<std::uint32_t, std::shared_ptr<View>> views_;
     mutable Clock::time_point used_;
 
     std::mutex geometry_mutex_; // never taken while holding mutex_
     SceneGeometry scene_geometry_;
-    std::atomic<std::size_t> bytes_{0};
+    Memory::Charge surfaces_;
+    std::atomic<std::size_t> surface_bytes_{0}; // as charged: read without the lock
 };
 
 } // namespace ciel::session

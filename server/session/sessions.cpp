@@ -1,6 +1,7 @@
 #include "session/sessions.hpp"
 
 #include "session/errors.hpp"
+#include "session/log.hpp"
 
 #include <nlohmann/json.hpp>
 #include <random>
@@ -18,16 +19,24 @@ std::string random_id() {
     return id;
 }
 
+void tell_closed(const Session& session, const char* why) {
+    const std::chrono::duration<double> open = Clock::now() - session.opened();
+    log_event(LogLevel::info, "session closed",
+              {{"session", short_id(session.id())}, {"why", why}, {"seconds", open.count()}});
+}
+
 } // namespace
 
 std::shared_ptr<Session> Sessions::find(const std::string& id) {
     const std::scoped_lock lock(mutex_);
     const auto found = sessions_.find(id);
-    if (found == sessions_.end()) throw NotFound("there is no session " + id + "; open one with session.open");
+    if (found == sessions_.end())
+        throw NotFound("there is no session " + short_id(id) + "...; open one with session.open");
     return found->second;
 }
 
-std::shared_ptr<Session> Sessions::open(const std::string& id, const std::function<nlohmann::json()>& document) {
+std::shared_ptr<Session> Sessions::open(const std::string& id, const std::function<nlohmann::json()>& document,
+                                        const Connection& by, const Steps& steps) {
     const auto check = [&] { // REQUIRES: the lock
         if (stopped_) throw LimitReached("the server is about to stop and opens no new sessions");
         if (sessions_.size() >= services_.limits.sessions && !drop_longest_left())
@@ -45,7 +54,14 @@ std::shared_ptr<Session> Sessions::open(const std::string& id, const std::functi
     if (const auto found = sessions_.find(id); found != sessions_.end()) return found->second;
     check();
     const std::string name = id.empty() ? random_id() : id;
-    return sessions_[name] = std::make_shared<Session>(name, services_, std::move(first));
+    auto session = std::make_shared<Session>(name, services_, std::move(first), steps);
+    sessions_[name] = session;
+    log_event(LogLevel::info, "session opened",
+              {{"session", short_id(name)},
+               {"dataset", session->newest()->scene.dataset},
+               {"user", by.user},
+               {"remote", by.remote}});
+    return session;
 }
 
 // What nobody is connected to makes room: its client brings the scene along when it comes back.
@@ -56,6 +72,7 @@ bool Sessions::drop_longest_left() {
             (longest == sessions_.end() || entry->second->last_used() < longest->second->last_used()))
             longest = entry;
     if (longest == sessions_.end()) return false;
+    tell_closed(*longest->second, "room for another");
     sessions_.erase(longest);
     return true;
 }
@@ -64,7 +81,7 @@ void Sessions::close(const std::string& id) {
     const auto session = find(id);
     session->close();
     const std::scoped_lock lock(mutex_);
-    sessions_.erase(id);
+    if (sessions_.erase(id) > 0) tell_closed(*session, "by a client");
 }
 
 std::shared_ptr<View> Sessions::open_view(Session& session, const std::shared_ptr<Connection>& connection,
@@ -113,6 +130,17 @@ void Sessions::connection_closed(std::uint64_t connection) {
     }
 }
 
+void Sessions::connection_has_room(std::uint64_t connection) {
+    std::vector<std::shared_ptr<View>> waiting;
+    {
+        const std::scoped_lock lock(mutex_);
+        for (const auto& [id, weak] : views_)
+            if (auto view = weak.lock(); view && view->connection_id() == connection)
+                waiting.push_back(std::move(view));
+    }
+    for (const auto& view : waiting) view->look_again();
+}
+
 void Sessions::dataset_changed(const std::string& dataset) {
     for (const auto& session : all())
         if (session->newest()->scene.dataset == dataset) session->dataset_changed();
@@ -121,7 +149,11 @@ void Sessions::dataset_changed(const std::string& dataset) {
 void Sessions::expire(Clock::time_point now) {
     const std::scoped_lock lock(mutex_);
     const auto limit = now - std::chrono::seconds(services_.limits.session_idle_seconds);
-    std::erase_if(sessions_, [&](const auto& entry) { return entry.second->is_idle_since(limit); });
+    std::erase_if(sessions_, [&](const auto& entry) {
+        if (!entry.second->is_idle_since(limit)) return false;
+        tell_closed(*entry.second, "idle");
+        return true;
+    });
 }
 
 void Sessions::stop_opening() {
@@ -130,7 +162,10 @@ void Sessions::stop_opening() {
 }
 
 void Sessions::close_all() {
-    for (const auto& session : all()) session->close();
+    for (const auto& session : all()) {
+        session->close();
+        tell_closed(*session, "the server stops");
+    }
     const std::scoped_lock lock(mutex_);
     sessions_.clear();
     views_.clear();

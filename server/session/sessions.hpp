@@ -15,8 +15,9 @@ public:
     // Throws NotFound with a sentence.
     [[nodiscard]] std::shared_ptr<Session> find(const std::string& id);
     // The session of this id, or a new one of it that shows `document`; an empty id: a new one. Throws LimitReached,
-    // and as make_version does.
-    [[nodiscard]] std::shared_ptr<Session> open(const std::string& id, const std::function<nlohmann::json()>& document);
+    // and as make_version does. by: for the log. steps: of a new session.
+    [[nodiscard]] std::shared_ptr<Session> open(const std::string& id, const std::function<nlohmann::json()>& document,
+                                                const Connection& by, const Steps& steps = {});
     void close(const std::string& id); // throws NotFound
 
     // Views have ids of their own in the process; only the connection that opened one may use it.
@@ -26,9 +27,10 @@ public:
     void close_view(std::uint32_t id, std::uint64_t connection);                          // throws NotFound
 
     void connection_closed(std::uint64_t connection);
-    void dataset_changed(const std::string& dataset); // views of it are offered their scene again
-    void expire(Clock::time_point now);               // forgets sessions that have been idle for too long
-    void stop_opening();                              // draining: no new sessions from here on
+    void connection_has_room(std::uint64_t connection); // frames that had to wait can be sent
+    void dataset_changed(const std::string& dataset);   // views of it are offered their scene again
+    void expire(Clock::time_point now);                 // forgets sessions that have been idle for too long
+    void stop_opening();                                // draining: no new sessions from here on
     void close_all();
 
     [[nodiscard]] std::vector<std::shared_ptr<Session>> all() const;

@@ -1,7 +1,9 @@
 #include "session/view.hpp"
 
 #include "protocol/json.hpp"
+#include "session/errors.hpp"
 #include "session/frame_loop.hpp"
+#include "session/log.hpp"
 #include "session/notify.hpp"
 #include "session/picture.hpp"
 
@@ -12,7 +14,8 @@ namespace {
 
 constexpr std::chrono::milliseconds quiet{150};    // without a change or a frame before a still: a pause of the hand
 constexpr std::chrono::milliseconds patience{500}; // younger interactive work is finished, though superseded
-constexpr unsigned most_ways_given = 3;            // by one still: then it is finished
+constexpr double slow_frame_ms = 1000, slow_still_ms = 10'000; // are logged
+constexpr unsigned most_ways_given = 3;                        // by one still: then it is finished
 
 } // namespace
 
@@ -65,6 +68,11 @@ void View::acknowledge(std::uint32_t frame) {
     schedule();
 }
 
+void View::look_again() {
+    const std::scoped_lock lock(mutex_);
+    schedule();
+}
+
 void View::close() {
     const std::scoped_lock lock(mutex_);
     closed_ = true;
@@ -77,6 +85,7 @@ void View::schedule() {
         if (!mailbox_.empty()) window_.held_back();
         return;
     }
+    if (!connection_->may_send(frame_bytes_)) return; // look_again() follows
     const std::weak_ptr<View> weak = weak_from_this();
     if (!mailbox_.empty()) {
         queued_ = services_.workers.post([weak](Worker& worker) {
@@ -93,7 +102,7 @@ std::optional<FrameRequest> View::take(bool still) {
     const std::scoped_lock lock(mutex_);
     (still ? still_queued_ : queued_) = false;
     const bool due = still ? still_wanted_ && !queued_ && Clock::now() >= quiet_until_ : !mailbox_.empty();
-    if (closed_ || working_ || !window_.has_room() || !due) {
+    if (closed_ || working_ || !has_room() || !due) {
         schedule();
         return {};
     }
@@ -130,11 +139,14 @@ void View::deliver(const FrameRequest& request, std::vector<std::vector<std::uin
     std::unique_lock lock(mutex_);
     std::size_t bytes = 0;
     if (!closed_ && !messages.empty()) {
+        for (const auto& message : messages) bytes += message.size();
+        if (bytes > services_.memory.room()) throw LimitReached(services_.memory.refusal());
+        frame_bytes_ = bytes;
+        if (!connection_->may_send(bytes)) return make_again_later(request);
         ++sent_;
         if (request.stream == Stream::geometry) parts_[sent_] = std::move(parts);
         for (auto& message : messages) {
             number_frame(message, sent_);
-            bytes += message.size();
             connection_->send_binary(std::make_shared<const std::vector<std::uint8_t>>(std::move(message)));
         }
         window_.sent(sent_, bytes, request.still, Clock::now());
@@ -150,7 +162,27 @@ void View::deliver(const FrameRequest& request, std::vector<std::vector<std::uin
     quiet_until_ = Clock::now() + quiet; // else a slow frame would be followed by its still at once, in the hand's way
     finish();
     lock.unlock();
-    if (bytes > 0) services_.metrics.count_frame(request.still, bytes, times);
+    if (bytes == 0) return;
+    services_.metrics.count_frame(request.still, bytes, times);
+    if (times.extract + times.draw + times.encode > (request.still ? slow_still_ms : slow_frame_ms))
+        log_event(LogLevel::warning, "slow frame",
+                  {{"session", short_id(session_->id())},
+                   {"view", id_},
+                   {"kind", request.still ? "still" : "interactive"},
+                   {"user", connection_->user},
+                   {"remote", connection_->remote},
+                   {"wait_ms", times.wait},
+                   {"extract_ms", times.extract},
+                   {"draw_ms", times.draw},
+                   {"encode_ms", times.encode},
+                   {"bytes", bytes}});
+}
+
+void View::make_again_later(const FrameRequest& request) {
+    services_.metrics.count_cancelled_frame();
+    if (!request.still && mailbox_.empty()) mailbox_.put(request.version);
+    content_.clear();
+    finish();
 }
 
 void View::tell_lacking(const FrameRequest& request, std::vector<std::string> lacking, const Geometry& geometry,
@@ -190,6 +222,13 @@ void View::give_way() {
 
 void View::fail(const FrameRequest& request, const std::string& sentence) {
     services_.metrics.count_failed_frame();
+    log_event(LogLevel::warning, "frame failed",
+              {{"session", short_id(session_->id())},
+               {"view", id_},
+               {"reason", sentence},
+               {"user", connection_->user},
+               {"remote", connection_->remote},
+               {"ms", std::chrono::duration<double, std::milli>(Clock::now() - request.started).count()}});
     const std::scoped_lock lock(mutex_);
     still_wanted_ = nullptr;
     content_.clear();

@@ -51,6 +51,7 @@ public:
     void resize(std::uint32_t width, std::uint32_t height, std::optional<double> pixel_ratio); // none: as it was
     void set_stream(Stream stream, std::optional<MovingCodec> moving);                         // none: as it was
     void acknowledge(std::uint32_t frame);                                                     // and all before it
+    void look_again(); // the connection has room for frames again
     void close();
 
     // For the frame loop, which follows a take() that returned something by exactly one of deliver, give_up, give_way
@@ -61,7 +62,8 @@ public:
     void tell_lacking(const FrameRequest& request, std::vector<std::string> lacking, const Geometry& geometry,
                       const std::optional<std::vector<std::string>>& drawn);
     // `messages` in order; their headers get the frame number. Empty: nothing new to see. `parts`: of polygons, what
-    // the client has when it acknowledges the frame.
+    // the client has when it acknowledges the frame. Without room on the connection the frame is dropped, and made
+    // again when there is some. Throws LimitReached beyond the server's memory.
     void deliver(const FrameRequest& request, std::vector<std::vector<std::uint8_t>> messages, wire::PartIds parts,
                  const FrameTimes& times);
     void give_up();  // superseded, or nobody waits for it any more
@@ -79,6 +81,9 @@ private:
     void finish(); // REQUIRES: the lock
     [[nodiscard]] wire::PictureStream& pictures_now(); // REQUIRES: the lock, and that none has taken
     void schedule();
+    // For one more frame on the way, of the size of the last.
+    [[nodiscard]] bool has_room() const { return window_.has_room() && connection_->may_send(frame_bytes_); }
+    void make_again_later(const FrameRequest& request); // REQUIRES: the lock
 
     const std::uint32_t id_;
     const std::shared_ptr<Session> session_;
@@ -106,6 +111,7 @@ private:
     bool gave_up_ = false; // the last interactive frame: the next is not cancelled, or a steady drag would show nothing
     unsigned gave_way_ = 0; // times that the still did that is wanted now
     std::uint32_t sent_ = 0;
+    std::size_t frame_bytes_ = 0; // of the last frame
     ContentKey content_;
     double grid_ = 0;                                  // step that content_ was sent on
     std::uint32_t held_ = 0;                           // the frame acknowledged last

@@ -18,13 +18,15 @@ namespace ciel::gateway {
 // Serves from construction to destruction. One at a time: SIGTERM to the process ends it.
 class RunningServer {
 public:
-    explicit RunningServer(session::Limits limits = {}) {
+    // data: datasets to serve.
+    explicit RunningServer(session::Limits limits = {}, const std::vector<std::filesystem::path>& data = {}) {
         std::promise<Listening> at;
         auto listening = at.get_future();
-        thread_ = std::thread([promise = std::move(at), limits]() mutable {
+        thread_ = std::thread([promise = std::move(at), limits, data]() mutable {
             session::ServerOptions server_options;
             server_options.extraction = test::chosen_engine();
             server_options.limits = limits;
+            server_options.data = data;
             session::Server server(std::move(server_options));
             GatewayOptions options;
             options.port = 0;
@@ -36,9 +38,11 @@ public:
         listening_ = listening.get();
     }
     ~RunningServer() {
+        if (!thread_.joinable()) return;
         kill(getpid(), SIGTERM);
         thread_.join();
     }
+    void wait() { thread_.join(); } // until it has ended by itself, after a signal
     RunningServer(const RunningServer&) = delete;
     [[nodiscard]] unsigned short port() const { return listening_.port; }
     [[nodiscard]] std::string authorization() const { return "Authorization: Bearer " + listening_.token + "\r\n"; }

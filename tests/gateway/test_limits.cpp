@@ -1,6 +1,6 @@
 // The limits that sockets keep, each small enough to be reached. No test measures a time: a server that does not keep
 // its limit lets the client wait until the client's patience ends, and that fails.
-#include "running_server.hpp"
+#include "hand_made.hpp"
 
 #include <gmock/gmock.h>
 #include <optional>
@@ -203,9 +203,9 @@ TEST(WebsocketIdleSeconds, PongsAreASignOfLifeEnough) {
     }
 }
 
-TEST(WaitingTextBytes, EndAConnectionThatDoesNotReadItsAnswers) {
+TEST(UnsentBytes, EndAConnectionThatDoesNotReadItsAnswers) {
     session::Limits limits = patient();
-    limits.waiting_text_bytes = 1000;
+    limits.unsent_bytes = 2000;
     const RunningServer server(limits);
     HandMade stuck(server, 4096);
     while (stuck.send_frame(text, R"({"jsonrpc":"2.0","id":1,"method":"rpc.discover"})")) {

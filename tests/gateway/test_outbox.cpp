@@ -54,10 +54,14 @@ std::vector<std::string> drained(Outbox& outbox) {
     return out;
 }
 
+session::Memory memory(
+    1 << 20, [] { return 0; }, [] {});
+std::uint64_t held() { return memory.bytes(session::Held::unsent); }
+
 using Order = std::vector<std::string>;
 
 TEST(Outbox, TextsGoFirstAndKeepTheirOrder) {
-    Outbox outbox(1000, [] {});
+    Outbox outbox(2000, memory, [] {});
     outbox.push_text("a");
     outbox.push_frame(image(1, 1));
     outbox.push_text("b");
@@ -68,7 +72,7 @@ TEST(Outbox, TextsGoFirstAndKeepTheirOrder) {
 }
 
 TEST(Outbox, OfEachViewOnlyTheNewestFrameWaits) {
-    Outbox outbox(1000, [] {});
+    Outbox outbox(2000, memory, [] {});
     for (std::uint32_t frame = 1; frame <= 100; ++frame) {
         outbox.push_frame(image(1, frame));
         outbox.push_frame(image(2, frame));
@@ -78,7 +82,7 @@ TEST(Outbox, OfEachViewOnlyTheNewestFrameWaits) {
 }
 
 TEST(Outbox, ReplacesWholeFramesOfBatches) {
-    Outbox outbox(1000, [] {});
+    Outbox outbox(2000, memory, [] {});
     outbox.push_frame(batch(1, 1, true, false));
     EXPECT_TRUE(outbox.pop()); // on its way when the next frame is made
     outbox.push_frame(batch(1, 1, false, false));
@@ -91,7 +95,7 @@ TEST(Outbox, ReplacesWholeFramesOfBatches) {
 }
 
 TEST(Outbox, FramesLeaveInPiecesThatMakeTheWhole) {
-    Outbox outbox(1000, [] {});
+    Outbox outbox(2000, memory, [] {});
     const std::uint32_t payload = 3 * piece_bytes + 5;
     const FrameBytes whole = message(wire::FrameKind::image, 1, 1, wire::first_of_frame | wire::last_of_frame, payload);
     outbox.push_frame(whole);
@@ -110,7 +114,7 @@ TEST(Outbox, FramesLeaveInPiecesThatMakeTheWhole) {
 }
 
 TEST(Outbox, ATextGoesBetweenThePiecesOfAFrame) {
-    Outbox outbox(1000, [] {});
+    Outbox outbox(2000, memory, [] {});
     outbox.push_frame(message(wire::FrameKind::geometry, 1, 1, wire::first_of_frame, 2 * piece_bytes));
     outbox.push_frame(message(wire::FrameKind::geometry, 1, 1, wire::last_of_frame, 2 * piece_bytes));
     EXPECT_TRUE(outbox.pop()->frame);
@@ -119,7 +123,7 @@ TEST(Outbox, ATextGoesBetweenThePiecesOfAFrame) {
 }
 
 TEST(Outbox, TheRestOfAFrameGivesWayToANewerOne) {
-    Outbox outbox(1000, [] {});
+    Outbox outbox(2000, memory, [] {});
     outbox.push_frame(
         message(wire::FrameKind::image, 1, 1, wire::first_of_frame | wire::last_of_frame, 5 * piece_bytes));
     EXPECT_TRUE(outbox.pop());
@@ -128,7 +132,7 @@ TEST(Outbox, TheRestOfAFrameGivesWayToANewerOne) {
 }
 
 TEST(Outbox, OverflowsWhenAnswersAreNotRead) {
-    Outbox outbox(10, [] {});
+    Outbox outbox(20, memory, [] {});
     outbox.push_text(std::string(100, 'x')); // one answer may be large
     EXPECT_FALSE(outbox.overflowed());
     outbox.push_frame(image(1, 1));
@@ -141,7 +145,7 @@ TEST(Outbox, OverflowsWhenAnswersAreNotRead) {
 }
 
 TEST(Outbox, ReadAnswersDoNotCount) {
-    Outbox outbox(10, [] {});
+    Outbox outbox(20, memory, [] {});
     for (int i = 0; i < 100; ++i) {
         outbox.push_text(std::string(11, 'x'));
         EXPECT_TRUE(outbox.pop());
@@ -151,7 +155,7 @@ TEST(Outbox, ReadAnswersDoNotCount) {
 
 TEST(Outbox, TellsOfEveryPushUntilItIsClosed) {
     int pushes = 0;
-    Outbox outbox(1000, [&] { ++pushes; });
+    Outbox outbox(2000, memory, [&] { ++pushes; });
     outbox.push_text("a");
     outbox.push_frame(image(1, 1));
     EXPECT_EQ(pushes, 2);
@@ -164,8 +168,50 @@ TEST(Outbox, TellsOfEveryPushUntilItIsClosed) {
 }
 
 TEST(Outbox, RefusesWhatIsNoFrame) {
-    Outbox outbox(1000, [] {});
+    Outbox outbox(2000, memory, [] {});
     EXPECT_THROW(outbox.push_frame(std::make_shared<std::vector<std::uint8_t>>(10)), Error);
+}
+
+FrameBytes batch_of(std::uint32_t view, std::uint32_t frame, std::uint32_t bytes) {
+    return message(wire::FrameKind::geometry, view, frame, wire::first_of_frame | wire::last_of_frame,
+                   bytes - static_cast<std::uint32_t>(wire::frame_header_bytes));
+}
+
+TEST(Outbox, EveryByteIsCountedUntilItIsSent) {
+    {
+        Outbox outbox(2000, memory, [] {});
+        outbox.push_text("four");
+        outbox.push_frame(batch_of(1, 1, 300));
+        EXPECT_EQ(held(), 304U);
+        outbox.push_frame(batch_of(1, 2, 400));
+        EXPECT_EQ(held(), 404U) << "it took the place of the first";
+        EXPECT_TRUE(outbox.pop());
+        EXPECT_EQ(held(), 404U) << "on its way";
+        EXPECT_FALSE(outbox.sent());
+        EXPECT_EQ(held(), 400U);
+        outbox.push_frame(batch_of(1, 3, 3 * piece_bytes));
+        for (int piece = 0; piece < 3; ++piece) {
+            EXPECT_TRUE(outbox.pop());
+            EXPECT_EQ(held(), 3 * piece_bytes) << "whole until its last piece is sent";
+            EXPECT_FALSE(outbox.sent());
+        }
+        EXPECT_EQ(held(), 0U);
+        outbox.push_text("closed");
+    }
+    EXPECT_EQ(held(), 0U);
+}
+
+TEST(Outbox, HasRoomForOneFrameOfAnySizeOrForAsManyAsKeepTheirHalf) {
+    Outbox outbox(2000, memory, [] {});
+    EXPECT_TRUE(outbox.has_room(5000));
+    outbox.push_frame(batch_of(1, 1, 600));
+    EXPECT_TRUE(outbox.has_room(400));
+    EXPECT_FALSE(outbox.has_room(401));
+    EXPECT_TRUE(outbox.pop());
+    EXPECT_FALSE(outbox.has_room(401)) << "on its way, not sent";
+    EXPECT_TRUE(outbox.sent()) << "who had no room is told";
+    EXPECT_FALSE(outbox.sent()) << "once";
+    EXPECT_TRUE(outbox.has_room(5000));
 }
 
 } // namespace

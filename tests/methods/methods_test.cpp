@@ -141,6 +141,30 @@ TEST_F(Methods, patch_undo_redo_and_gestures) {
     EXPECT_EQ(client.call("scene.undo", in_session({}))["scene"]["dataset"], "box");
 }
 
+TEST_F(Methods, a_session_is_begun_with_the_steps_that_a_client_has_kept) {
+    const json scene{{"dataset", "box"}, {"time", 2}};
+    json params{{"session", "restarted-server-session"}, {"scene", scene}};
+    params["undo"] = json::parse(R"([{"time": 1}, {"time": null}])");
+    params["redo"] = json::parse(R"([{"background": "light"}])");
+    const json opened = client.call("session.open", params);
+    EXPECT_EQ(opened["can_undo"], true);
+    EXPECT_EQ(opened["can_redo"], true);
+    const json id{{"session", opened["session"]}};
+    EXPECT_EQ(client.call("scene.undo", id)["scene"]["time"], 1);
+    const json oldest = client.call("scene.undo", id);
+    EXPECT_FALSE(oldest["scene"].contains("time"));
+    EXPECT_EQ(oldest["can_undo"], false);
+    for (int i = 0; i < 2; ++i) (void)client.call("scene.redo", id);
+    const json newest = client.call("scene.redo", id);
+    EXPECT_EQ(newest["scene"], json({{"dataset", "box"}, {"time", 2}, {"background", "light"}}));
+    EXPECT_EQ(newest["can_redo"], false);
+
+    // One that exists keeps its own.
+    params["undo"] = json::parse(R"([{"time": 0.5}])");
+    (void)client.call("session.open", params);
+    EXPECT_EQ(client.call("scene.undo", id)["scene"], scene);
+}
+
 TEST_F(Methods, an_undo_passes_over_what_cannot_be_shown_any_more) {
     const test::Folder aside;
     write_small_dataset(folder->path() / "gone.ciel");

@@ -141,6 +141,7 @@ TEST_F(Sharing, draining_tells_and_refuses) {
     session::Server server(options());
     Client client(server, true);
     client.call("session.open", {{"dataset", "box"}});
+    server.announce_end();
     server.drain();
     EXPECT_EQ(client.next_text()["method"], "server.draining");
     EXPECT_EQ(client.error_code("session.open", {{"dataset", "box"}}), -32003);

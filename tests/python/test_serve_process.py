@@ -173,7 +173,7 @@ def test_a_picture_under_way_is_delivered_and_nobody_else_is_let_in(box):
             assert closed.value.rcvd.code == 1001
             assert "server.draining" in [notification["method"] for notification in caller.notifications]
 
-    with Server(box) as running:
+    with Server(box, "--limit-drain-seconds", str(PATIENCE)) as running:
         asyncio.run(asyncio.wait_for(attempt(running), PATIENCE))
         assert running.process.wait(PATIENCE) == 0
 

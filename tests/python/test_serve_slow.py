@@ -109,7 +109,7 @@ def test_stopping_finishes_what_is_drawn_and_answers_the_rest(box):
     def read(connection: socket.socket) -> None:
         answers.append(b"".join(iter(lambda: connection.recv(1 << 20), b"")))
 
-    with Server(box) as server:
+    with Server(box, "--limit-drain-seconds", str(PATIENCE)) as server:
         hogs = [post(server, picture()) for _ in range(6)]
         until(lambda: waiting(server) == 4)
         until(lambda: begun(server) >= 2)

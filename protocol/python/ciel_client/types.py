@@ -193,7 +193,7 @@ class Annotations(TypedDict):
     axes: NotRequired[bool]  # ticks and numbers along edges of the bounding box, in the dataset's length units
     time: NotRequired[bool]  # the time of the step shown
     dataset: NotRequired[bool]  # the dataset's name
-    title: NotRequired[str]
+    title: NotRequired[str]  # at most 256 bytes of UTF-8
     scale: NotRequired[float]  # of text and lines, on top of the picture's height: 13 pixels of text at 720 rows
 
 
@@ -229,7 +229,7 @@ class Scene(TypedDict):
     background: NotRequired[Literal["dark", "light"] | str]
     annotations: NotRequired[Annotations]
     lighting: NotRequired[Lighting]
-    layers: NotRequired[dict[str, Layer]]  # by id; drawn by (order, id)
+    layers: NotRequired[dict[str, Layer]]  # by id, of at most 256 bytes of UTF-8; drawn by (order, id)
 
 
 class ArrayInfo(TypedDict):
@@ -419,6 +419,8 @@ class SessionOpenParams(TypedDict):
     session: NotRequired[str]  # an id to join or recreate; it is the session's key, so a client that chooses one makes it of 128 random bits
     dataset: NotRequired[str]  # whose default scene a new session shows; the first of dataset.list when absent
     scene: NotRequired[Scene]  # the scene of a new session
+    undo: NotRequired[list[dict[str, Any]]]  # RFC 7396 merge patches, nearest step first: what scene.undo goes back to in a new session. The first applies to the scene, each other to the result of the one before it. For a client whose server was restarted; an existing session keeps its own history
+    redo: NotRequired[list[dict[str, Any]]]  # likewise for scene.redo
 
 
 SessionOpenResult = SessionState
@@ -447,7 +449,7 @@ class ScenePatchParams(TypedDict):
 
     session: str  # the id that session.open answered with
     patch: dict[str, Any]  # an RFC 7396 merge patch of the scene: null removes a member
-    gesture: NotRequired[str]  # any text that names what the user is doing, such as one drag of a slider
+    gesture: NotRequired[str]  # any text that names what the user is doing, such as one drag of a slider; at most 256 bytes of UTF-8
 
 
 ScenePatchResult = Revision
