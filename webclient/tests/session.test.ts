@@ -112,6 +112,29 @@ describe("session", () => {
     expect(views.at(-1)).toBe(9);
   });
 
+  test("after a break the steps that can be undone go along", async () => {
+    await join(scene, 4);
+    editor.change({ time: 1 });
+    frames.splice(0).forEach((frame) => frame());
+    await network.newest.answer({ revision: 2, can_undo: true, can_redo: false }, "scene.patch");
+    editor.change({ time: 2 });
+    frames.splice(0).forEach((frame) => frame());
+    await network.newest.answer({ revision: 3, can_undo: true, can_redo: false }, "scene.patch");
+    const undone = editor.undo();
+    await settled();
+    await network.newest.answer({ ...state({ ...scene, time: 1 }, 4), can_undo: true, can_redo: true }, "scene.undo");
+    await undone;
+    await reconnect();
+    expect(network.newest.calls("session.open").at(-1)?.params).toEqual({
+      session: "s",
+      scene: { ...scene, time: 1 },
+      undo: [{ time: null }],
+      redo: [{ time: 2 }],
+    });
+    await network.newest.answer({ ...state({ ...scene, time: 1 }), can_undo: true, can_redo: true }, "session.open");
+    expect([editor.canUndo, editor.canRedo]).toEqual([true, true]);
+  });
+
   test("frames of a view that is gone are not acknowledged", async () => {
     await join(scene, 4);
     session.acknowledge(3, 1);

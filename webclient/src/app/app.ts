@@ -91,6 +91,7 @@ export class App {
     this.histograms = new Histograms(
       (dataset, array, time) => this.session.call("dataset.histogram", { dataset, array, time, bins: 160 }),
       () => this.store.set({ histogramsAt: now() }),
+      clock.setTimeout,
     );
   }
 

@@ -1,39 +1,88 @@
 // Histograms of the scalars in use, fetched once per dataset, scalar and step.
+import { Disconnected, RpcError } from "../protocol/rpc";
 import type { Histogram } from "./state";
 
 const KEPT = 200;
+/** The server makes few at a time, and refuses a connection of which many wait. */
+const AT_ONCE = 2;
+const RETRY_MILLISECONDS = 1000;
+const LIMIT_REACHED = -32003; // components/errors/Limit of the contract
+
+type Known = Histogram | "wanted" | "asked" | "missing";
+type Of = [dataset: string, array: string, time: number];
 
 export class Histograms {
-  private readonly known = new Map<string, Histogram | "asked" | "missing">();
+  private readonly known = new Map<string, Known>();
+  private wanted: Of[] = [];
+  private underWay = 0;
+  private isDue = false;
+  /** Answers to what was asked before `clear` are of another dataset, perhaps. */
+  private cleared = 0;
 
   constructor(
-    private readonly fetch: (dataset: string, array: string, time: number) => Promise<Histogram>,
+    private readonly fetch: (...of: Of) => Promise<Histogram>,
     private readonly arrived: () => void,
+    private readonly later: (callback: () => void, milliseconds: number) => void,
   ) {}
 
-  /** null until it has arrived, and where there is none. */
-  get(dataset: string, array: string, time: number): Histogram | null {
-    const key = JSON.stringify([dataset, array, time]);
-    const found = this.known.get(key);
-    if (found !== undefined) return typeof found === "string" ? null : found;
-    this.remember(key, "asked");
-    this.fetch(dataset, array, time).then(
-      (histogram) => {
-        this.remember(key, histogram);
-        this.arrived();
-      },
-      () => this.remember(key, "missing"), // not written at this step: the layer itself says so
-    );
-    return null;
+  /** null until it has arrived, and where there is none. Only looks: it is fetched when the page has been drawn. */
+  get(...of: Of): Histogram | null {
+    const found = this.known.get(JSON.stringify(of));
+    if (found === undefined) this.want(of, 0);
+    return found === undefined || typeof found === "string" ? null : found;
   }
 
   /** After a reconnection unanswered ones are asked again. */
   clear(): void {
     this.known.clear();
+    this.wanted = [];
+    this.underWay = 0;
+    this.cleared += 1;
     this.arrived();
   }
 
-  private remember(key: string, value: Histogram | "asked" | "missing"): void {
+  private want(of: Of, milliseconds: number): void {
+    this.remember(of, "wanted");
+    this.wanted.push(of);
+    if (this.isDue) return;
+    this.isDue = true;
+    this.later(() => {
+      this.isDue = false;
+      this.askMore();
+    }, milliseconds);
+  }
+
+  private askMore(): void {
+    while (this.underWay < AT_ONCE) {
+      const of = this.wanted.shift();
+      if (of === undefined) return;
+      void this.ask(of);
+    }
+  }
+
+  private async ask(of: Of): Promise<void> {
+    const { cleared } = this;
+    this.underWay += 1;
+    this.remember(of, "asked");
+    const answer = await this.fetch(...of).catch((error: unknown) => error as Error);
+    if (this.cleared !== cleared) return;
+    this.underWay -= 1;
+    if (!(answer instanceof Error)) {
+      this.remember(of, answer);
+      this.arrived();
+    } else if (answer instanceof RpcError && answer.code === LIMIT_REACHED) {
+      this.want(of, RETRY_MILLISECONDS);
+      return; // the others would be refused, too
+    } else if (answer instanceof Disconnected) {
+      this.known.delete(JSON.stringify(of));
+    } else {
+      this.remember(of, "missing"); // not written at this step: the layer itself says so
+    }
+    this.askMore();
+  }
+
+  private remember(of: Of, value: Known): void {
+    const key = JSON.stringify(of);
     this.known.delete(key);
     this.known.set(key, value);
     const oldest = this.known.keys().next().value;

@@ -3,6 +3,7 @@ import type { Layer, Revision, Scene, SessionState } from "../generated/protocol
 import { applyPatch, composePatches, diff, equal, type Json, type JsonObject } from "../protocol/merge_patch";
 import { Disconnected } from "../protocol/rpc";
 import { PatchesAtOnce } from "./patches_at_once";
+import { SceneHistory, type Steps } from "./scene_history";
 import { removedBetween, strayLayers, withoutLayers } from "./stray_layers";
 
 export interface SceneServer {
@@ -58,6 +59,7 @@ export class SceneEditor {
   private gestures = 0;
   /** As they were last, layers that others have removed. */
   private readonly lost = new Map<string, Layer>();
+  private readonly history = new SceneHistory();
   canUndo = false;
   canRedo = false;
 
@@ -78,6 +80,11 @@ export class SceneEditor {
   /** Whether the server has not taken everything yet. */
   get isPending(): boolean {
     return this.differsFromServer || this.travelling > 0;
+  }
+
+  /** What a server that has to begin the session anew with this scene can undo and redo. */
+  stepsAround(scene: Scene): Steps {
+    return this.history.around(scene);
   }
 
   /** Changes that share the name are one undo step. */
@@ -116,7 +123,8 @@ export class SceneEditor {
       this.canUndo = false; // until the server says otherwise after another change
       this.events.stuck("undo", error);
     };
-    await this.travel((server) => server.undo(), stuck);
+    const moved = (scene: Scene): void => this.history.moved("undo", scene);
+    await this.travel((server) => server.undo(), moved, stuck);
   }
 
   async redo(): Promise<void> {
@@ -124,7 +132,8 @@ export class SceneEditor {
       this.canRedo = false;
       this.events.stuck("redo", error);
     };
-    await this.travel((server) => server.redo(), stuck);
+    const moved = (scene: Scene): void => this.history.moved("redo", scene);
+    await this.travel((server) => server.redo(), moved, stuck);
   }
 
   /** What a session that was just opened holds. Changes that were made while there was none are sent as one step. */
@@ -137,6 +146,7 @@ export class SceneEditor {
     this.travelling = 0;
     const mine = this.document;
     const unsent = this.differsFromServer;
+    this.history.found(state.scene);
     this.adopt(state, []);
     if (unsent && mine !== null) this.replace(mine);
   }
@@ -152,10 +162,12 @@ export class SceneEditor {
   /** Before `connected`, where another scene has been chosen than the one that stood here. */
   forget(): void {
     this.document = null;
+    this.history.forget();
   }
 
   /** Another client of the session has changed the scene, perhaps while a change of this one was on its way. */
   overheard(scene: Scene): void {
+    this.history.found(scene);
     this.adopt({ scene }, this.unanswered);
     this.doubt(); // what can be undone now was not told
   }
@@ -163,10 +175,13 @@ export class SceneEditor {
   /** Like `replace`, for a scene that the server has not seen: it stands here when the server has taken it. */
   async propose(scene: Scene): Promise<void> {
     const patch = diff((this.document ?? {}) as unknown as JsonObject, scene as unknown as JsonObject);
-    await this.travel(async (server) => {
-      await server.patch(patch, this.newGesture());
-      return server.get();
-    });
+    await this.travel(
+      async (server) => {
+        await server.patch(patch, this.newGesture());
+        return server.get();
+      },
+      (taken) => this.history.found(taken),
+    );
   }
 
   /** The server's own word. `onTheWay` and what is not sent yet stay on top of it. */
@@ -194,6 +209,7 @@ export class SceneEditor {
 
   private async travel(
     step: (server: SceneServer) => Promise<SessionState>,
+    arrived: (scene: Scene) => void,
     refused = (error: Error) => this.events.refused(error),
   ): Promise<void> {
     const server = this.server;
@@ -210,6 +226,7 @@ export class SceneEditor {
       const state = await step(server);
       if (this.server !== server) return;
       this.travelling -= 1;
+      arrived(state.scene);
       const after = this.unanswered.filter((change) => !before.has(change));
       this.adopt(state, after);
       this.events.accepted(state.revision, since, state.scene);
@@ -245,6 +262,7 @@ export class SceneEditor {
       (answer) => {
         if (this.server !== server) return;
         this.patchesAtOnce.answered(this.timing.now() - sentAt);
+        this.history.changed(change.patch, change.gesture);
         this.answered(change);
         if (this.canUndo !== answer.can_undo || this.canRedo !== answer.can_redo) {
           this.canUndo = answer.can_undo;
@@ -281,7 +299,10 @@ export class SceneEditor {
         this.asking = false;
         if (this.differsFromServer)
           this.doubtful = true; // changed meanwhile: once more, after its answer
-        else this.adopt(state, []);
+        else {
+          this.history.found(state.scene);
+          this.adopt(state, []);
+        }
         if (this.doubtful) this.doubt();
       },
       (error: unknown) => {

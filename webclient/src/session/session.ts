@@ -168,7 +168,8 @@ export class Session {
     const call: Caller = (method, params) => rpc.call(method, params);
     const scene = chosen ?? this.editor.scene ?? (await this.host.firstScene(call));
     if (this.rpc !== rpc || scene === null) return;
-    const state = await rpc.call("session.open", { session, scene });
+    const steps = this.editor.stepsAround(scene);
+    const state = await rpc.call("session.open", { session, scene, ...(chosen === null ? steps : {}) });
     if (this.rpc !== rpc) return;
     if (chosen !== null) this.editor.forget();
     if (this.chosen === chosen) this.chosen = null;

@@ -1,0 +1,83 @@
+import { beforeEach, describe, expect, test } from "vitest";
+import type { Scene } from "../src/generated/protocol";
+import { applyPatch, type Json } from "../src/protocol/merge_patch";
+import { SceneHistory } from "../src/scene/scene_history";
+
+const at = (time: number): Scene => ({ dataset: "d", time });
+let history: SceneHistory;
+
+/** The scenes that these steps lead to, as a server finds them. */
+const scenes = (from: Scene, patches: object[]): Scene[] => {
+  let scene = from as unknown as Json;
+  return patches.map((patch) => (scene = applyPatch(scene, patch as Json)) as unknown as Scene);
+};
+const undone = (from: Scene): Scene[] => scenes(from, history.around(from).undo);
+const redone = (from: Scene): Scene[] => scenes(from, history.around(from).redo);
+
+beforeEach(() => {
+  history = new SceneHistory();
+  history.found(at(0));
+});
+
+describe("scene history", () => {
+  test("each change is a step, the nearest first", () => {
+    for (const time of [1, 2, 3]) history.changed({ time }, `g${String(time)}`);
+    expect(undone(at(3))).toEqual([at(2), at(1), at(0)]);
+    expect(redone(at(3))).toEqual([]);
+  });
+
+  test("changes of one gesture are one step", () => {
+    history.changed({ time: 1 }, "first");
+    for (const time of [2, 3, 4]) history.changed({ time }, "drag");
+    expect(undone(at(4))).toEqual([at(1), at(0)]);
+  });
+
+  test("what was undone can be redone until something changes", () => {
+    for (const time of [1, 2, 3]) history.changed({ time }, `g${String(time)}`);
+    history.moved("undo", at(2));
+    history.moved("undo", at(1));
+    history.moved("redo", at(2));
+    expect(undone(at(2))).toEqual([at(1), at(0)]);
+    expect(redone(at(2))).toEqual([at(3)]);
+    history.changed({ time: 7 }, "g3"); // an undo ends the gesture
+    expect(undone(at(7))).toEqual([at(2), at(1), at(0)]);
+    expect(redone(at(7))).toEqual([]);
+  });
+
+  test("an undo that has passed over a step has taken both", () => {
+    for (const time of [1, 2, 3]) history.changed({ time }, `g${String(time)}`);
+    history.moved("undo", at(1));
+    expect(undone(at(1))).toEqual([at(0)]);
+    expect(redone(at(1))).toEqual([at(2), at(3)]);
+  });
+
+  test("changes of others in a row are one step", () => {
+    history.changed({ time: 1 }, "mine");
+    for (const time of [2, 3]) history.found(at(time));
+    expect(undone(at(3))).toEqual([at(1), at(0)]);
+  });
+
+  test("changes that no server has taken are a step of their own", () => {
+    history.changed({ time: 1 }, "g");
+    expect(undone(at(5))).toEqual([at(1), at(0)]);
+    expect(undone(at(1))).toEqual([at(0)]);
+  });
+
+  test("fifty steps are kept, and of large ones as many as a message holds", () => {
+    for (let time = 1; time <= 80; time += 1) history.changed({ time }, String(time));
+    expect(undone(at(80)).length).toBe(50);
+    expect(undone(at(80)).at(-1)).toEqual(at(30));
+    const large = (letter: string): Scene => ({ ...at(80), annotations: { title: letter.repeat(100_000) } });
+    for (const letter of "abcdefgh") history.found(large(letter));
+    for (const letter of "abcdefgh")
+      history.changed({ annotations: { title: letter.repeat(100_000) } }, `large ${letter}`);
+    expect(JSON.stringify(history.around(large("h"))).length).toBeLessThan(410_000);
+    expect(undone(large("h"))).toEqual(["g", "f", "e"].map(large));
+  });
+
+  test("nothing is known of a session that was left", () => {
+    history.changed({ time: 1 }, "g");
+    history.forget();
+    expect(history.around(at(1))).toEqual({ undo: [], redo: [] });
+  });
+});
