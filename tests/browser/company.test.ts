@@ -209,7 +209,7 @@ describe("company", { skip }, () => {
   test("a scene that can hardly be seen is a scene all the same", async () => {
     const camera = { position: [1e6, 1e6, 1e6], target: [0, 0, 0], up: [0, 0, 1] };
     const client = await stage.fresh({}, fragmentOf({ dataset, camera }));
-    await client.button("Show everything").click();
+    await client.button("Show what is drawn").click();
     await client.settled();
     await client.button("Add an iso-surface").click();
     await client.settled();

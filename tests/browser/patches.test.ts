@@ -8,6 +8,7 @@ import { barIn } from "./bar.ts";
 import type { Locator } from "./chromium.ts";
 import { fragmentOf } from "./link.ts";
 import type { Client } from "./page.ts";
+import { difference } from "./png.ts";
 import { Server } from "./server.ts";
 import { skip, Stage } from "./stage.ts";
 
@@ -101,6 +102,34 @@ describe("patches", { skip }, () => {
     assert.equal(((await groups(client)) as string[]).length, 4 * CELLS);
     await search.fill("nothing of this name");
     await list(client).getByText("No patch has all of these words").waitFor();
+    assert.deepEqual(client.problems, []);
+    await client.close();
+  });
+
+  test("a click in the picture names the patch, hides it, and shows it alone; each is one step of undo", async () => {
+    const client = await open();
+    const whole = await client.picture();
+    const box = await client.canvas.boundingBox();
+    const middle = { x: (box?.width ?? 0) / 2, y: (box?.height ?? 0) / 2 };
+    await client.canvas.click({ position: middle });
+    const card = client.page.getByLabel("Values at the clicked point");
+    await card.getByText("bar_8-front").waitFor();
+    await client.keep("patch-named");
+    await card.getByRole("button", { name: "Hide" }).click();
+    await client.settled();
+    const names = (await groups(client)) as string[];
+    assert.deepEqual([names.length, names.includes("bar_8-front")], [1 + 4 * CELLS, false]);
+    assert.ok(difference(whole, await client.picture()) > 0.0005, "a hole, through which the back side is seen");
+    assert.equal(await card.count(), 0);
+    await client.button("Undo").click();
+    assert.deepEqual(await groups(client), []);
+    await client.canvas.click({ position: middle });
+    await card.getByRole("button", { name: "Only this" }).click();
+    assert.deepEqual(await groups(client), ["bar_8-front"]);
+    await client.button("Undo").click();
+    assert.deepEqual(await groups(client), []);
+    await client.settled();
+    assert.ok(difference(whole, await client.picture()) < 0.001);
     assert.deepEqual(client.problems, []);
     await client.close();
   });

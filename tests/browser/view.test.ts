@@ -84,7 +84,9 @@ describe("view", { skip }, () => {
 
   test("the wheel zooms to the cursor, R shows everything again", async () => {
     await client.canvas.focus(); // keys typed into a field are the field's
+    client.patches.length = 0;
     await client.page.keyboard.press("r");
+    await client.patched();
     await client.settled();
     const before = await client.picture();
     const box = await client.canvas.boundingBox();
@@ -93,7 +95,9 @@ describe("view", { skip }, () => {
     await client.settled();
     assert.ok(difference(before, await client.picture()) > 0.02);
     await client.canvas.focus();
+    client.patches.length = 0;
     await client.page.keyboard.press("r");
+    await client.patched();
     await client.settled();
     assert.ok(difference(before, await client.picture()) < 0.005);
   });
@@ -108,7 +112,7 @@ describe("view", { skip }, () => {
     await client.settled();
     assert.ok(difference(fromAbove, await client.picture()) > 0.001);
     await client.page.getByLabel("Parallel projection").uncheck();
-    await client.button("Show everything").click();
+    await client.button("Show what is drawn").click();
     await client.settled();
   });
 
@@ -231,7 +235,7 @@ describe("view", { skip }, () => {
     await client.settled();
     assert.ok(difference(picture, await client.picture()) > 0.005);
     await client.button("Close the values").click();
-    await client.button("Show everything").click();
+    await client.button("Show what is drawn").click();
     await client.settled();
   });
 

@@ -44,12 +44,29 @@ function expectRightAngled(camera: FullCamera): void {
   }
 }
 
+const along = (axes: ReturnType<typeof frame>, right: number, up: number, forward: number): Vec3 =>
+  add(add(scale(axes.right, right), scale(axes.up, up)), scale(axes.forward, forward));
+
 describe("orbit", () => {
   test("keeps the target and the distance, however long", () => {
     let camera = start;
     for (let i = 0; i < 500; i += 1) camera = orbit(camera, 13 * Math.sin(i), 17 * Math.cos(3 * i), size);
     expect(distance(camera)).toBeCloseTo(distance(start), 8);
     close(camera.target, start.target);
+    expectRightAngled(camera);
+  });
+
+  test("a pivot stays where it is seen and as far away, and the target turns about it", () => {
+    const pivot = add(start.target, along(frame(start), 3, -2, 5));
+    const before = project(start, pivot, size);
+    let camera = start;
+    for (let i = 0; i < 200; i += 1) camera = orbit(camera, 13 * Math.sin(i), 17 * Math.cos(3 * i), size, pivot);
+    const after = project(camera, pivot, size);
+    expect(after?.x).toBeCloseTo(before?.x ?? NaN, 6);
+    expect(after?.y).toBeCloseTo(before?.y ?? NaN, 6);
+    expect(after?.depth).toBeCloseTo(before?.depth ?? NaN, 8);
+    expect(length(subtract(camera.target, pivot))).toBeCloseTo(length(subtract(start.target, pivot)), 8);
+    expect(distance(camera)).toBeCloseTo(distance(start), 8);
     expectRightAngled(camera);
   });
 

@@ -7,8 +7,8 @@ test("a line each with all digits; what is not written is empty", () => {
     position: [1, 2.000000001, -3] as [number, number, number],
     cell: 7,
     vertex: null,
-    layer: null,
-    patch: null,
+    layer: "surface",
+    patch: "wall",
     values: { p: 101325.123456789, late: null },
   };
   const context = {
@@ -23,6 +23,7 @@ test("a line each with all digits; what is not written is empty", () => {
     "x\t1\tm",
     "y\t2.000000001\tm",
     "z\t-3\tm",
+    "patch\twall",
     "cell\t7",
     "p\t101325.123456789\tPa",
     "late",

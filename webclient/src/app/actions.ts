@@ -8,9 +8,10 @@ import type { ColoringChange } from "../scene/color_edit";
 import { movedTo } from "../scene/layer_order";
 import { clamp } from "../scene/numbers";
 import { coloredBy } from "../scene/new_looks";
+import { patchesOf, withNone } from "../scene/patches";
 import { percentiles } from "../scene/percentiles";
 import { probeText } from "../scene/probe_text";
-import { type Colored, arrayOf, cutsCells, freeId, nearestStep, shownTime, topOrder, unitsOf } from "../scene/scalars";
+import { type Colored, arrayOf, freeId, nearestStep, shownTime, topOrder, unitsOf } from "../scene/scalars";
 import type { App } from "./app";
 import { copyText } from "./clipboard";
 import { download } from "./download";
@@ -21,7 +22,8 @@ import type { Theme } from "./state";
 export type ExportFormat = "ply" | "stl" | "vtp";
 
 const USUAL_SHARES = [0.01, 0.99] as const;
-const NOTHING_THERE = "Nothing is drawn there: a double click on a surface centres it. R shows everything again";
+const NOTHING_THERE =
+  "Nothing is drawn there: a double click on a surface centres it. R shows all that is drawn, Shift-R the whole box";
 
 export class Actions {
   constructor(private readonly app: App) {}
@@ -46,7 +48,7 @@ export class Actions {
     return allowed === 1 ? camera : zoom(camera, allowed, x, y, this.app.size.css);
   }
 
-  /** Of all that clips and thresholds leave, or of the whole box. */
+  /** Of what is drawn, or of the whole box. */
   resetView(wholeBox = false): void {
     void this.framed(wholeBox, (bounds, now) => defaultView(bounds, this.app.size.aspect, now.fov, now.parallel));
   }
@@ -58,10 +60,9 @@ export class Actions {
   private async framed(wholeBox: boolean, view: (bounds: Bounds, now: FullCamera) => FullCamera): Promise<void> {
     const { app } = this;
     let bounds = this.bounds();
-    // Only the server knows which cells are left; what nothing is cut from is all there at once.
-    if (!wholeBox && cutsCells(app.editor.scene) && app.editor.isConnected) {
+    if (!wholeBox && app.editor.isConnected) {
       try {
-        bounds = (await app.session.call("scene.bounds", { session: app.tab.id })).bounds;
+        bounds = (await app.session.call("scene.bounds", { session: app.tab.id, of: "drawn" })).bounds;
       } catch (error) {
         app.fail(error);
       }
@@ -124,6 +125,25 @@ export class Actions {
     );
     if (isCopied) this.app.toasts.show("The values are in the clipboard");
     else this.app.toasts.show("This browser lets no page write to the clipboard", "error");
+  }
+
+  /** Of the whole boundary its other patches are left. */
+  hidePatch(id: string, patch: string): void {
+    const { description, scene } = this.app.store.get();
+    const layer = scene?.layers?.[id];
+    if (layer?.type !== "surface") return;
+    const all = patchesOf(description);
+    const left = withNone(
+      all,
+      layer.groups ?? [],
+      all.filter(({ name }) => name === patch),
+    );
+    this.setLayer(id, left === null ? { visible: false } : { groups: left });
+    this.app.store.set({ probe: null });
+  }
+
+  onlyPatch(id: string, patch: string): void {
+    if (this.app.editor.scene?.layers?.[id]?.type === "surface") this.setLayer(id, { groups: [patch] });
   }
 
   removeLayer(id: string): void {

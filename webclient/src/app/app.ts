@@ -23,6 +23,7 @@ import { describeDatasets } from "./datasets";
 import { Histograms } from "./histograms";
 import { Links } from "./links";
 import { forgottenWith } from "./opening";
+import { Pivot } from "./pivot";
 import { playerHost } from "./player_host";
 import { savedStream, savedTheme, tabSession } from "./preferences";
 import { SeenFrom } from "./seen_from";
@@ -52,6 +53,7 @@ export class App {
   readonly links = new Links(this);
   readonly access = new Access(this);
   readonly seenFrom = new SeenFrom(this);
+  readonly pivot = new Pivot(this);
   readonly scenes = new ShownScenes();
   readonly player = new Player(playerHost(this), now);
   readonly tab = tabSession();

@@ -38,9 +38,13 @@ function zoomBy(app: App, factor: number): void {
   if (next !== camera) app.actions.setCamera(next);
 }
 
-function arrow(app: App, [dx, dy]: [number, number], shift: boolean): void {
+function arrow(app: App, [dx, dy]: [number, number], { shiftKey, repeat }: KeyboardEvent): void {
   const camera = app.actions.camera();
-  if (camera !== null) app.actions.setCamera((shift ? pan : orbit)(camera, dx, dy, app.size.css), "arrow-keys");
+  const { css } = app.size;
+  if (camera === null) return;
+  if (!shiftKey && !repeat) app.pivot.seek(css.width / 2, css.height / 2);
+  const next = shiftKey ? pan(camera, dx, dy, css) : orbit(camera, dx, dy, css, app.pivot.of(camera));
+  app.actions.setCamera(next, "arrow-keys");
 }
 
 function actionFor(event: KeyboardEvent): KeyAction | null {
@@ -52,7 +56,7 @@ function actionFor(event: KeyboardEvent): KeyAction | null {
   if (event.altKey) return null;
   const move = ARROWS[key];
   if (key === "r" && event.shiftKey) return (app) => app.actions.resetView(true);
-  if (move !== undefined) return (app) => arrow(app, move, event.shiftKey);
+  if (move !== undefined) return (app) => arrow(app, move, event);
   if (key === "x" || key === "y" || key === "z") {
     return (app) => app.actions.lookFrom(`${event.shiftKey ? "-" : "+"}${key}` as AxisView);
   }

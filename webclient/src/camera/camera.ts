@@ -48,16 +48,14 @@ export function viewHeight(camera: FullCamera): number {
   return camera.parallel ? camera.parallel_height : 2 * distance(camera) * Math.tan(radians(camera.fov) / 2);
 }
 
-/** Half a turn for a drag over the canvas's shorter side. Keeps the distance. */
-export function orbit(camera: FullCamera, dx: number, dy: number, size: Size): FullCamera {
+/** Half a turn for a drag over the canvas's shorter side. The pivot stays where it is seen, and as far away. */
+export function orbit(camera: FullCamera, dx: number, dy: number, size: Size, pivot: Vec3 = camera.target): FullCamera {
   const perPixel = Math.PI / Math.max(1, Math.min(size.width, size.height));
   const { right, up } = frame(camera);
-  let arm = subtract(camera.position, camera.target);
-  arm = rotate(arm, up, -dx * perPixel);
   const turnedRight = rotate(right, up, -dx * perPixel);
-  arm = rotate(arm, turnedRight, -dy * perPixel);
-  const turnedUp = rotate(up, turnedRight, -dy * perPixel);
-  return { ...camera, position: add(camera.target, arm), up: turnedUp };
+  const turned = (arm: Vec3): Vec3 => rotate(rotate(arm, up, -dx * perPixel), turnedRight, -dy * perPixel);
+  const about = (point: Vec3): Vec3 => add(pivot, turned(subtract(point, pivot)));
+  return { ...camera, position: about(camera.position), target: about(camera.target), up: turned(up) };
 }
 
 /** Turns about the line of sight, in radians. */

@@ -1,5 +1,6 @@
 // Pointers, wheel and fingers on the canvas, told as camera moves. It knows no scene.
 import { orbit, pan, roll, type FullCamera, type Size } from "./camera";
+import type { Vec3 } from "./vector";
 
 export interface GestureTarget {
   /** null while there is nothing to turn. */
@@ -10,6 +11,10 @@ export interface GestureTarget {
   /** `gesture` is the same from press to release. */
   move(camera: FullCamera, gesture: string): void;
   newGesture(): string;
+  /** A turn begins there. */
+  turns(x: number, y: number): void;
+  /** What a turn is about. */
+  pivot(camera: FullCamera): Vec3;
   click(x: number, y: number): void;
   doubleClick(x: number, y: number): void;
 }
@@ -72,6 +77,8 @@ class Gestures {
       this.drag = dragOf(event.button, event.shiftKey, event.ctrlKey);
       this.gesture = this.target.newGesture();
       this.travelled = 0;
+      const { x, y } = this.at(event);
+      if (this.drag === "orbit") this.target.turns(x, y);
     } else {
       this.travelled = Infinity; // two fingers never click
     }
@@ -99,7 +106,7 @@ class Gestures {
     const size = this.target.size();
     const dx = now.x - before.x;
     const dy = now.y - before.y;
-    if (this.drag === "orbit") return orbit(camera, dx, dy, size);
+    if (this.drag === "orbit") return orbit(camera, dx, dy, size, this.target.pivot(camera));
     if (this.drag === "pan") return pan(camera, dx, dy, size);
     const angle = ({ x, y }: Finger): number => Math.atan2(y - size.height / 2, x - size.width / 2);
     return roll(camera, angle(before) - angle(now));

@@ -6,11 +6,11 @@ const ROWS: { title: string; keys: [string, string][] }[] = [
   {
     title: "Mouse and fingers",
     keys: [
-      ["Drag", "Turn"],
+      ["Drag", "Turn about what is under the cursor"],
       ["Shift-drag, right or middle drag", "Move sideways"],
       ["Ctrl-drag", "Roll"],
       ["Wheel, pinch", "Zoom to the cursor"],
-      ["Click", "Read the values there"],
+      ["Click", "Read the values there, and name the patch"],
       ["Double-click", "Centre there"],
     ],
   },
@@ -19,7 +19,7 @@ const ROWS: { title: string; keys: [string, string][] }[] = [
     keys: [
       ["Arrow keys", "Turn; with Shift move"],
       ["+ and -", "Zoom"],
-      ["R", "Show everything that clips and thresholds leave; with Shift the whole box"],
+      ["R", "Show what is drawn; with Shift the whole box"],
       ["X, Y, Z", "Look along an axis; with Shift from the other side"],
       ["O", "Parallel or perspective"],
       ["Space", "Play or pause"],

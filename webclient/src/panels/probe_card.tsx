@@ -6,6 +6,26 @@ import { unitsOf } from "../scene/scalars";
 import { IconButton } from "./controls";
 import { useApp, useAppState, useCamera } from "./context";
 
+/** Of the patch that was clicked: what to do with it. */
+function PatchRow({ layer, patch }: { layer: string; patch: string }): JSX.Element {
+  const { actions } = useApp();
+  return (
+    <div class="probe-patch">
+      <span>
+        Patch <strong>{patch}</strong>
+      </span>
+      <div class="row">
+        <button type="button" class="button small" onClick={() => actions.hidePatch(layer, patch)}>
+          Hide
+        </button>
+        <button type="button" class="button small" onClick={() => actions.onlyPatch(layer, patch)}>
+          Only this
+        </button>
+      </div>
+    </div>
+  );
+}
+
 export function ProbeCard(): JSX.Element | null {
   const { actions, store } = useApp();
   const probe = useAppState((state) => state.probe);
@@ -29,6 +49,7 @@ export function ProbeCard(): JSX.Element | null {
           <IconButton icon="copy" label="Copy the values" onClick={() => void actions.copyProbe()} />
           <IconButton icon="close" label="Close the values" onClick={() => store.set({ probe: null })} />
         </header>
+        {result.layer !== null && result.patch !== null && <PatchRow layer={result.layer} patch={result.patch} />}
         <dl class="facts">
           {Object.entries(result.values).map(([name, value]) => (
             <div key={name}>

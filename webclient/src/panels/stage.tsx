@@ -39,6 +39,8 @@ export function Stage(): JSX.Element {
       zoomed: (camera, factor, x, y) => app.actions.zoomed(camera, factor, x, y),
       move: (camera, gesture) => app.actions.setCamera(camera, gesture),
       newGesture: () => app.editor.newGesture(),
+      turns: (x, y) => app.pivot.seek(x, y),
+      pivot: (camera) => app.pivot.of(camera),
       click: (x, y) => void app.actions.probe(x, y),
       doubleClick: (x, y) => void app.actions.centreOn(x, y),
     });

@@ -47,7 +47,7 @@ function ViewButtons(): JSX.Element {
     <div class="group views" role="group" aria-label="Views">
       <IconButton
         icon="home"
-        label="Show everything"
+        label="Show what is drawn"
         keys="R"
         disabled={disabled}
         onClick={() => actions.resetView()}

@@ -8,11 +8,12 @@ export interface ProbeContext {
   unitsOf: (name: string) => string;
 }
 
-export function probeText({ position, cell, vertex, values }: ProbeResult, context: ProbeContext): string {
+export function probeText({ position, cell, vertex, patch, values }: ProbeResult, context: ProbeContext): string {
   const rows: (string | number)[][] = [
     ["dataset", context.dataset],
     ["time", context.time],
     ...(["x", "y", "z"] as const).map((axis, i) => [axis, position?.[i] ?? "", context.lengthUnits]),
+    ...(patch === null ? [] : [["patch", patch]]),
     ...(cell === null ? [] : [["cell", cell]]),
     ...(vertex === null ? [] : [["nearest vertex", vertex]]),
     ...Object.entries(values).map(([name, value]) => [name, value ?? "", context.unitsOf(name)]),

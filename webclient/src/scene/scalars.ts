@@ -87,16 +87,6 @@ export function layersOf<T extends Layer["type"]>(scene: Scene | null, type: T):
   return layersInOrder(scene).filter((entry): entry is [string, LayerOf<T>] => entry[1].type === type);
 }
 
-/** Whether some of the mesh may be taken away: by clip planes, or by thresholds. */
-export function cutsCells(scene: Scene | null): boolean {
-  return Object.values(scene?.layers ?? {}).some(
-    (layer) =>
-      layer.visible !== false &&
-      (layer.type === "clip" ||
-        ("threshold" in layer && layer.threshold !== undefined && layer.threshold.enabled !== false)),
-  );
-}
-
 /** An id that no layer has: prefix, prefix2, prefix3 ... */
 export function freeId(scene: Scene, prefix: string): string {
   const taken = scene.layers ?? {};
