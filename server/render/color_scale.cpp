@@ -11,6 +11,8 @@ namespace {
 
 using Rgb = std::array<double, 3>; // 0 to 255
 
+const double log_of_reach = std::log1p(1 / linear_share); // of a range that is logarithmic on both sides of zero
+
 Rgb between(const Rgb8& a, const Rgb8& b, double share) {
     Rgb color{};
     for (std::size_t k = 0; k < 3; ++k) color[k] = a[k] + share * (static_cast<double>(b[k]) - a[k]);
@@ -70,6 +72,8 @@ double place_of(const ColorScale& scale, double value) {
     if (!has_width(scale)) return 0.5;
     const auto [low, high] = scale.range;
     if (!scale.log) return (value - low) / (high - low);
+    if (is_log_of_both_signs(scale))
+        return 0.5 + std::copysign(0.5 * std::log1p(std::abs(value) / (linear_share * high)), value) / log_of_reach;
     if (value <= 0) return -std::numeric_limits<double>::infinity();
     return std::log(value / low) / std::log(high / low);
 }
@@ -78,6 +82,10 @@ double value_at(const ColorScale& scale, double place) {
     const auto [low, high] = scale.range;
     if (!has_width(scale)) return low;
     if (place == 1) return high; // exactly
+    if (is_log_of_both_signs(scale)) {
+        const double from_middle = 2 * place - 1;
+        return std::copysign(linear_share * high * std::expm1(std::abs(from_middle) * log_of_reach), from_middle);
+    }
     return scale.log ? low * std::pow(high / low, place) : low + place * (high - low);
 }
 
@@ -86,7 +94,7 @@ ColorLimits limits_of(const ColorScale& scale) {
     const auto [low, high] = scale.range;
     const double rounding = 2.5e-7 * std::max(std::abs(low), std::abs(high)); // two units in a float's last place
     const double slack = 1e-6 * (high - low) + rounding;
-    if (scale.log) return {static_cast<float>(low * (1 - 1e-6)), static_cast<float>(high * (1 + 1e-6))};
+    if (scale.log && low > 0) return {static_cast<float>(low * (1 - 1e-6)), static_cast<float>(high * (1 + 1e-6))};
     return {static_cast<float>(low - slack), static_cast<float>(high + slack)};
 }
 

@@ -1,7 +1,9 @@
 // From a scalar to a colour: the rule that the server's shaders, the browser's (webclient/src/display/color_scale.ts)
 // and every legend follow. A value stays a value up to the pixel: only there is it placed on the scale and looked up.
 //
-//     place    (v - low) / (high - low), or of the logarithms; 0.5 for every value when the range has no width
+//     place    (v - low) / (high - low), or of the logarithms; 0.5 for every value when the range has no width.
+//              Logarithmic on both sides of zero: sign(v) log(1 + |v| / w) instead of v, with w a thousandth of the
+//              range's end: nearly linear up to w, logarithmic over the three decades beyond it
 //     colour   that of the map, or of the points, at the place; at 1 - place when reversed
 //     steps    n: the k-th of n equal parts of the scale has one colour, the map's at k / (n - 1)
 //     outside  `below`, `above`, by default the colour of that end; what is off by no more than the rounding of an
@@ -29,7 +31,7 @@ struct ColorScale {
     std::string map = "viridis";
     std::vector<ColorPoint> points; // two or more in ascending order, instead of the map; linear in sRGB between them
     // As whoever chose it wrote it, for that is what a legend shows; pixels have the floats next to it. Above zero when
-    // `log`.
+    // `log`, or from -r to r.
     std::array<double, 2> range{0, 1};
     bool reverse = false, log = false; // log: equal factors are equally long
     int steps = 0;                     // 0: smooth; else 2 to most_color_steps
@@ -39,6 +41,9 @@ struct ColorScale {
 };
 
 inline constexpr int most_color_steps = 256;
+inline constexpr double linear_share = 1e-3; // of the end of a range that is logarithmic on both sides of zero
+
+[[nodiscard]] inline bool is_log_of_both_signs(const ColorScale& scale) { return scale.log && scale.range[0] < 0; }
 
 // `count` colours from the lower to the upper end, as the scale has them: what fills a texture or a legend's bar.
 // Stepped scales give the colour of the step that each of them lies in. Throws Error when there is no such map.

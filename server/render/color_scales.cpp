@@ -52,14 +52,20 @@ void append_rule(std::vector<float>& rules, const ColorScale& scale) {
     const double origin = origin_of(scale);
     double low = scale.range[0];
     double width = 0;
-    if (has_width(scale)) {
+    double way = 0; // linear
+    if (is_log_of_both_signs(scale)) {
+        low = -std::log2(1 + 1 / linear_share);
+        width = has_width(scale) ? -2 * low : 0;
+        way = -std::max(linear_share * scale.range[1], 1e-37);
+    } else if (has_width(scale)) {
         if (scale.log) low = std::log2(low);
         width = (scale.log ? std::log2(scale.range[1]) : scale.range[1]) - low;
+        way = scale.log ? 1 : 0;
     }
     const auto ends = color_row(scale, 2);
     rules.insert(rules.end(), {static_cast<float>(low - origin),
                                width > 0 ? static_cast<float>(std::min(1 / width, largest_factor)) : 0.0F,
-                               static_cast<float>(scale.steps), scale.log ? 1.0F : 0.0F});
+                               static_cast<float>(scale.steps), static_cast<float>(way)});
     rules.insert(rules.end(), {less(inside.low, origin), less(inside.high, origin), 0, 0});
     append_color(rules, scale.below.value_or(ends.front()));
     append_color(rules, scale.above.value_or(ends.back()));

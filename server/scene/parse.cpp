@@ -78,13 +78,10 @@ std::vector<ColorPoint> color_points_of(const json& color, const std::string& pa
 
 // What no range at all could be drawn with.
 void check_scale(const Coloring& coloring, const std::string& path) {
-    if (!coloring.log) return;
-    if (coloring.symmetric)
-        throw Invalid(path + "/symmetric", "a range that is symmetric about zero holds values that have no "
-                                           "logarithm; leave out either symmetric or log");
+    if (!coloring.log || coloring.symmetric) return;
     if (coloring.range && (*coloring.range)[0] <= 0)
         throw Invalid(path + "/range", "a logarithmic scale has no place for zero and below; give a range that "
-                                       "begins above zero, or leave out log");
+                                       "begins above zero, add symmetric, or leave out log");
 }
 
 Coloring coloring_of(const json& layer, const std::string& layer_path, const char* member = "color") {
@@ -206,6 +203,7 @@ ClipLayer clip_of(const json& object, const std::string& path) {
     if (object.value("invert", false))
         for (double& component : clip.normal) component = -component;
     read(object, "caps", clip.caps);
+    if (const auto color = object.find("color"); color != object.end()) clip.color = coloring_of(object, path);
     return clip;
 }
 

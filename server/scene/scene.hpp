@@ -32,8 +32,8 @@ struct Coloring { // by a scalar through a map, or solid when `array` is empty
     std::string array;
     std::string map = "viridis";
     std::vector<ColorPoint> points;             // none, or two and more in ascending order, which are the map then
-    std::optional<std::array<double, 2>> range; // none: the array's range at the shown time; above zero when `log`
-    bool reverse = false, symmetric = false, log = false; // not symmetric and log
+    std::optional<std::array<double, 2>> range; // none: the array's range at the shown time; above zero when `log` alone
+    bool reverse = false, symmetric = false, log = false; // both: logarithmic on either side of zero
     int steps = 0;                                        // 0: smooth
     Rgb8 nan{128, 128, 128};
     std::optional<Rgb8> below, above; // none: the colour of that end
@@ -85,6 +85,7 @@ struct OutlineLayer { // the bounding box
 struct ClipLayer {                                   // a plane that cuts all layers
     std::array<double, 3> origin{}, normal{1, 0, 0}; // the normal points to what is cut away
     bool caps = true;                                // where it cuts the mesh's surface layers open
+    std::optional<Coloring> color;                   // of the caps; none: the surface layer's
 };
 inline constexpr std::size_t most_name_bytes = 256; // of a layer id, a title, a gesture; the contract counts characters
 inline constexpr std::size_t most_clip_planes = 6;  // visible ones: what every OpenGL has at least, less two

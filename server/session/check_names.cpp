@@ -42,7 +42,9 @@ struct Check {
         scalar(slice.contours->array, "/contours/array");
         if (slice.contours->coloring) coloring(*slice.contours->coloring, "/contours/coloring");
     }
-    void operator()(const scene::ClipLayer&) const {}
+    void operator()(const scene::ClipLayer& clip) const {
+        if (clip.color) coloring(*clip.color);
+    }
     void operator()(const scene::OutlineLayer& outline) const { coloring(outline.color); }
     void operator()(const scene::VolumeLayer& volume) const {
         scalar(volume.array, "/array");

@@ -41,7 +41,7 @@ render::ColorScale color_scale_of(const scene::Coloring& coloring, std::array<fl
         const double reach = std::max(std::abs(scale.range[0]), std::abs(scale.range[1]));
         scale.range = {-reach, reach};
     }
-    if (coloring.log) scale.range = range_above_zero(scale.range);
+    if (coloring.log && !coloring.symmetric) scale.range = range_above_zero(scale.range);
     scale.reverse = coloring.reverse;
     scale.log = coloring.log;
     scale.steps = coloring.steps;
@@ -52,7 +52,7 @@ render::ColorScale color_scale_of(const scene::Coloring& coloring, std::array<fl
 }
 
 bool is_shown_by(const scene::Coloring& coloring, std::array<float, 2> data_range) {
-    return !coloring.log || coloring.range || data_range[1] > 0;
+    return !coloring.log || coloring.symmetric || coloring.range || data_range[1] > 0;
 }
 
 nlohmann::json json_of(const render::ColorScale& scale) {

@@ -86,7 +86,7 @@ bool LayerUpdate::add_caps(const scene::Layer& layer, const scene::SurfaceLayer&
         const std::size_t of_cap = cap.memory_bytes();
         if (!cap.shape || cap.of != cut.shape) cap.shape = cap_shape(cut.shape, solid.cells);
         cap.of = cut.shape;
-        add(cap.painted, cap.shape, surface.color, layer, true);
+        add(cap.painted, cap.shape, caps[i]->color.value_or(surface.color), layer, true);
         add_edges(cap.outlined, cap.shape, surface.edges, layer);
         count(of_cap, cap.memory_bytes());
     }

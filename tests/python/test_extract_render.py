@@ -293,7 +293,6 @@ REFUSED = [
     ("bad range of the default view", ["render", "--range", "1", "-o", "p.png"], "range", 2),
     ("unknown map of the default view", ["render", "--map", "jet", "-o", "p.png"], "viridis", 2),
     ("log of zero", ["render", "--iso", "r=0.5", "--log", "--range", "0,1", "-o", "p.png"], "begins above zero", 1),
-    ("log and symmetric", ["render", "--iso", "r=0.5", "--log", "--symmetric", "-o", "p.png"], "no logarithm", 1),
     ("one step", ["render", "--iso", "r=0.5", "--steps", "1", "-o", "p.png"], "at least 2", 1),
     ("points without colours", ["render", "--iso", "r=0.5", "--color-points", "0,1", "-o", "p.png"], "AT=#rrggbb", 2),
     ("points out of order", ["render", "--iso", "r=0.5", "--color-points", "1=#000000,0=#ffffff", "-o", "p.png"], "ascending", 1),

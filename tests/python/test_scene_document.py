@@ -302,7 +302,7 @@ def test_contour_lines_by_options(box, tmp_path):
 @pytest.mark.parametrize(("coloring", "path", "words"), [
     ({"array": "x"}, "/layers/s/contours/coloring/array", "have the colours of its values, not of x"),
     ({"map": "nothing"}, "/layers/s/contours/coloring/map", "there is no colour map nothing"),
-    ({"log": True, "symmetric": True}, "/layers/s/contours/coloring/symmetric", "leave out either symmetric or log"),
+    ({"log": True, "range": [-1, 1]}, "/layers/s/contours/coloring/range", "add symmetric, or leave out log"),
 ])
 def test_colours_of_contour_lines_that_make_no_sense_are_refused(server, coloring, path, words):
     answer = requests.post(server.base + "/rpc", timeout=PATIENCE, json={

@@ -345,11 +345,8 @@ constexpr Malformed table[] = {
     {"color_log_of_zero",
      R"({"dataset": "d", "layers": {"a": {"type": "surface", "color": {"log": true, "range": [0, 1]}}}})",
      "/layers/a/color/range",
-     "a logarithmic scale has no place for zero and below; give a range that begins above zero, or leave out log"},
-    {"color_log_symmetric",
-     R"({"dataset": "d", "layers": {"a": {"type": "surface", "color": {"log": true, "symmetric": true}}}})",
-     "/layers/a/color/symmetric",
-     "a range that is symmetric about zero holds values that have no logarithm; leave out either symmetric or log"},
+     "a logarithmic scale has no place for zero and below; give a range that begins above zero, "
+     "add symmetric, or leave out log"},
     {"color_one_step", R"({"dataset": "d", "layers": {"a": {"type": "surface", "color": {"steps": 1}}}})",
      "/layers/a/color/steps", "/layers/a/color/steps must be at least 2, or must be null"},
     {"color_nan", R"({"dataset": "d", "layers": {"a": {"type": "surface", "color": {"nan": "red"}}}})",

@@ -28,8 +28,8 @@ class Coloring(TypedDict):
     points: NotRequired[list[ColorPoint] | None]  # colours of one's own instead of the map, in ascending order; linear between them
     reverse: NotRequired[bool]
     range: NotRequired[Range | None]  # of the values on the map; absent: the array's at the shown time
-    symmetric: NotRequired[bool]  # widens the range to as much below zero as above it; not with log
-    log: NotRequired[bool]  # logarithmic; a given range lies above zero, and of the array's only what does is on the map, six decades at most where it holds zero
+    symmetric: NotRequired[bool]  # widens the range to as much below zero as above it
+    log: NotRequired[bool]  # logarithmic; a given range lies above zero, and of the array's only what does is on the map, six decades at most where it holds zero. With symmetric: logarithmic on both sides of zero, nearly linear within a thousandth of the range's end
     steps: NotRequired[int | None]  # so many equal parts of one colour each; absent: smooth
     nan: NotRequired[str]  # of values that are missing
     below: NotRequired[str | None]  # of values below the range; absent: that of its lower end
@@ -154,7 +154,8 @@ class ClipLayer(TypedDict):
     origin: NotRequired[Vec3]
     normal: NotRequired[Vec3]
     invert: NotRequired[bool]  # false: what the normal or the axis points to is cut away; true: the other side
-    caps: NotRequired[bool]  # close the surface layers that show the whole boundary, which stand for the solid mesh, with a slice coloured as they are
+    caps: NotRequired[bool]  # close the surface layers that show the whole boundary, which stand for the solid mesh, with a slice
+    color: NotRequired[Coloring]  # of the caps; absent: as the surface layer has it
 
 
 OpacityPoint = list[float]

@@ -61,6 +61,17 @@ int labels_of(const std::vector<ColorTick>& ticks) {
         std::count_if(ticks.begin(), ticks.end(), [](const ColorTick& t) { return !t.label.empty(); }));
 }
 
+// Zero, and the powers of ten beyond the nearly linear part, on both sides.
+void add_both_signs(Marks& marks) {
+    const double reach = marks.scale.range[1];
+    Marks above{marks.scale, {}};
+    add_decades(above, linear_share * reach, reach, {1}, 1);
+    for (auto tick = above.ticks.rbegin(); tick != above.ticks.rend(); ++tick)
+        marks.add(-tick->value, !tick->label.empty());
+    marks.add(0, true);
+    marks.ticks.insert(marks.ticks.end(), above.ticks.begin(), above.ticks.end());
+}
+
 void add_log(Marks& marks, int most) {
     const auto [low, high] = marks.scale.range;
     const int decades = static_cast<int>(std::floor(std::log10(high / low)));
@@ -90,6 +101,8 @@ std::vector<ColorTick> color_ticks(const ColorScale& scale, int most, int most_m
         marks.add(scale.range[0], true);
     else if (scale.steps > 1)
         add_steps(marks, most_marks);
+    else if (is_log_of_both_signs(scale))
+        add_both_signs(marks);
     else if (scale.log)
         add_log(marks, most);
     else

@@ -9,7 +9,7 @@ export interface ColorScale {
   map: string;
   /** Two or more instead of the map; empty: the map. */
   points: readonly ColorPoint[];
-  /** As whoever chose it wrote it; pixels have the 32-bit floats next to it. Above zero when logarithmic. */
+  /** As whoever chose it wrote it; pixels have the 32-bit floats next to it. Above zero when logarithmic, or from -r to r. */
   range: Range;
   reverse: boolean;
   log: boolean;
@@ -73,11 +73,19 @@ export function hasWidth({ range: [low, high] }: ColorScale): boolean {
   return Number.isFinite(width) && width > 0;
 }
 
+/** Of the end of a range that is logarithmic on both sides of zero: nearly linear within it. */
+export const LINEAR_SHARE = 1e-3;
+const LOG_OF_REACH = Math.log1p(1 / LINEAR_SHARE);
+
+export const isLogOfBothSigns = ({ log, range: [low] }: ColorScale): boolean => log && low < 0;
+
 /** 0 at the lower end, 1 at the upper one. */
 export function placeOf(scale: ColorScale, value: number): number {
   if (!hasWidth(scale)) return 0.5;
   const [low, high] = scale.range;
   if (!scale.log) return (value - low) / (high - low);
+  if (isLogOfBothSigns(scale))
+    return 0.5 + (Math.sign(value) * Math.log1p(Math.abs(value) / (LINEAR_SHARE * high))) / (2 * LOG_OF_REACH);
   return value <= 0 ? -Infinity : Math.log(value / low) / Math.log(high / low);
 }
 
@@ -85,6 +93,10 @@ export function valueAtPlace(scale: ColorScale, place: number): number {
   const [low, high] = scale.range;
   if (!hasWidth(scale)) return low;
   if (place === 1) return high; // exactly
+  if (isLogOfBothSigns(scale)) {
+    const fromMiddle = 2 * place - 1;
+    return Math.sign(fromMiddle) * LINEAR_SHARE * high * Math.expm1(Math.abs(fromMiddle) * LOG_OF_REACH);
+  }
   return scale.log ? low * (high / low) ** place : low + place * (high - low);
 }
 
@@ -92,7 +104,7 @@ export function valueAtPlace(scale: ColorScale, place: number): number {
 export function limitsOf(scale: ColorScale): Range {
   if (!hasWidth(scale)) return [-Infinity, Infinity];
   const [low, high] = scale.range;
-  if (scale.log) return [Math.fround(low * (1 - 1e-6)), Math.fround(high * (1 + 1e-6))];
+  if (scale.log && low > 0) return [Math.fround(low * (1 - 1e-6)), Math.fround(high * (1 + 1e-6))];
   const slack = 1e-6 * (high - low) + 2.5e-7 * Math.max(Math.abs(low), Math.abs(high));
   return [Math.fround(low - slack), Math.fround(high + slack)];
 }

@@ -1,5 +1,14 @@
 // A colour scale as the surface shader takes it: a row of colours and a few numbers (server/render/color_scales.cpp).
-import { bytesOf, colorRow, hasWidth, limitsOf, type ColorScale, type Rgb8 } from "./color_scale";
+import {
+  bytesOf,
+  colorRow,
+  hasWidth,
+  limitsOf,
+  type ColorScale,
+  type Rgb8,
+  isLogOfBothSigns,
+  LINEAR_SHARE,
+} from "./color_scale";
 import type { Rgb } from "./background";
 
 /** Points may lie as close as that, and be told apart. */
@@ -10,7 +19,7 @@ const MOST_KEPT = 16;
 export interface ScaleUniforms {
   /** What values, `rule` and `inside` are less, so that those of a small range beside them keep their digits. */
   origin: number;
-  /** low, 1 / width, steps, logarithmic. */
+  /** low, 1 / width, steps, way: as the server's shaders have it (server/render/color_glsl.cpp). */
   rule: [number, number, number, number];
   inside: [number, number];
   below: Rgb;
@@ -28,7 +37,12 @@ const originOf = ({ log, range: [low] }: ColorScale): number =>
 
 /** The numbers are floats' in the shader. */
 export function scaleUniforms(scale: ColorScale): ScaleUniforms {
-  const measure = (value: number): number => (scale.log ? Math.log2(value) : value);
+  const isOfBothSigns = isLogOfBothSigns(scale);
+  const linear = Math.max(LINEAR_SHARE * scale.range[1], 1e-37);
+  const measure = (value: number): number => {
+    if (isOfBothSigns) return Math.sign(value) * Math.log2(1 + Math.abs(value) / linear);
+    return scale.log ? Math.log2(value) : value;
+  };
   const low = hasWidth(scale) ? measure(scale.range[0]) : scale.range[0];
   const largest = 3e38; // shaders take no infinities
   const scaling = hasWidth(scale) ? Math.min(1 / (measure(scale.range[1]) - low), largest) : 0;
@@ -37,7 +51,7 @@ export function scaleUniforms(scale: ColorScale): ScaleUniforms {
   const [lowest, highest] = limitsOf(scale);
   return {
     origin,
-    rule: [low - origin, scaling, scale.steps, scale.log ? 1 : 0],
+    rule: [low - origin, scaling, scale.steps, isOfBothSigns ? -linear : scale.log ? 1 : 0],
     inside: [Math.max(lowest - origin, -largest), Math.min(highest - origin, largest)],
     below: unit(scale.below === null ? first : bytesOf(scale.below)),
     above: unit(scale.above === null ? last : bytesOf(scale.above)),

@@ -42,7 +42,7 @@ uniform vec4 clip[6];
 uniform int clip_planes;
 uniform sampler2D scale_colors;
 // Less value_origin, as values are.
-uniform vec4 rule; // low, 1 / width, steps, logarithmic: low and width of logarithms to base 2 then
+uniform vec4 rule; // low, 1 / width, steps, way: low and width of logarithms to base 2 unless it is 0
 uniform vec2 inside;
 uniform vec3 below;
 uniform vec3 above;
@@ -62,6 +62,7 @@ vec3 base_color() {
   if (value < inside.x) return below;
   if (value > inside.y) return above;
   float measure = rule.w > 0.5 ? log2(max(value, 1e-37)) : value;
+  if (rule.w < 0.0) measure = sign(value) * log2(1.0 + abs(value) / -rule.w);
   float at = rule.y > 0.0 ? clamp((measure - rule.x) * rule.y, 0.0, 1.0) : 0.5;
   if (rule.z > 1.5) return texelFetch(scale_colors, ivec2(int(min(at * rule.z, rule.z - 0.5)), 0), 0).rgb;
   float width = float(textureSize(scale_colors, 0).x);

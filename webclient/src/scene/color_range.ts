@@ -24,7 +24,7 @@ export function rangeOf(coloring: Coloring, data: Range): Range {
     const reach = Math.max(Math.abs(range[0]), Math.abs(range[1]));
     range = [-reach, reach];
   }
-  if (coloring.log === true) range = rangeAboveZero(range);
+  if (coloring.log === true && coloring.symmetric !== true) range = rangeAboveZero(range);
   return range;
 }
 
@@ -43,4 +43,4 @@ export const scaleOf = (coloring: Coloring, data: Range): ColorScale => ({
 
 /** False where data without a value above zero stand against a logarithmic scale that is to take their range. */
 export const isShownBy = (coloring: Coloring, data: Range): boolean =>
-  coloring.log !== true || Boolean(coloring.range) || data[1] > 0;
+  coloring.log !== true || coloring.symmetric === true || Boolean(coloring.range) || data[1] > 0;

@@ -1,5 +1,13 @@
 // Where a legend has its marks and what stands beside them: the twin of server/render/annotations/color_ticks.cpp.
-import { hasWidth, placeOf, valueAtPlace, type ColorScale } from "../display/color_scale";
+import {
+  hasWidth,
+  isLogOfBothSigns,
+  LINEAR_SHARE,
+  placeOf,
+  valueAtPlace,
+  type ColorScale,
+} from "../display/color_scale";
+import type { Range } from "../generated/protocol";
 import { clamp } from "./numbers";
 import { commonExponent, niceScale, numberAlone, numberLabel } from "./ticks";
 
@@ -55,8 +63,12 @@ const roundTicks = (scale: ColorScale, most: number): ColorTick[] =>
   niceScale(...scale.range, most).ticks.map(({ value, label }) => tick(scale, value, label));
 
 /** 1, 2 ... 9 times each power of ten; those `labelled` have labels, on every `stride`-th power. */
-function decadeTicks(scale: ColorScale, labelled: readonly number[], stride: number): ColorTick[] {
-  const [low, high] = scale.range;
+function decadeTicks(
+  scale: ColorScale,
+  labelled: readonly number[],
+  stride: number,
+  [low, high]: Range = scale.range,
+): ColorTick[] {
   const first = Math.floor(Math.log10(low));
   const last = Math.floor(Math.log10(high) + 1e-9);
   const multiples = last - first <= MOST_MARKED_DECADES ? 9 : 1;
@@ -70,6 +82,14 @@ function decadeTicks(scale: ColorScale, labelled: readonly number[], stride: num
     }
   }
   return found;
+}
+
+/** Zero, and the powers of ten beyond the nearly linear part, on both sides. */
+function ticksOfBothSigns(scale: ColorScale): ColorTick[] {
+  const [, reach] = scale.range;
+  const above = decadeTicks(scale, [1], 1, [LINEAR_SHARE * reach, reach]);
+  const below = above.map(({ value, label }) => tick(scale, -value, label === "" ? "" : labelOn(scale, -value)));
+  return [...below.reverse(), tick(scale, 0, labelOn(scale, 0)), ...above];
 }
 
 function logTicks(scale: ColorScale, most: number): ColorTick[] {
@@ -90,5 +110,6 @@ export function colorTicks(scale: ColorScale, most = 6, mostMarks = Infinity): C
   const [low] = scale.range;
   if (!hasWidth(scale)) return [tick(scale, low, labelOn(scale, low))];
   if (scale.steps > 1) return stepTicks(scale, mostMarks);
+  if (isLogOfBothSigns(scale)) return ticksOfBothSigns(scale);
   return scale.log ? logTicks(scale, most) : roundTicks(scale, most);
 }
