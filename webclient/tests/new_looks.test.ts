@@ -1,6 +1,6 @@
 import { describe, expect, test } from "vitest";
 import type { DatasetDescription, Layer, Scene } from "../src/generated/protocol";
-import { coloredBy, freshArray, freshSolid, keepsFarHalf } from "../src/scene/new_looks";
+import { capColoring, coloredBy, freshArray, freshSolid, keepsFarHalf } from "../src/scene/new_looks";
 
 const description = {
   arrays: [
@@ -56,6 +56,13 @@ test("a further surface in one colour has one that no other of its kind has", ()
 });
 
 describe("a clip", () => {
+  test("has caps in the colours of the data, unless the surface that it closes has them", () => {
+    expect(capColoring(scene({}), description)).toEqual({ color: { array: "p" } });
+    expect(capColoring(scene({ a: { type: "surface", color: { array: "U:x" } } }), description)).toEqual({});
+    const patches: Layer = { type: "surface", groups: ["wall"], color: { array: "U:x" } };
+    expect(capColoring(scene({ a: patches }), description)).toEqual({ color: { array: "p" } });
+  });
+
   test("keeps the half that shows the cut", () => {
     const camera = { position: [10, 0, 0] as [number, number, number], target: [0, 0, 0] as [number, number, number] };
     expect(keepsFarHalf([1, 0, 0], camera)).toBe(false); // what lies towards the eye goes

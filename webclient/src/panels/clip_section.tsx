@@ -3,9 +3,10 @@ import type { JSX } from "preact";
 import { boundsCentre } from "../camera/camera";
 import type { ClipLayer } from "../generated/protocol";
 import { AXES, type Across } from "../scene/axes";
-import { keepsFarHalf, normalOf } from "../scene/new_looks";
+import { capColoring, keepsFarHalf, normalOf } from "../scene/new_looks";
 import { layersOf } from "../scene/scalars";
 import { AddPlaneRow } from "./add_plane_row";
+import { ColoringFields } from "./coloring";
 import { Check, IconButton, Section } from "./controls";
 import { useApp, useAppState } from "./context";
 import { PlaneFields } from "./plane_fields";
@@ -16,6 +17,7 @@ const MOST_SHOWN = 6;
 
 function ClipCard({ id, layer }: { id: string; layer: ClipLayer }): JSX.Element {
   const { actions } = useApp();
+  const description = useAppState((state) => state.description);
   const visible = layer.visible !== false;
   const name = layer.axis === undefined ? "Free plane" : `Across ${layer.axis}`;
   return (
@@ -46,6 +48,16 @@ function ClipCard({ id, layer }: { id: string; layer: ClipLayer }): JSX.Element 
         onChange={(invert) => actions.setLayer(id, { invert })}
       />
       <Check label="Caps" checked={layer.caps !== false} onChange={(caps) => actions.setLayer(id, { caps })} />
+      {layer.caps !== false && (
+        <Check
+          label="Caps in colours of their own"
+          checked={layer.color !== undefined}
+          onChange={(own) => actions.setLayer(id, { color: own ? (capColoring(null, description).color ?? {}) : null })}
+        />
+      )}
+      {layer.caps !== false && layer.color !== undefined && (
+        <ColoringFields of={{ layers: [id] }} coloring={layer.color} />
+      )}
     </article>
   );
 }
@@ -61,6 +73,7 @@ export function ClipSection(): JSX.Element {
     const centre = boundsCentre(description.bounds);
     const normal = normalOf(across);
     const looks = {
+      ...capColoring(scene, description),
       ...(keepsFarHalf(normal, actions.camera()) && { invert: true }),
     };
     if (across === "free") actions.addLayer("clip", { type: "clip", origin: centre, normal, ...looks });

@@ -11,6 +11,7 @@ import {
   withRange,
   withRangeEnd,
   withSymmetric,
+  withSymmetricLog,
   type ColoringChange,
 } from "../scene/color_edit";
 import { isShownBy, rangeOf, scaleOf } from "../scene/color_range";
@@ -49,7 +50,13 @@ function RangeFields({ of, coloring, data, change }: Props & { change: Change })
     else change(changed);
   };
   const setData = (to: Range | null): void => {
-    if (to !== null) set(withRange(coloring, ...(coloring.log === true ? rangeOf({ log: true }, to) : to)));
+    if (to !== null)
+      set(
+        withRange(
+          coloring,
+          ...(coloring.log === true && coloring.symmetric !== true ? rangeOf({ log: true }, to) : to),
+        ),
+      );
   };
   const everywhere = rangeOfAllSteps(description, coloring.array);
   return (
@@ -139,6 +146,7 @@ interface WaysProps {
 function Ways({ of, coloring, scale, change }: WaysProps): JSX.Element {
   const { beforeLog } = useApp();
   const key = JSON.stringify(of);
+  const isBoth = scale.log && coloring.symmetric === true;
   const setLog = (on: boolean): void => {
     change(withLog(coloring, on, beforeLog.get(key)));
     if (on) beforeLog.set(key, coloring);
@@ -149,8 +157,13 @@ function Ways({ of, coloring, scale, change }: WaysProps): JSX.Element {
     <>
       <div class="scale-checks">
         <Check label="Reverse" checked={scale.reverse} onChange={(on) => change({ reverse: on || undefined })} />
-        <Check label="Logarithmic" checked={scale.log} onChange={setLog} />
-        <Check label="Symmetric" checked={coloring.symmetric === true} onChange={(on) => change(withSymmetric(on))} />
+        <Check label="Logarithmic" checked={scale.log && !isBoth} onChange={setLog} />
+        <Check
+          label="Symmetric"
+          checked={coloring.symmetric === true && !isBoth}
+          onChange={(on) => change(withSymmetric(on))}
+        />
+        <Check label="Symmetric log" checked={isBoth} onChange={(on) => change(withSymmetricLog(on))} />
         <div class="outside-row">
           <Check label="Steps" checked={steps !== null} onChange={(on) => change({ steps: on ? 10 : undefined })} />
           {steps !== null && (
@@ -201,7 +214,7 @@ export function ColorScalePanel({ of, coloring, data }: Props): JSX.Element {
               {coloring.array} has no value above zero now: a logarithmic scale shows none.
             </p>
           )}
-          {scale.log && data[0] < 0 && data[1] > 0 && (
+          {scale.log && coloring.symmetric !== true && data[0] < 0 && data[1] > 0 && (
             <p class="hint" role="status">
               {`${coloring.array} goes down to ${formatNumber(data[0])}: what is not above zero has the colour of `}
               {coloring.below ? "values below the range." : "the lower end."}

@@ -29,10 +29,15 @@ export function withLog({ array, range }: Coloring, on: boolean, before?: Colori
 export const withSymmetric = (on: boolean): ColoringChange =>
   on ? { symmetric: true, log: undefined } : { symmetric: undefined };
 
+/** Logarithmic on both sides of zero: both of them together. */
+export const withSymmetricLog = (on: boolean): ColoringChange =>
+  on ? { symmetric: true, log: true } : { symmetric: undefined, log: undefined };
+
 /** A sentence where the scale has no place for that range. */
 export function withRange({ log, symmetric }: Coloring, a: number, b: number): ColoringChange | string {
   const range: Range = a <= b ? [a, b] : [b, a];
-  if (log === true && range[0] <= 0) return "A logarithmic scale begins above zero; type a value above zero";
+  if (log === true && symmetric !== true && range[0] <= 0)
+    return "A logarithmic scale begins above zero; type a value above zero";
   if (symmetric !== true) return { range };
   const reach = Math.max(Math.abs(range[0]), Math.abs(range[1]));
   return { range: [-reach, reach] };

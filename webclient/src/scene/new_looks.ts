@@ -2,7 +2,7 @@
 // already, on that scale.
 import { complete, type FullCamera } from "../camera/camera";
 import { dot, subtract, type Vec3 } from "../camera/vector";
-import type { Camera, Coloring, DatasetDescription, Scene } from "../generated/protocol";
+import type { Camera, ClipLayer, Coloring, DatasetDescription, Layer, Scene } from "../generated/protocol";
 import { AXES } from "./axes";
 import { firstScalar, fullName, layersOf, legendsOf } from "./scalars";
 
@@ -46,6 +46,18 @@ export function freshArray(scene: Scene | null, description: Described): string 
   );
   const all = [...(first === undefined ? [] : [first]), ...mainScalars(description)];
   return all.find((scalar) => !taken.has(fullName(description, scalar))) ?? first;
+}
+
+const isWhole = (layer: Layer): boolean =>
+  layer.type === "surface" && layer.visible !== false && (layer.groups ?? []).length === 0;
+
+/** Caps stand for the data inside: they are coloured by it, unless the surface that they close is. */
+export function capColoring(scene: Scene | null, description: Described): Pick<ClipLayer, "color"> {
+  const colored = Object.values(scene?.layers ?? {}).some(
+    (layer) => isWhole(layer) && layer.type === "surface" && layer.color?.array !== undefined,
+  );
+  const array = firstScalar(description);
+  return colored || array === undefined ? {} : { color: coloredBy(scene, description, array) };
 }
 
 /** Whether the half towards which the normal points is kept: the other one would hide the cut from that camera. */

@@ -107,14 +107,31 @@ export interface Colored {
 
 export type ScaledColoring = Coloring & { array: string };
 
+interface ScaleOf {
+  part: keyof Colored;
+  /** Which layer it is written in. */
+  id: string;
+  coloring: ScaledColoring;
+}
+
+/** Of the caps that close a surface, where they have colours of their own. */
+function scalesOfCaps(scene: Scene | null, layer: Layer): ScaleOf[] {
+  if (layer.type !== "surface" || (layer.groups ?? []).length > 0) return [];
+  return layersOf(scene, "clip").flatMap(([id, { visible, caps, color }]) =>
+    visible === false || caps === false || color?.array === undefined
+      ? []
+      : [{ part: "layers" as const, id, coloring: { ...color, array: color.array } }],
+  );
+}
+
 /** The colour scales of a layer, which is seen. */
-function scalesOf(layer: Layer): { part: keyof Colored; coloring: ScaledColoring }[] {
+function scalesOf(scene: Scene | null, id: string, layer: Layer): ScaleOf[] {
   if (layer.type === "outline" || layer.type === "clip") return [];
   const array = layer.type === "volume" ? layer.array : layer.color?.array;
-  const own = array === undefined ? [] : [{ part: "layers" as const, coloring: { ...layer.color, array } }];
+  const own = array === undefined ? [] : [{ part: "layers" as const, id, coloring: { ...layer.color, array } }];
   const lines = layer.type === "slice" && layer.contours?.visible !== false ? layer.contours : undefined;
-  if (lines?.coloring === undefined) return own;
-  return [...own, { part: "contours", coloring: { ...lines.coloring, array: lines.array } }];
+  if (lines?.coloring === undefined) return [...own, ...scalesOfCaps(scene, layer)];
+  return [...own, { part: "contours", id, coloring: { ...lines.coloring, array: lines.array } }];
 }
 
 export interface LegendOf {
@@ -134,12 +151,12 @@ export function legendsOf(
   const found = new Map<string, Omit<LegendOf, "name"> & { names: string[] }>();
   for (const [id, layer] of layersInOrder(scene)) {
     if (layer.visible === false || empty.some((one) => one.layer === id)) continue;
-    for (const { part, coloring: own } of scalesOf(layer)) {
+    for (const { part, id: of, coloring: own } of scalesOf(scene, id, layer)) {
       const coloring = { ...own, array: fullName(description, own.array) };
       const { array, range, symmetric } = coloring;
       const key = JSON.stringify([array, range ?? null, symmetric === true, scaleOf(coloring, [0, 1])]);
       const legend = found.get(key) ?? { coloring, of: { layers: [], contours: [] }, names: [] };
-      legend.of[part].push(id);
+      if (!legend.of[part].includes(of)) legend.of[part].push(of);
       legend.names.push(legendNameOf(layer, part));
       found.set(key, legend);
     }
