@@ -78,7 +78,7 @@ class Citation(unittest.TestCase):
         citation = text("CITATION.cff")
         for required in ("cff-version: 1.2.0", "message:", "title: CIEL", "authors:", "license: BSD-3-Clause"):
             self.assertIn(f"\n{required}", f"\n{citation}")
-        for name in ("Lévy", "Caumon", "Conreaux", "Cavin", "10.1109/VISUAL.2001.964511", "year: 2001"):
+        for name in ("Lévy", "Caumon", "Conreaux", "Cavin", "inria-00101087", "year: 2001"):
             self.assertIn(name, citation)
 
 
