@@ -71,6 +71,11 @@ bool Outbox::sent() {
     return frame_bytes_ <= share_ / 2 && std::exchange(had_no_room_, false);
 }
 
+std::uint32_t Outbox::Waiting::next_piece_bytes() const {
+    const bool measures = (header.flags & wire::first_of_frame) != 0 && header.whole_bytes >= measuring_bytes;
+    return measures && sent == 0 ? first_piece_bytes : piece_bytes;
+}
+
 std::optional<Outbox::Message> Outbox::pop() {
     const std::lock_guard lock(mutex_);
     Message message{};
@@ -83,7 +88,7 @@ std::optional<Outbox::Message> Outbox::pop() {
     }
     if (frames_.empty()) return std::nullopt;
     Waiting& frame = frames_.front();
-    const wire::FrameHeader piece = wire::piece_of(frame.header, frame.sent, piece_bytes);
+    const wire::FrameHeader piece = wire::piece_of(frame.header, frame.sent, frame.next_piece_bytes());
     wire::write_frame_header(piece, message.header);
     message.frame = frame.bytes;
     message.payload = std::span(*frame.bytes).subspan(wire::frame_header_bytes + frame.sent, piece.payload_bytes);

@@ -23,6 +23,9 @@ using FrameBytes = std::shared_ptr<const std::vector<std::uint8_t>>;
 
 // Payload bytes of one message. A text waits for the piece under way: 52 ms on a line of 10 Mbit/s.
 inline constexpr std::uint32_t piece_bytes = 64 << 10;
+// A frame whose first message is so long begins with a short piece: the client measures the line by the time from it to
+// the pieces behind it, which are on the line together.
+inline constexpr std::uint32_t first_piece_bytes = 4 << 10, measuring_bytes = first_piece_bytes + (32 << 10);
 static_assert(wire::frame_header_bytes + piece_bytes <= wire::longest_message);
 
 // Thread-safe. Outlives its socket: pushing after close() does nothing.
@@ -63,6 +66,7 @@ private:
         FrameBytes bytes;
         wire::FrameHeader header;
         std::uint32_t sent = 0; // of the payload
+        [[nodiscard]] std::uint32_t next_piece_bytes() const;
     };
     void count();  // REQUIRES: the lock
     void forget(); // likewise

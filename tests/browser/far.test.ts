@@ -1,4 +1,4 @@
-// A browser far from the server, and the stream that it chooses by itself.
+// A browser far from the server.
 import assert from "node:assert/strict";
 import { describe, test } from "node:test";
 import { Line, type LineOptions } from "./line.ts";
@@ -22,9 +22,6 @@ describe("far from the server", { skip }, () => {
     }
   }
 
-  const why = (client: Client): Promise<string | null> =>
-    client.page.locator("[data-readout=stream-why]").first().textContent();
-
   test("no change waits for the answer to the one before, and what is wanted is drawn at once", async () => {
     await over({ roundTrip: 600 }, async (client) => {
       await client.settled();
@@ -44,13 +41,6 @@ describe("far from the server", { skip }, () => {
       await turn;
       await client.settled();
       assert.equal(await client.page.locator(".ahead").count(), 0);
-    });
-  });
-
-  test("a browser without a graphics card gets pictures", async () => {
-    await over({ rate: 100 }, async (client) => {
-      await client.settled();
-      assert.equal(await why(client), "Pictures: this browser draws without a graphics card.");
     });
   });
 });

@@ -12,12 +12,44 @@ export interface LineOptions {
 }
 
 const LEAST_BUFFER = 32 << 10;
+/** Bytes travel in packets of about so many milliseconds, which is as fine as timers are. */
+const PACKET_MS = 2;
+const LEAST_PACKET = 1500;
+const BYTES_PER_MEGABIT = 1e6 / 8;
+
+/** What is done in its order, each not before its time. Timers of their own may overtake one another. */
+class Schedule {
+  private readonly due: { at: number; act: () => void }[] = [];
+
+  add(at: number, act: () => void): void {
+    this.due.push({ at, act });
+    if (this.due.length === 1) this.wait(at);
+  }
+
+  private wait(at: number): void {
+    setTimeout(() => this.run(), Math.max(0, at - performance.now()));
+  }
+
+  private run(): void {
+    const now = performance.now();
+    for (let next = this.due[0]; next !== undefined; next = this.due[0]) {
+      if (next.at > now) {
+        this.wait(next.at);
+        return;
+      }
+      next.act();
+      this.due.shift();
+    }
+  }
+}
 
 /** One direction of one connection. */
 class Direction {
   private readonly from: Socket;
   private readonly to: Socket;
   private readonly options: Required<LineOptions>;
+  private readonly leaving = new Schedule();
+  private readonly arriving = new Schedule();
   private freeAt = 0;
   private waiting = 0;
   /** Bytes that have left it. */
@@ -26,30 +58,41 @@ class Direction {
   constructor(from: Socket, to: Socket, options: Required<LineOptions>) {
     [this.from, this.to, this.options] = [from, to, options];
     from.on("data", (bytes) => this.take(bytes));
-    from.on("end", () => this.after(this.freeAt, () => to.end()));
+    from.on("end", () => this.arrive(() => to.end()));
     from.on("error", () => to.destroy());
-    from.on("close", () => this.after(this.freeAt, () => to.destroy()));
+    from.on("close", () => this.arrive(() => to.destroy()));
   }
 
   private take(bytes: Buffer): void {
+    const { rate } = this.options;
+    const perMillisecond = (rate * BYTES_PER_MEGABIT) / 1000;
+    const packet = rate === 0 ? bytes.length : Math.max(LEAST_PACKET, Math.round(PACKET_MS * perMillisecond));
+    for (let from = 0; from < bytes.length; from += packet)
+      this.carry(bytes.subarray(from, from + packet), rate === 0 ? 0 : 1 / perMillisecond);
+    if (this.isFull) this.from.pause();
+  }
+
+  private get isFull(): boolean {
     const { rate, buffer } = this.options;
-    const perMillisecond = (rate * 1e6) / 8 / 1000;
-    this.freeAt = Math.max(this.freeAt, performance.now()) + (rate === 0 ? 0 : bytes.length / perMillisecond);
+    return rate !== 0 && this.waiting > Math.max(LEAST_BUFFER, buffer * rate * BYTES_PER_MEGABIT);
+  }
+
+  private carry(bytes: Buffer, millisecondsPerByte: number): void {
+    this.freeAt = Math.max(this.freeAt, performance.now()) + bytes.length * millisecondsPerByte;
     this.waiting += bytes.length;
-    if (rate !== 0 && this.waiting > Math.max(LEAST_BUFFER, buffer * 1000 * perMillisecond)) this.from.pause();
     // What has left the queue is on its way, and takes no room in it.
-    setTimeout(() => {
+    this.leaving.add(this.freeAt, () => {
       this.waiting -= bytes.length;
-      this.from.resume();
-    }, this.freeAt - performance.now());
-    this.after(this.freeAt, () => {
+      if (!this.isFull) this.from.resume();
+    });
+    this.arrive(() => {
       this.carried += bytes.length;
       if (!this.to.destroyed) this.to.write(bytes);
     });
   }
 
-  private after(time: number, what: () => void): void {
-    setTimeout(what, Math.max(0, time + this.options.roundTrip / 2 - performance.now()));
+  private arrive(what: () => void): void {
+    this.arriving.add(Math.max(this.freeAt, performance.now()) + this.options.roundTrip / 2, what);
   }
 }
 

@@ -113,13 +113,35 @@ TEST(Outbox, FramesLeaveInPiecesThatMakeTheWhole) {
     EXPECT_EQ(flags, (std::vector<std::uint16_t>{wire::first_of_frame, 0, 0, wire::last_of_frame}));
 }
 
+std::vector<std::uint32_t> piece_lengths(const FrameBytes& frame) {
+    Outbox outbox(2000, memory, [] {});
+    outbox.push_frame(frame);
+    std::vector<std::uint32_t> lengths;
+    while (const auto next = outbox.pop()) lengths.push_back(header_of(*next).payload_bytes);
+    return lengths;
+}
+
+TEST(Outbox, AFrameBeginsWithAShortPieceWhereTheRestMeasuresTheLine) {
+    using Lengths = std::vector<std::uint32_t>;
+    const auto of = [](wire::FrameKind kind, std::uint16_t flags, std::uint32_t payload) {
+        return piece_lengths(message(kind, 1, 1, flags, payload));
+    };
+    const std::uint16_t whole = wire::first_of_frame | wire::last_of_frame;
+    EXPECT_EQ(of(wire::FrameKind::image, whole, measuring_bytes - 1), Lengths{measuring_bytes - 1});
+    EXPECT_EQ(of(wire::FrameKind::image, whole, measuring_bytes), (Lengths{first_piece_bytes, 32 << 10}));
+    EXPECT_EQ(of(wire::FrameKind::geometry, wire::first_of_frame, 100'000),
+              (Lengths{first_piece_bytes, piece_bytes, 100'000 - first_piece_bytes - piece_bytes}));
+    EXPECT_EQ(of(wire::FrameKind::geometry, 0, 100'000), (Lengths{piece_bytes, 100'000 - piece_bytes}))
+        << "the batches behind the first";
+}
+
 TEST(Outbox, ATextGoesBetweenThePiecesOfAFrame) {
     Outbox outbox(2000, memory, [] {});
     outbox.push_frame(message(wire::FrameKind::geometry, 1, 1, wire::first_of_frame, 2 * piece_bytes));
     outbox.push_frame(message(wire::FrameKind::geometry, 1, 1, wire::last_of_frame, 2 * piece_bytes));
     EXPECT_TRUE(outbox.pop()->frame);
     outbox.push_text("answer");
-    EXPECT_EQ(drained(outbox), (Order{"answer", "1.1", "1.1", "1.1"}));
+    EXPECT_EQ(drained(outbox), (Order{"answer", "1.1", "1.1", "1.1", "1.1"}));
 }
 
 TEST(Outbox, TheRestOfAFrameGivesWayToANewerOne) {
@@ -190,7 +212,7 @@ TEST(Outbox, EveryByteIsCountedUntilItIsSent) {
         EXPECT_FALSE(outbox.sent());
         EXPECT_EQ(held(), 400U);
         outbox.push_frame(batch_of(1, 3, 3 * piece_bytes));
-        for (int piece = 0; piece < 3; ++piece) {
+        for (int piece = 0; piece < 4; ++piece) {
             EXPECT_TRUE(outbox.pop());
             EXPECT_EQ(held(), 3 * piece_bytes) << "whole until its last piece is sent";
             EXPECT_FALSE(outbox.sent());

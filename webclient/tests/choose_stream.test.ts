@@ -9,6 +9,7 @@ const facts: StreamFacts = {
   current: "image",
   gesture: "rest",
   lineRate: 10 * MBIT,
+  sawStill: true,
   roundTripMs: 200,
   pictureBytes: 40_000,
   pictureMs: 60,
@@ -34,6 +35,21 @@ describe("the automatic stream", () => {
       what: "a near server whose frames were too short to measure",
       change: { lineRate: null, roundTripMs: 2 },
       stream: "geometry",
+    },
+    {
+      what: "a near server whose first still measures the line",
+      change: { lineRate: null, roundTripMs: 2, sawStill: false },
+      stream: "image",
+    },
+    {
+      what: "polygons of fewer bytes than a picture on any line",
+      change: { lineRate: null, polygonBytes: 30_000 },
+      stream: "geometry",
+    },
+    {
+      what: "few polygons before a still has come",
+      change: { lineRate: null, polygonBytes: 0, sawStill: false },
+      stream: "image",
     },
     { what: "a far server whose frames were too short to measure", change: { lineRate: null }, stream: "image" },
     { what: "the camera, polygons are here", change: { gesture: "camera", current: "geometry" }, stream: "geometry" },
@@ -71,6 +87,7 @@ describe("the automatic stream", () => {
   test.each([
     { change: { gesture: "value" as const }, why: "1.5 s of polygons (1.8 MB at 1.3 MB/s) and 0.06 s of pictures" },
     { change: {}, why: "the polygons (1.8 MB) come in 1.4 s at 1.3 MB/s" },
+    { change: { lineRate: null, polygonBytes: 900 }, why: "the polygons are 0.9 kB, a picture is 40 kB" },
     { change: { hardware: false }, why: "without a graphics card" },
     { change: { drawMs: 400 }, why: "needs 0.40 s to draw the polygons, a picture comes in 0.06 s" },
     { change: { onlyPictures: "a volume" }, why: "a volume is shown in pictures only" },

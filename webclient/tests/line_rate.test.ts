@@ -8,11 +8,11 @@ const LAST = 2;
 const PIECE = 64 << 10;
 
 /** A frame of so many pieces, one every `every` milliseconds. */
-function arrive(rate: LineRate, frame: number, pieces: number, every: number): void {
+function arrive(rate: LineRate, frame: number, pieces: number, every: number, length = PIECE): void {
   for (let i = 0; i < pieces; i += 1) {
     const flags = (i === 0 ? FIRST : 0) | (i === pieces - 1 ? LAST : 0);
-    const fields = { frame, flags, offset: i * PIECE, whole: pieces * PIECE };
-    rate.arrived(decodeHeader(frameBytes(fields, new Uint8Array(PIECE))), 1000 * frame + every * i);
+    const fields = { frame, flags, offset: i * length, whole: pieces * length };
+    rate.arrived(decodeHeader(frameBytes(fields, new Uint8Array(length))), 1000 * frame + every * i);
   }
 }
 
@@ -24,9 +24,22 @@ describe("rate of the line", () => {
     expect(rate.bytesPerSecond).toBeCloseTo((PIECE * 1000) / 52);
   });
 
-  test("pictures of one piece say nothing", () => {
+  test("a still of the demo on 10 Mbit/s is enough, its first piece being short", () => {
+    const rate = new LineRate();
+    const lengths = [4 << 10, 64 << 10, 32 << 10];
+    let at = 0;
+    lengths.forEach((length, i) => {
+      at += length / 1250;
+      const flags = [FIRST, 0, LAST][i] ?? 0;
+      rate.arrived(decodeHeader(frameBytes({ flags, whole: 100 << 10 }, new Uint8Array(length))), at);
+    });
+    expect(rate.bytesPerSecond).toBeCloseTo(1.25e6);
+  });
+
+  test("what one delivery of the buffers may hold says nothing", () => {
     const rate = new LineRate();
     for (let frame = 1; frame < 9; frame += 1) arrive(rate, frame, 1, 1);
+    arrive(rate, 9, 2, 1, 16 << 10);
     expect(rate.bytesPerSecond).toBeNull();
   });
 
@@ -45,12 +58,17 @@ describe("rate of the line", () => {
     expect(rate.bytesPerSecond).toBeCloseTo((PIECE * 1000) / 100);
   });
 
-  test("a frame that gave way to a newer one is not counted", () => {
+  test("a long frame tells long before its end, and once, however many its pieces", () => {
     const rate = new LineRate();
-    const piece = (frame: number, flags: number): void =>
-      rate.arrived(decodeHeader(frameBytes({ frame, flags, whole: 9 * PIECE }, new Uint8Array(PIECE))), 10 * frame);
-    for (let i = 0; i < 5; i += 1) piece(1, FIRST);
-    piece(2, FIRST | LAST);
-    expect(rate.bytesPerSecond).toBeNull();
+    for (let frame = 1; frame < 6; frame += 1) arrive(rate, frame, 8, 1);
+    const piece = (frame: number, at: number): boolean =>
+      rate.arrived(decodeHeader(frameBytes({ frame, flags: 0, whole: 999 * PIECE }, new Uint8Array(PIECE))), at);
+    expect(piece(6, 6000)).toBe(false);
+    for (let i = 1; i < 9; i += 1) expect(piece(6, 6000 + 100 * i)).toBe(true);
+    expect(rate.bytesPerSecond).toBeCloseTo(PIECE * 1000);
+    piece(7, 7000); // the rest of the frame before does not come any more
+    piece(7, 7100);
+    arrive(rate, 8, 8, 100);
+    expect(rate.bytesPerSecond).toBeCloseTo((PIECE * 1000) / 100);
   });
 });

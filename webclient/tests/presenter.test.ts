@@ -13,6 +13,7 @@ interface FakeImage {
 let acknowledged: number[] = [];
 let drawn: (number | GeometryBatch[])[] = [];
 let failures: Error[] = [];
+let arrived: number[] = [];
 let incomplete = 0;
 let frames: (() => void)[] = [];
 let decoding = new Map<number, { finish: () => void; fail: (error: Error) => void; image: FakeImage }>();
@@ -52,7 +53,7 @@ beforeEach(() => {
       geometry: new GeometryDecoder(),
     },
     {
-      arrived: () => undefined,
+      arrived: ({ frame }) => void arrived.push(frame),
       acknowledge: (_, frame) => void acknowledged.push(frame),
       presented: () => undefined,
       failed: (error) => void failures.push(error),
@@ -134,6 +135,15 @@ describe("images", () => {
 const part = linePayload;
 
 describe("while a view is being opened", () => {
+  test("its messages are told when they come, not when they are taken", () => {
+    presenter.expect();
+    arrived = [];
+    presenter.receive(frameBytes({ kind: 2, flags: 4, view: 8, frame: 1 }, part("a")));
+    expect(arrived).toEqual([1]);
+    presenter.show(8);
+    expect(arrived).toEqual([1]);
+  });
+
   test("its polygons are kept, whichever message comes first", () => {
     presenter.expect();
     presenter.receive(frameBytes({ kind: 2, flags: 4, view: 8, frame: 1 }, part("a")));

@@ -2,7 +2,7 @@ import { beforeEach, describe, expect, test } from "vitest";
 import type { Scene } from "../src/generated/protocol";
 import { RpcError } from "../src/protocol/rpc";
 import { SceneEditor } from "../src/scene/editor";
-import { Session, wordsFor } from "../src/session/session";
+import { Session, wordsFor, type StreamWish } from "../src/session/session";
 import { FakeClock, FakeNetwork, settled } from "./fake_socket";
 import { state } from "./session_state";
 
@@ -14,6 +14,7 @@ let views: number[] = [];
 let failures: string[] = [];
 let refusals: string[] = [];
 let size = { width: 800, height: 600, pixel_ratio: 1 };
+let wish: StreamWish = { stream: "image", moving: "jpeg" };
 let clock = new FakeClock();
 let editor: SceneEditor;
 let session: Session;
@@ -37,6 +38,7 @@ const reconnect = async (): Promise<void> => {
 beforeEach(() => {
   [network, clock, size] = [new FakeNetwork(), new FakeClock(), { width: 800, height: 600, pixel_ratio: 1 }];
   [frames, views, failures, refusals] = [[], [], [], []];
+  wish = { stream: "image", moving: "jpeg" };
   editor = new SceneEditor(
     {
       changed: () => undefined,
@@ -51,7 +53,7 @@ beforeEach(() => {
   const host = {
     firstScene: () => Promise.resolve(scene),
     viewSize: () => size,
-    stream: () => ({ stream: "image", moving: "jpeg" }) as const,
+    stream: () => wish,
     viewOpening: () => void views.push(-1),
     viewOpened: (view: number) => void views.push(view),
     opened: () => undefined,
@@ -90,6 +92,18 @@ describe("session", () => {
     ]);
     session.resize();
     expect(network.newest.calls("view.resize").length).toBe(1); // nothing new to tell
+  });
+
+  test("a stream that was chosen while the view was opened is told", async () => {
+    network.newest.onopen?.();
+    await settled();
+    await network.newest.answer(state(scene), "session.open");
+    wish = { stream: "geometry", moving: "jpeg" };
+    session.setStream(wish); // there is no view yet
+    await network.newest.answer({ view: 4 }, "view.open");
+    expect(network.newest.calls("view.stream")).toMatchObject([{ params: { view: 4, stream: "geometry" } }]);
+    session.setStream({ ...wish });
+    expect(network.newest.calls("view.stream").length).toBe(1); // nothing new to tell
   });
 
   test("after a break the scene goes back as the hand left it", async () => {

@@ -111,7 +111,7 @@ export class App {
       viewport,
       { image: decodeImage, geometry: new GeometryDecoder() },
       {
-        arrived: (header) => this.streams.rate.arrived(header, now()),
+        arrived: (header) => this.streams.arrived(header, now()),
         acknowledge: (view, frame) => this.session.acknowledge(view, frame),
         presented: (header, bytes) => this.presented(header, bytes),
         failed: (error) => this.fail(error),

@@ -72,7 +72,10 @@ export function sessionHost(app: App): SessionHost {
         (error: unknown) => app.fail(error),
       );
     },
-    roundTrip: (roundTripMs) => app.store.set({ readout: { ...app.store.get().readout, roundTripMs } }),
+    roundTrip: (roundTripMs) => {
+      app.store.set({ readout: { ...app.store.get().readout, roundTripMs } });
+      app.streams.reconsider();
+    },
     binary: (message) => app.presenter?.receive(message),
     notified: (name, params) => {
       if (name in handlers) handlers[name](params as never);

@@ -19,7 +19,7 @@ const USUAL_TRIANGLE_BYTES = 8;
 const SMOOTH_MS = 33;
 
 export class Streams {
-  readonly rate = new LineRate();
+  private readonly rate = new LineRate();
   readonly pace = new DrawPace();
   private hardware: boolean | null = null;
   private asked: StreamWish | null = null;
@@ -28,6 +28,7 @@ export class Streams {
   private said = "";
   private picture: { bytes: number; ms: number } | null = null;
   private polygons: { bytes: number; triangles: number } | null = null;
+  private sawStill = false;
 
   constructor(private readonly app: App) {}
 
@@ -43,9 +44,15 @@ export class Streams {
     this.reconsider();
   }
 
+  /** A message of the view: the rate may be known by it, long before all of its frame is here. */
+  arrived(header: FrameHeader, at: number): void {
+    if (this.rate.arrived(header, at)) this.reconsider();
+  }
+
   presented({ kind, still, triangles, extractMs, drawMs, encodeMs }: FrameHeader, bytes: number): void {
     if (kind !== KIND_IMAGE) this.polygons = { bytes, triangles };
-    else if (!still) this.picture = { bytes, ms: extractMs + drawMs + encodeMs };
+    else if (still) this.sawStill = true;
+    else this.picture = { bytes, ms: extractMs + drawMs + encodeMs };
     this.reconsider();
   }
 
@@ -63,7 +70,8 @@ export class Streams {
     this.reconsider();
   }
 
-  private reconsider(): void {
+  /** What it goes by may have become known. */
+  reconsider(): void {
     const wanted = this.wanted();
     if (wanted.stream === this.asked?.stream && wanted.moving === this.asked.moving) return;
     this.asked = wanted;
@@ -88,6 +96,7 @@ export class Streams {
       current: this.asked?.stream ?? "image",
       gesture: this.gesture,
       lineRate: this.rate.bytesPerSecond,
+      sawStill: this.sawStill,
       roundTripMs: readout.roundTripMs,
       pictureBytes: this.picture?.bytes ?? USUAL_PICTURE.bytesOfPixel * width * height,
       pictureMs: this.picture?.ms ?? USUAL_PICTURE.ms,

@@ -10,7 +10,7 @@ export interface Screen {
 }
 
 export interface PresenterEvents {
-  /** A message of the view, which may be a piece of a frame. */
+  /** A message of any view, which may be a piece of a frame. */
   arrived(header: FrameHeader): void;
   acknowledge(view: number, frame: number): void;
   presented(header: FrameHeader, bytes: number): void;
@@ -66,18 +66,23 @@ export class Presenter {
     this.decoders.geometry.clear();
     this.ready?.release();
     this.ready = null;
-    for (const message of early) this.receive(message);
+    for (const message of early) this.take(decodeHeader(message), message);
   }
 
   receive(message: ArrayBuffer): void {
     try {
       const header = decodeHeader(message);
-      if (this.early !== null) {
-        this.early.keep(header, message);
-        return;
-      }
-      if (header.view !== this.view) return;
       this.events.arrived(header);
+      if (this.early === null) this.take(header, message);
+      else this.early.keep(header, message);
+    } catch (error) {
+      this.events.failed(error as Error);
+    }
+  }
+
+  private take(header: FrameHeader, message: ArrayBuffer): void {
+    if (header.view !== this.view) return;
+    try {
       const whole = this.pieces.add(header, message);
       if (whole !== null) this.receiveWhole(decodeHeader(whole), whole);
     } catch (error) {

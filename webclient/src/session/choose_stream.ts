@@ -9,6 +9,8 @@ export interface StreamFacts {
   gesture: Gesture;
   /** Bytes a second; null where no long frame has come yet. */
   lineRate: number | null;
+  /** A still has come: it measures the line wherever it is long enough. */
+  sawStill: boolean;
   /** Of a call; null where none has been answered. */
   roundTripMs: number | null;
   /** Of an interactive picture; `pictureMs`: the server's time for it. */
@@ -45,16 +47,19 @@ const FETCH_IN_GESTURE = 0.3;
 const NEAR_MS = 25;
 const NEAR_RATE = 12.5e6;
 
-const megabytes = (bytes: number): string => `${(bytes / 1e6).toFixed(bytes < 1e7 ? 1 : 0)} MB`;
+function amount(bytes: number): string {
+  if (bytes < 1e5) return `${(bytes / 1e3).toFixed(bytes < 1e4 ? 1 : 0)} kB`;
+  return `${(bytes / 1e6).toFixed(bytes < 1e7 ? 1 : 0)} MB`;
+}
 const seconds = (value: number): string => `${value < 1 ? value.toFixed(2) : value.toFixed(1)} s`;
 
 export function chooseStream(facts: StreamFacts): Choice {
   const { current, hardware, drawMs, roundTripMs, polygonBytes } = facts;
-  const isNear = roundTripMs !== null && roundTripMs <= NEAR_MS;
+  const isNear = facts.sawStill && roundTripMs !== null && roundTripMs <= NEAR_MS;
   const lineRate = facts.lineRate ?? (isNear ? NEAR_RATE : null);
   if (facts.onlyPictures !== "") return pictures(`${facts.onlyPictures} is shown in pictures only`);
   if (!hardware) return pictures("this browser draws without a graphics card");
-  if (lineRate === null) return { stream: current, why: "the line is not measured yet" };
+  if (lineRate === null) return unmeasured(facts);
   const draw = drawMs ?? USUAL_DRAW_MS;
   const fetch = polygonBytes / lineRate;
   const picture = Math.max(facts.pictureMs / 1000, facts.pictureBytes / lineRate);
@@ -62,19 +67,30 @@ export function chooseStream(facts: StreamFacts): Choice {
     return pictures(
       `this browser needs ${seconds(draw / 1000)} to draw the polygons, a picture comes in ${seconds(picture)}`,
     );
-  const line = `${megabytes(lineRate)}/s`;
+  const line = `${amount(lineRate)}/s`;
   if (facts.gesture === "value") {
     const change = Math.max(facts.extractMs / 1000, fetch) + draw / 1000;
-    const compared = `a change is ${seconds(change)} of polygons (${megabytes(polygonBytes)} at ${line}) and ${seconds(picture)} of pictures`;
+    const compared = `a change is ${seconds(change)} of polygons (${amount(polygonBytes)} at ${line}) and ${seconds(picture)} of pictures`;
     const border = current === "geometry" ? picture * BETTER : picture / BETTER;
     return change <= border ? { stream: "geometry", why: compared } : pictures(compared);
   }
   if (current === "geometry") return { stream: "geometry", why: "the view turns without a picture from the server" };
   const patience = facts.gesture === "rest" ? FETCH_AT_REST : FETCH_IN_GESTURE;
-  const cost = `the polygons (${megabytes(polygonBytes)}) come in ${seconds(fetch)} at ${line}`;
+  const cost = `the polygons (${amount(polygonBytes)}) come in ${seconds(fetch)} at ${line}`;
   return fetch <= patience
     ? { stream: "geometry", why: `${cost}, and the view turns without the server` }
     : pictures(cost);
+}
+
+/** Polygons of no more bytes than a picture are right on any line, unless they are made for every change. */
+function unmeasured({ current, gesture, sawStill, polygonBytes, pictureBytes }: StreamFacts): Choice {
+  const isFewer = sawStill && polygonBytes <= pictureBytes;
+  if (isFewer && (gesture !== "value" || current === "geometry"))
+    return {
+      stream: "geometry",
+      why: `the polygons are ${amount(polygonBytes)}, a picture is ${amount(pictureBytes)}`,
+    };
+  return { stream: current, why: "the line is not measured yet" };
 }
 
 const pictures = (why: string): Choice => ({ stream: "image", why });

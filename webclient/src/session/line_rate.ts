@@ -1,9 +1,9 @@
 // Bytes a second of the line, by the pieces of frames (protocol/frame.md): what came after the first piece, by the time
-// that it took. Pictures of one piece say nothing; the still behind them has many.
+// that it took. Moving pictures of one piece say nothing; the still behind them is longer.
 import type { FrameHeader } from "../protocol/frame_header";
 
-/** A whole piece: fewer come out of the buffers at once. */
-const FEWEST_BYTES = 64 << 10;
+/** Fewer come out of the buffers at once. Frames that are longer by a short piece begin with one. */
+const FEWEST_BYTES = 32 << 10;
 const REMEMBERED = 5;
 
 interface Measured {
@@ -16,17 +16,23 @@ interface Measured {
 export class LineRate {
   private now: Measured | null = null;
   private rates: number[] = [];
+  /** Whether the newest of them is of the frame that is on its way: it is taken again with each piece. */
+  private isOfNow = false;
 
-  /** A message has come, at `at` milliseconds. */
-  arrived({ view, frame, last, payloadBytes }: FrameHeader, at: number): void {
+  /** A message has come, at `at` milliseconds. Returns whether it says something about the rate. */
+  arrived({ view, frame, payloadBytes }: FrameHeader, at: number): boolean {
     if (this.now?.view !== view || this.now.frame !== frame) {
       this.now = { view, frame, from: at, bytes: 0 };
-      return;
+      this.isOfNow = false;
+      return false;
     }
     this.now.bytes += payloadBytes;
-    if (!last || this.now.bytes < FEWEST_BYTES) return;
+    if (this.now.bytes < FEWEST_BYTES) return false;
     const took = Math.max(at - this.now.from, 1);
-    this.rates = [...this.rates.slice(1 - REMEMBERED), (this.now.bytes * 1000) / took];
+    const others = this.isOfNow ? this.rates.slice(0, -1) : this.rates.slice(1 - REMEMBERED);
+    this.rates = [...others, (this.now.bytes * 1000) / took];
+    this.isOfNow = true;
+    return true;
   }
 
   /** The middle one of the last few: where the page was busy, all of a frame seems to come at once. null: not known. */

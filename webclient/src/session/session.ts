@@ -53,6 +53,7 @@ export class Session {
   private chosen: Scene | null = null;
   private view = 0;
   private sentSize: ViewSize = { width: 0, height: 0, pixel_ratio: 1 };
+  private sentStream: StreamWish = { stream: "image", moving: "png" };
 
   constructor(
     readonly id: string,
@@ -113,7 +114,8 @@ export class Session {
   }
 
   setStream(wish: StreamWish): void {
-    if (this.view === 0) return;
+    if (this.view === 0 || (wish.stream === this.sentStream.stream && wish.moving === this.sentStream.moving)) return;
+    this.sentStream = wish;
     this.call("view.stream", { view: this.view, ...wish }).catch((error: unknown) => this.report(error));
   }
 
@@ -186,11 +188,13 @@ export class Session {
     // Another page of the session may have opened it with something else.
     if (chosen !== null && chosen.dataset !== state.scene.dataset) void this.editor.propose(chosen);
     this.sentSize = this.host.viewSize();
+    this.sentStream = this.host.stream();
     this.host.viewOpening();
-    const { view } = await rpc.call("view.open", { session, ...this.sentSize, ...this.host.stream() });
+    const { view } = await rpc.call("view.open", { session, ...this.sentSize, ...this.sentStream });
     if (this.rpc !== rpc) return;
     this.setView(view);
-    this.resize(); // it may have changed meanwhile
+    this.resize(); // both may have changed meanwhile
+    this.setStream(this.host.stream());
   }
 
   private setView(view: number): void {
