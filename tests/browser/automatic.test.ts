@@ -76,12 +76,16 @@ describe("the automatic stream", { skip }, () => {
     await client.page.mouse.down();
     const isSo = async (): Promise<boolean> =>
       text.test(await said(client)) && (await client.page.locator(`[data-frame][data-stream=${stream}]`).count()) > 0;
-    for (let step = 1; !(await isSo()); step += 1) await client.page.mouse.move(x + 20 * Math.sin(step / 4), y);
+    const deadline = Date.now() + 120_000;
+    for (let step = 1; !(await isSo()); step += 1) {
+      if (Date.now() > deadline) throw new Error(`not ${String(text)}, but: ${await said(client)}`);
+      await client.page.mouse.move(x + 20 * Math.sin(step / 4), y);
+    }
     await client.page.mouse.up();
   }
 
   test("dear polygons over a slow line: pictures while a value moves, polygons at rest and for the camera", async () => {
-    await over({ rate: 2 }, await isoFragment(server), card(), async (client) => {
+    await over({ rate: 1.5 }, await isoFragment(server), card(), async (client) => {
       await says(client, /^Polygons: the polygons \(.* MB\) come in .* s at .*B\/s/);
       await client.settled("geometry");
       await moveUntil(client, "view", /^Polygons: the view turns without a picture from the server\.$/, "geometry");

@@ -26,9 +26,10 @@ export class Streams {
   private gesture: Gesture = "rest";
   private resting = 0;
   private said = "";
+  /** Without the extraction, which changes from one value to the next. */
   private picture: { bytes: number; ms: number } | null = null;
+  private still: { ms: number } | null = null;
   private polygons: { bytes: number; triangles: number } | null = null;
-  private sawStill = false;
 
   constructor(private readonly app: App) {}
 
@@ -49,10 +50,11 @@ export class Streams {
     if (this.rate.arrived(header, at)) this.reconsider();
   }
 
-  presented({ kind, still, triangles, extractMs, drawMs, encodeMs }: FrameHeader, bytes: number): void {
+  presented({ kind, still, triangles, drawMs, encodeMs }: FrameHeader, bytes: number): void {
+    const ms = drawMs + encodeMs;
     if (kind !== KIND_IMAGE) this.polygons = { bytes, triangles };
-    else if (still) this.sawStill = true;
-    else this.picture = { bytes, ms: extractMs + drawMs + encodeMs };
+    else if (still) this.still = { ms };
+    else this.picture = { bytes, ms };
     this.reconsider();
   }
 
@@ -96,10 +98,10 @@ export class Streams {
       current: this.asked?.stream ?? "image",
       gesture: this.gesture,
       lineRate: this.rate.bytesPerSecond,
-      sawStill: this.sawStill,
+      sawStill: this.still !== null,
       roundTripMs: readout.roundTripMs,
       pictureBytes: this.picture?.bytes ?? USUAL_PICTURE.bytesOfPixel * width * height,
-      pictureMs: this.picture?.ms ?? USUAL_PICTURE.ms,
+      pictureMs: extractMs + this.pictureMs(),
       polygonBytes:
         held === null || held.triangles === 0
           ? USUAL_TRIANGLE_BYTES * triangles
@@ -127,6 +129,12 @@ export class Streams {
     const drawn = this.polygons?.triangles ?? 0;
     if (milliseconds === null || milliseconds <= SMOOTH_MS || drawn === 0) return milliseconds;
     return (milliseconds * triangles) / drawn;
+  }
+
+  /** The first one waits for programs to be compiled; but none takes longer than its still. */
+  private pictureMs(): number {
+    if (this.picture === null) return USUAL_PICTURE.ms;
+    return Math.min(this.picture.ms, this.still?.ms ?? Infinity);
   }
 
   private onlyPictures(): string {

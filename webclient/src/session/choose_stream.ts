@@ -13,7 +13,7 @@ export interface StreamFacts {
   sawStill: boolean;
   /** Of a call; null where none has been answered. */
   roundTripMs: number | null;
-  /** Of an interactive picture; `pictureMs`: the server's time for it. */
+  /** Of an interactive picture; `pictureMs`: the server's time for it, the extraction included. */
   pictureBytes: number;
   pictureMs: number;
   /** Of all polygons of the scene; `extractMs`: the server's time for them. */
