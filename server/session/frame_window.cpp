@@ -13,6 +13,8 @@ constexpr double very_late = 0.2;    // seconds, which is no stumble of the brow
 constexpr double longest_route = 1;  // seconds; what takes longer does so by its own length
 constexpr seconds soonest_lasts{10}; // a route may have become longer for good
 constexpr seconds rate_lasts{30};
+constexpr seconds best_lasts{2}; // to 4
+constexpr double full = 0.9; // of the best rate: a late frame that was delivered more slowly waited for something else
 constexpr std::size_t most_frames = 64;
 
 } // namespace
@@ -61,14 +63,26 @@ void FrameWindow::learn(const Frame& frame, Time now) {
     if (rate_ && now - rate_->at > rate_lasts) rate_.reset();
     const double more_bytes = frame.bytes > soonest_bytes_ ? static_cast<double>(frame.bytes - soonest_bytes_) : 0;
     const double late = took - soonest_->value - (rate_ ? more_bytes / rate_->value : 0);
+    const double delivered = static_cast<double>(frame.bytes_on_the_way) / took; // Little's law
+    const double best = proven(delivered, now);
     late_frames_ = late > tolerance ? late_frames_ + 1 : 0;
     if (late_frames_ > 1 || late > very_late)
-        shrink(frame, took, late, now);
+        shrink(frame, delivered, best, late, now);
     else if (late_frames_ == 0 && held_back_ && took < longest_route)
         grow(frame.bytes);
 }
 
-void FrameWindow::shrink(const Frame& frame, double took, double late, Time now) {
+double FrameWindow::proven(double rate, Time now) {
+    if (now - best_since_ > best_lasts) {
+        best_before_ = now - best_since_ > 2 * best_lasts ? 0 : best_;
+        best_ = 0;
+        best_since_ = now;
+    }
+    best_ = std::max(best_, rate);
+    return std::max(best_, best_before_);
+}
+
+void FrameWindow::shrink(const Frame& frame, double delivered, double proven, double late, Time now) {
     if (now < may_shrink_) return; // what was sent before the last time comes late as well
     may_shrink_ = now + (now - frame.sent);
     const auto bytes = static_cast<double>(frame.bytes);
@@ -76,9 +90,9 @@ void FrameWindow::shrink(const Frame& frame, double took, double late, Time now)
         window_ = static_cast<double>(bytes_on_the_way()) + bytes;
         return;
     }
-    const double rate = static_cast<double>(frame.bytes_on_the_way) / took; // Little's law
-    if (!rate_ || rate >= rate_->value) rate_ = {rate, now};
-    window_ = std::max(rate * (soonest_->value + tolerance), bytes);
+    // A busy browser is late as well, however little is on the way: what the line has carried it can carry.
+    window_ = std::max(proven * (soonest_->value + tolerance), bytes);
+    if (delivered >= full * proven && (!rate_ || delivered >= rate_->value)) rate_ = {delivered, now};
 }
 
 void FrameWindow::grow(std::size_t bytes) {

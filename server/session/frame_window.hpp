@@ -49,7 +49,9 @@ private:
     };
 
     void learn(const Frame& frame, Time now);
-    void shrink(const Frame& frame, double took, double late, Time now);
+    // A frame was delivered at this rate. Returns the highest of the last seconds.
+    double proven(double rate, Time now);
+    void shrink(const Frame& frame, double delivered, double proven, double late, Time now);
     void grow(std::size_t bytes);
 
     std::uint64_t unknown_line_;
@@ -59,6 +61,8 @@ private:
     std::optional<Known> soonest_; // of acknowledgements, seconds
     std::size_t soonest_bytes_ = 0;
     std::optional<Known> rate_;
+    double best_ = 0, best_before_ = 0; // rates of delivery, of this span of time and of the one before
+    Time best_since_{};
     std::optional<double> window_; // bytes; none before the first acknowledgement
     Time may_shrink_{};
     unsigned late_frames_ = 0; // in a row

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 #include <map>
+#include <random>
 
 namespace ciel::session {
 namespace {
@@ -13,6 +14,7 @@ struct Line {
     double rate = 1e9;     // bytes a second
     double present = 0.01; // seconds that the client takes to show a frame
     double jitter = 0;     // seconds that it takes longer, now and then
+    double busy = 0;       // at most so many seconds longer, each time others
     bool acknowledges = true;
 };
 
@@ -35,6 +37,7 @@ Outcome run(const Line& line, double making, std::size_t bytes, double seconds =
     std::map<double, std::uint32_t> acknowledgements;
     double now = 0, free = 0, shown = 0;
     std::uint32_t frame = 0;
+    std::minstd_rand random;
     const auto go_on_until = [&](double time) {
         now = std::max(now, time);
         for (; !acknowledgements.empty() && acknowledgements.begin()->first <= now;
@@ -57,7 +60,8 @@ Outcome run(const Line& line, double making, std::size_t bytes, double seconds =
         window.sent(++frame, bytes, false, at(now));
         result.most_on_the_way = std::max(result.most_on_the_way, window.frames_on_the_way());
         free = std::max(free, now) + static_cast<double>(bytes) / line.rate;
-        shown = std::max(shown, free + line.round_trip / 2 + line.present + (frame % 7 == 0 ? line.jitter : 0));
+        shown = std::max(shown, free + line.round_trip / 2 + line.present + (frame % 7 == 0 ? line.jitter : 0) +
+                                    line.busy * static_cast<double>(random()) / std::minstd_rand::max());
         if (line.acknowledges) acknowledgements[shown + line.round_trip / 2] = frame;
     }
     result.rate = window.rate();
@@ -93,6 +97,17 @@ TEST(FrameWindow, AFullLineDoesNotQueueAndIsMeasured) {
 TEST(FrameWindow, ABrowserThatStumblesCostsFewFrames) {
     const Outcome far = run({0.2, 10 * mbit, 0.01, 0.04}, 0.066, 40'000);
     EXPECT_GE(static_cast<double>(far.frames), 0.9 * 9 / 0.066);
+}
+
+TEST(FrameWindow, ABusyBrowserIsNoFullLine) {
+    const struct { double round_trip, busy; } cases[]{{0.05, 0.06}, {0.05, 0.12}, {0.2, 0.06}};
+    for (const auto& [round_trip, busy] : cases) {
+        const Outcome far = run({round_trip, 100 * mbit, 0.01, 0, busy}, 0.066, 30'000, 30);
+        EXPECT_GE(static_cast<double>(far.frames), 0.85 * 30 / 0.066) << round_trip << ' ' << busy;
+        if (far.rate > 0) {
+            EXPECT_GE(far.rate, 0.9 * 30'000 / 0.066) << round_trip << ' ' << busy << ": quality would go";
+        }
+    }
 }
 
 TEST(FrameWindow, FramesThatNeedSecondsGoOneByOne) {
