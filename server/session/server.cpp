@@ -9,6 +9,7 @@
 #include "session/uploads.hpp"
 #include "store/files.hpp"
 #include "store/machine_memory.hpp"
+#include "store/memory_reserve.hpp"
 #include "wire/frame_header.hpp"
 
 #include <algorithm>
@@ -64,6 +65,7 @@ struct Server::State {
                                                         workers,        metrics,
                                                         memory},
           sessions(services), uploads(options.limits), slow_calls(options.limits) {
+        store::keep_memory_in_reserve();
         watch = catalog.watch([this](const std::string& dataset) { tell_steps(dataset); });
         housekeeping = std::jthread([this](const std::stop_token& stop) {
             std::mutex mutex;
@@ -89,6 +91,7 @@ struct Server::State {
         if (std::ranges::all_of(all, [](const auto& session) { return session->view_count() == 0; })) workers.rest();
         picture_workers.rest();
         store::give_back_free_memory();
+        store::keep_memory_in_reserve();
     }
 
     void release_unused(Clock::time_point unused_since) {

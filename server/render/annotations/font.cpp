@@ -2,6 +2,7 @@
 
 #include "ciel/types.hpp"
 #include "render/annotations/fallback_font.hpp"
+#include "render/annotations/free_type.hpp"
 
 #include <ft2build.h>
 #include FT_FREETYPE_H
@@ -11,7 +12,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <new>
 #include <unordered_map>
 #include <utility>
 
@@ -24,21 +24,17 @@ constexpr unsigned face_shift = 24;                   // of a PlacedGlyph's numb
 constexpr std::uint32_t glyph_mask = (1U << face_shift) - 1;
 constexpr std::size_t most_faces = 64;
 
-void check(FT_Error error, const char* what, const std::filesystem::path& file) {
-    if (error != 0) throw Error(file.string() + ": FreeType cannot " + what);
-}
-
 struct GlyphDeleter {
     void operator()(FT_Glyph glyph) const { FT_Done_Glyph(glyph); }
 };
 using OwnedGlyph = std::unique_ptr<FT_GlyphRec_, GlyphDeleter>;
 
 // Replaces the outline by its bitmap.
-OwnedGlyph bitmap_of(OwnedGlyph outline) {
+OwnedGlyph bitmap_of(OwnedGlyph outline, FreeType& library, const std::filesystem::path& file) {
     FT_Glyph glyph = outline.release();
     const FT_Error error = FT_Glyph_To_Bitmap(&glyph, FT_RENDER_MODE_NORMAL, nullptr, 1);
     OwnedGlyph owned(glyph);
-    if (error != 0) throw Error("FreeType cannot draw a glyph");
+    library.check(error, "draw a glyph", file);
     return owned;
 }
 
@@ -58,7 +54,7 @@ void copy(const FT_BitmapGlyphRec_& from, GlyphImage& to, std::size_t channel) {
 } // namespace
 
 struct Font::State {
-    FT_Library library = nullptr;
+    FreeType library;
     FT_Stroker stroker = nullptr;
     struct Face {
         std::filesystem::path file;
@@ -75,20 +71,15 @@ struct Font::State {
     std::map<int, FontMetrics> metrics;
 
     explicit State(const std::filesystem::path& file) {
-        if (FT_Init_FreeType(&library) != 0) throw Error("FreeType cannot be started");
-        if (!open(file, 0)) {
-            FT_Done_FreeType(library);
+        if (!open(file, 0))
             throw Error("titles, axes and legends cannot be written: this machine's font " + file.filename().string() +
                         " cannot be read; leave them out, or install the package fonts-dejavu-core on it");
-        }
-        FT_Stroker_New(library, &stroker);
+        library.check(FT_Stroker_New(library.library(), &stroker), "draw around its glyphs", file);
     }
     // False where it cannot be read. Throws std::bad_alloc.
     bool open(const std::filesystem::path& file, int index) {
-        FT_Face face = nullptr;
-        const FT_Error failed = FT_New_Face(library, file.c_str(), index, &face);
-        if (failed == FT_Err_Out_Of_Memory) throw std::bad_alloc();
-        if (failed != 0) return false;
+        const FT_Face face = library.open(file, index);
+        if (face == nullptr) return false;
         faces.push_back({file, index, face, 0});
         return true;
     }
@@ -101,10 +92,7 @@ struct Font::State {
         const FT_UInt glyph = FT_Get_Char_Index(faces.back().face, character);
         return glyph == 0 ? std::pair<std::size_t, FT_UInt>{0, 0} : std::pair{faces.size() - 1, glyph};
     }
-    ~State() {
-        FT_Stroker_Done(stroker);
-        FT_Done_FreeType(library); // with its faces
-    }
+    ~State() { FT_Stroker_Done(stroker); }
     State(const State&) = delete;
     State& operator=(const State&) = delete;
 };
@@ -121,9 +109,11 @@ Font::State& Font::opened() {
 }
 
 FT_FaceRec_* Font::at(int pixels, std::size_t place) {
-    State::Face& known = opened().faces.at(place);
+    State& state = opened();
+    State::Face& known = state.faces.at(place);
     if (known.pixels != pixels) {
-        check(FT_Set_Pixel_Sizes(known.face, 0, static_cast<FT_UInt>(pixels)), "use it at this size", known.file);
+        state.library.check(FT_Set_Pixel_Sizes(known.face, 0, static_cast<FT_UInt>(pixels)), "use it at this size",
+                            known.file);
         known.pixels = pixels;
     }
     return known.face;
@@ -136,7 +126,7 @@ FontMetrics Font::metrics(int pixels) {
     FontMetrics metrics;
     metrics.ascent = static_cast<int>((face->size->metrics.ascender + 63) / 64);
     metrics.descent = static_cast<int>((-face->size->metrics.descender + 63) / 64);
-    check(FT_Load_Char(face, '0', load_flags), "read its digits", file_);
+    known.library.check(FT_Load_Char(face, '0', load_flags), "read its digits", file_);
     metrics.digit = static_cast<int>((face->glyph->metrics.horiBearingY + 32) / 64);
     return known.metrics[pixels] = metrics;
 }
@@ -152,7 +142,7 @@ Line Font::shape(std::string_view utf8, int pixels) {
             const bool is_control = character < 0x20 || (character >= 0x7F && character < 0xA0);
             const auto [place, glyph] = state.find(is_control ? U' ' : character);
             const State::Face& own = state.faces[place];
-            check(FT_Load_Glyph(own.face, glyph, FT_LOAD_NO_SCALE), "read a glyph", own.file);
+            state.library.check(FT_Load_Glyph(own.face, glyph, FT_LOAD_NO_SCALE), "read a glyph", own.file);
             const double advance = static_cast<double>(own.face->glyph->metrics.horiAdvance) / own.face->units_per_EM;
             const auto packed = static_cast<std::uint32_t>(place << face_shift | glyph);
             known = state.characters.emplace(character, State::Character{packed, advance}).first;
@@ -174,20 +164,21 @@ Line Font::shape(std::string_view utf8, int pixels) {
 GlyphImage Font::draw(std::uint32_t glyph, int pixels) {
     const std::size_t place = glyph >> face_shift;
     const FT_Face face = at(pixels, place);
-    const State& state = opened();
+    State& state = opened();
     const std::filesystem::path& file = state.faces[place].file;
     GlyphImage image;
-    check(FT_Load_Glyph(face, glyph & glyph_mask, load_flags), "read a glyph", file);
+    state.library.check(FT_Load_Glyph(face, glyph & glyph_mask, load_flags), "read a glyph", file);
     if (face->glyph->format != FT_GLYPH_FORMAT_OUTLINE || face->glyph->outline.n_points == 0) return image;
     FT_Glyph loaded = nullptr;
-    check(FT_Get_Glyph(face->glyph, &loaded), "read a glyph", file);
+    state.library.check(FT_Get_Glyph(face->glyph, &loaded), "read a glyph", file);
     OwnedGlyph letter(loaded);
     FT_Stroker_Set(state.stroker, static_cast<FT_Fixed>(64 * std::max(1.0, halo_share * pixels)),
                    FT_STROKER_LINECAP_ROUND, FT_STROKER_LINEJOIN_ROUND, 0);
     FT_Glyph stroked = loaded;
-    check(FT_Glyph_StrokeBorder(&stroked, state.stroker, 0, 0), "draw around a glyph", file); // keeps the first
-    const OwnedGlyph halo = bitmap_of(OwnedGlyph(stroked));
-    letter = bitmap_of(std::move(letter));
+    state.library.check(FT_Glyph_StrokeBorder(&stroked, state.stroker, 0, 0), "draw around a glyph",
+                        file); // keeps the first
+    const OwnedGlyph halo = bitmap_of(OwnedGlyph(stroked), state.library, file);
+    letter = bitmap_of(std::move(letter), state.library, file);
     const auto& around = *reinterpret_cast<FT_BitmapGlyph>(halo.get());
     image.left = around.left;
     image.top = around.top;
