@@ -24,17 +24,23 @@ void add_demo(CLI::App& app, Run& run) {
     struct Options {
         std::string output = "demo.ciel";
         bool force = false;
+        int coarseness = 1;
     };
     const auto options = std::make_shared<Options>();
     CLI::App* command =
         app.add_subcommand("demo", "Make the demo dataset: Voronoi cells and hexahedra, an unsteady vortex street");
     command->add_option("-o,--output", options->output, "NAME.ciel")->capture_default_str();
+    command
+        ->add_option("--coarseness", options->coarseness,
+                     "Cells so many times as long: a smaller dataset of the same kind")
+        ->check(CLI::Range(1, demo::most_coarseness))
+        ->capture_default_str();
     command->add_flag("--force", options->force, "Replace a dataset of this name");
     command->callback([options, &run] {
         run = [options] {
             if (!options->output.ends_with(".ciel"))
                 throw UsageError("-o " + options->output + ": the name of a dataset ends in .ciel");
-            demo::write_demo(options->output, options->force, show_progress);
+            demo::write_demo(options->output, options->force, options->coarseness, show_progress);
             std::cout << options->output << '\n';
             return 0;
         };

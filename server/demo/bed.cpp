@@ -1,6 +1,7 @@
 #include "demo/bed.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace ciel::demo {
 namespace {
@@ -20,16 +21,26 @@ std::vector<double> axis(double low, double step, int before, double growth_befo
     return planes;
 }
 
+constexpr double finest = 0.12;
 constexpr int upstream = 10, near_x = 73, downstream = 35;
 constexpr int beside = 10, near_y = 40;
 constexpr int layers = 40;
+constexpr double growth_around = 1.15, growth_downstream = 1.04;
 
 } // namespace
 
-Bed::Bed()
-    : x(axis(-2.4, spacing, upstream, 1.15, near_x, downstream, 1.04)),
-      y(axis(-2.4, spacing, beside, 1.15, near_y, beside, 1.15)), z(axis(0, spacing, 0, 1, layers, 0, 1)),
-      x_begin(upstream), x_end(upstream + near_x), y_begin(beside), y_end(beside + near_y) {}
+Bed::Bed(int coarseness) : spacing(finest * coarseness) {
+    // The nearest number; of two, the smaller.
+    const auto cells = [&](int finest_cells) { return (2 * finest_cells + coarseness - 1) / (2 * coarseness); };
+    const double around = std::pow(growth_around, coarseness), behind = std::pow(growth_downstream, coarseness);
+    x = axis(-2.4, spacing, cells(upstream), around, cells(near_x), cells(downstream), behind);
+    y = axis(-2.4, spacing, cells(beside), around, cells(near_y), cells(beside), around);
+    z = axis(0, spacing, 0, 1, cells(layers), 0, 1);
+    x_begin = static_cast<std::size_t>(cells(upstream));
+    x_end = x_begin + static_cast<std::size_t>(cells(near_x));
+    y_begin = static_cast<std::size_t>(cells(beside));
+    y_end = y_begin + static_cast<std::size_t>(cells(near_y));
+}
 
 CellSoup hexahedra(const Bed& bed) {
     CellSoup soup;

@@ -7,9 +7,10 @@
 namespace ciel::demo {
 
 struct Bed {
-    Bed();
+    // Cells `coarseness` times as long, in a box of almost the same size.
+    explicit Bed(int coarseness = 1);
 
-    double spacing = 0.12;
+    double spacing;
     std::vector<double> x, y, z;                // the planes of the lattice
     std::size_t x_begin, x_end, y_begin, y_end; // planes that bound the Voronoi cells
 

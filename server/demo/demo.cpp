@@ -112,10 +112,10 @@ store::DatasetHeader header_of(const FaceMesh& mesh) {
 
 } // namespace
 
-void write_demo(const std::filesystem::path& directory, bool overwrite,
+void write_demo(const std::filesystem::path& directory, bool overwrite, int coarseness,
                 const std::function<void(double share, const char* what)>& progress) {
     progress(0, "Voronoi cells and hexahedra");
-    const Bed bed;
+    const Bed bed(coarseness);
     const FaceMesh mesh = make_mesh(bed);
     store::Writer writer(directory, header_of(mesh), overwrite);
     progress(0.3, "writing the mesh");

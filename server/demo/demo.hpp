@@ -6,9 +6,12 @@
 
 namespace ciel::demo {
 
+inline constexpr int most_coarseness = 4; // larger cells do not fit between the cylinder and the hexahedra
+
 // Writes the dataset (at least 100,000 arbitrary polyhedra, at least 20 time steps) in under 20 s on two cores.
-// `progress` gets a share in [0, 1] and what is being done. Throws Error.
-void write_demo(const std::filesystem::path& directory, bool overwrite,
+// coarseness: 1 to most_coarseness, cells so many times as long; arrays, groups and times are the same. `progress` gets
+// a share in [0, 1] and what is being done. Throws Error.
+void write_demo(const std::filesystem::path& directory, bool overwrite, int coarseness,
                 const std::function<void(double share, const char* what)>& progress);
 
 } // namespace ciel::demo

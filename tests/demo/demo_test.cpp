@@ -18,7 +18,7 @@ protected:
     static void SetUpTestSuite() {
         folder = std::make_unique<test::Folder>();
         double last = 0;
-        write_demo(*folder / "demo.ciel", false, [&](double share, const char*) {
+        write_demo(*folder / "demo.ciel", false, 1, [&](double share, const char*) {
             EXPECT_GE(share, last);
             last = share;
         });
@@ -125,6 +125,50 @@ TEST_F(DemoTest, TheFlowVariesOverTimeAndSpan) {
     double difference = 0;
     for (std::size_t i = 0; i < first.size(); ++i) difference += std::abs(first[i] - half[i]);
     EXPECT_GT(difference / static_cast<double>(first.size()), 1);
+}
+
+std::vector<std::string> group_names(const store::Dataset& dataset) {
+    std::vector<std::string> names;
+    for (const store::Group& each : dataset.groups(0)) {
+        EXPECT_FALSE(each.ids.empty()) << each.name;
+        names.emplace_back(each.name);
+    }
+    return names;
+}
+
+// Same time, same arrays, ranges about as wide.
+void expect_alike(const store::Step& coarse, const store::Step& whole) {
+    EXPECT_EQ(coarse.time, whole.time);
+    ASSERT_EQ(coarse.arrays.size(), whole.arrays.size());
+    for (const auto& [name, array] : whole.arrays) {
+        ASSERT_TRUE(coarse.arrays.contains(name)) << name;
+        const auto &few = coarse.arrays.at(name).range, &many = array.range;
+        EXPECT_NEAR((few[1] - few[0]) / (many[1] - many[0]), 1, 0.25) << name << " at " << whole.time;
+    }
+}
+
+// A small dataset stands for the whole one wherever the number of cells is no matter.
+TEST_F(DemoTest, ACoarseOneHasTheSameNamesTimesAndKindsOfCellsInAlmostTheSameBox) {
+    const store::MeshInfo& large = dataset->info().meshes.at(0);
+    for (int coarseness = 2; coarseness <= most_coarseness; ++coarseness) {
+        SCOPED_TRACE(coarseness);
+        const test::Folder place;
+        write_demo(place / "coarse.ciel", false, coarseness, [](double, const char*) {});
+        const auto coarse = store::Dataset::open(place / "coarse.ciel");
+        const store::MeshInfo& small = coarse->info().meshes.at(0);
+        EXPECT_EQ(small.components, 1U);
+        EXPECT_EQ(small.vertices + small.faces, small.edges + small.cells);
+        EXPECT_EQ(small.cells_by_type.size(), large.cells_by_type.size());
+        for (const auto& [type, cells] : large.cells_by_type) {
+            const double expected = static_cast<double>(cells) / (coarseness * coarseness * coarseness);
+            EXPECT_NEAR(static_cast<double>(small.cells_by_type.at(type)) / expected, 1, 0.25) << type;
+        }
+        for (std::size_t side = 0; side < 6; ++side) EXPECT_NEAR(small.bounds[side], large.bounds[side], 1) << side;
+        EXPECT_EQ(group_names(*coarse), group_names(*dataset));
+        ASSERT_EQ(coarse->steps().size(), dataset->steps().size());
+        for (std::size_t step = 0; step < coarse->steps().size(); ++step)
+            expect_alike(coarse->steps()[step], dataset->steps()[step]);
+    }
 }
 
 } // namespace

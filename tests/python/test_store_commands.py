@@ -47,6 +47,19 @@ def test_a_demo_has_the_name_of_a_dataset(tmp_path):
     assert result.returncode == 2 and "ends in .ciel" in result.stderr and not any(tmp_path.iterdir())
 
 
+def test_a_coarse_demo_is_a_small_dataset_of_the_same_kind(demo, tmp_path):
+    result = ciel("demo", "--coarseness", 4, "-o", tmp_path / "coarse.ciel")
+    assert result.returncode == 0, result.stderr
+    small, large = info(tmp_path / "coarse.ciel"), info(demo)
+    assert small["input"]["cells"] < large["input"]["cells"] / 50
+    assert [(array["name"], array["components"]) for array in small["arrays"]] == [
+        (array["name"], array["components"]) for array in large["arrays"]
+    ]
+    for refused in (0, 5, 1.5):
+        result = ciel("demo", "--coarseness", refused, "-o", tmp_path / "refused.ciel")
+        assert result.returncode == 2 and "--coarseness" in result.stderr, result.stderr
+
+
 def test_info_has_the_promised_keys(demo):
     told = info(demo)
     assert set(told["input"]) == {"vertices", "edges", "cells"}
