@@ -38,6 +38,7 @@ struct ServeOptions {
     std::string gl = "auto", log_level = "info", log_format = "text";
     ExtractionOptions extraction;
     unsigned render_workers = 1, threads = 0;
+    int still_samples = session::default_still_samples;
     session::Limits limits;
     bool allow_append = false;
     gateway::GatewayOptions gateway;
@@ -127,6 +128,7 @@ int serve(ServeOptions& options) {
     server_options.backend = render::backend_named(options.gl);
     server_options.extraction = options.extraction.chosen();
     server_options.render_workers = options.render_workers;
+    server_options.still_samples = options.still_samples;
     server_options.limits = options.limits;
     server_options.allow_append = options.allow_append;
     for (const auto& path : server_options.data) warn_of_files_to_import(path);
@@ -171,6 +173,12 @@ void add_serve(CLI::App& app, Run& run) {
     options->extraction.add_to(*command);
     command->add_option("--workers", options->render_workers, "frames drawn at the same time")
         ->check(CLI::Range(1, 64))
+        ->capture_default_str();
+    command
+        ->add_option("--still-samples", options->still_samples,
+                     "samples a pixel of full pictures: 1 draws several times faster in software, with jagged edges")
+        ->check(CLI::IsMember({1, 2, 4, 8}))
+        ->envname("CIEL_STILL_SAMPLES")
         ->capture_default_str();
     command->add_option("--threads", options->threads, "threads of the extraction; 0: one per core")
         ->check(CLI::Range(0, 1024))

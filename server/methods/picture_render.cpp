@@ -22,7 +22,7 @@ protocol::PictureRenderResult picture_render(Context& context, const protocol::P
     const render::Image image = context.server.picture_workers().run([&](session::Worker& worker) {
         context.check_wanted();
         render::Image drawn;
-        render::Frame frame = session::picture_of(*geometry, source.version().scene, size);
+        render::Frame frame = session::picture_of(*geometry, source.version().scene, size, worker.still_samples());
         frame.check_wanted = [&] { context.check_wanted(); };
         worker.renderer().draw(frame, drawn);
         remarks = session::remarks_on(*geometry, worker.renderer());

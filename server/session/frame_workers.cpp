@@ -25,7 +25,8 @@ void Worker::rest() {
     if (renderer_ && renderer_->kept_memory() > worth_giving_back) renderer_->give_back_memory();
 }
 
-FrameWorkers::FrameWorkers(unsigned threads, render::Backend backend) : backend_(backend) {
+FrameWorkers::FrameWorkers(unsigned threads, render::Backend backend, int still_samples)
+    : backend_(backend), still_samples_(still_samples) {
     for (unsigned i = 0; i < std::max(threads, 1U); ++i)
         threads_.emplace_back([this](const std::stop_token& stop) { work(stop); });
 }
@@ -122,7 +123,7 @@ FrameWorkers::Job FrameWorkers::next(std::unique_lock<std::mutex>& lock, const s
 }
 
 void FrameWorkers::work(const std::stop_token& stop) {
-    Worker worker(*this, backend_);
+    Worker worker(*this, backend_, still_samples_);
     std::unique_lock lock(mutex_);
     std::uint64_t rests = rests_;
     while (Job job = next(lock, stop, worker, rests)) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "render/renderer.hpp"
+#include "session/still_samples.hpp"
 
 #include <chrono>
 #include <condition_variable>
@@ -24,15 +25,18 @@ class FrameWorkers;
 // What a job gets of the thread that it runs on.
 class Worker {
 public:
-    Worker(const FrameWorkers& all, render::Backend backend) : all_(all), backend_(backend) {}
+    Worker(const FrameWorkers& all, render::Backend backend, int still_samples)
+        : all_(all), backend_(backend), still_samples_(still_samples) {}
     // Made at first use, so that work without pictures needs no GL. Throws Error; the next call tries again.
     [[nodiscard]] render::Renderer& renderer();
-    [[nodiscard]] const FrameWorkers& all() const { return all_; } // of which this is one
-    void rest();                                                   // gives back what large pictures have taken
+    [[nodiscard]] const FrameWorkers& all() const { return all_; }     // of which this is one
+    [[nodiscard]] int still_samples() const { return still_samples_; } // of a pixel
+    void rest();                                                       // gives back what large pictures have taken
 
 private:
     const FrameWorkers& all_;
     render::Backend backend_;
+    int still_samples_;
     std::optional<render::Renderer> renderer_;
 };
 
@@ -41,7 +45,7 @@ class FrameWorkers {
 public:
     using Job = std::function<void(Worker&)>; // must not throw
 
-    FrameWorkers(unsigned threads, render::Backend backend);
+    FrameWorkers(unsigned threads, render::Backend backend, int still_samples = default_still_samples);
     ~FrameWorkers(); // waits for the jobs under way, drops the rest
 
     // Jobs of post go first, in order. A job of post_later starts at `due` or after, when no other waits. After a
@@ -79,6 +83,7 @@ private:
                            std::uint64_t& rests);
 
     render::Backend backend_;
+    int still_samples_;
     mutable std::mutex mutex_;
     std::condition_variable_any changed_;
     std::deque<Job> now_;

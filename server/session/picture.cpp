@@ -6,7 +6,6 @@
 
 namespace ciel::session {
 namespace {
-constexpr int still_samples = 4;
 
 void widen_lines(render::Frame& frame, double times) {
     for (render::Mesh& mesh : frame.meshes)
@@ -28,7 +27,7 @@ const render::Image& draw(const Geometry& geometry, const scene::Scene& scene, V
     const double scale = moving_scale.value_or(1);
     const int width = std::max(1, static_cast<int>(size.width * scale));
     const int height = std::max(1, static_cast<int>(size.height * scale));
-    render::Frame frame = frame_of(geometry, scene, width, height, moving_scale ? 1 : still_samples);
+    render::Frame frame = frame_of(geometry, scene, width, height, moving_scale ? 1 : worker.still_samples());
     // From where the still will look, whose size decides what is written on it.
     if (!scene.camera && scale < 1)
         frame.camera = default_view(geometry, scene, static_cast<int>(size.width), static_cast<int>(size.height));
@@ -37,9 +36,9 @@ const render::Image& draw(const Geometry& geometry, const scene::Scene& scene, V
     return worker.renderer().draw(frame);
 }
 
-render::Frame picture_of(const Geometry& geometry, const scene::Scene& scene, ViewSize size) {
+render::Frame picture_of(const Geometry& geometry, const scene::Scene& scene, ViewSize size, int samples) {
     render::Frame frame =
-        frame_of(geometry, scene, static_cast<int>(size.width), static_cast<int>(size.height), still_samples);
+        frame_of(geometry, scene, static_cast<int>(size.width), static_cast<int>(size.height), samples);
     widen_lines(frame, std::max(1.0, render::size_of_picture(frame.width, frame.height)));
     frame.annotations = annotations_of(geometry, scene);
     return frame;

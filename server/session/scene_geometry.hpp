@@ -130,7 +130,7 @@ private:
     std::map<std::string, VolumeCut> volumes_; // by layer
 };
 
-// Borrows from `geometry`. samples: 1, or 4 for stills. Without a camera in the scene it looks from as far as what is
+// Borrows from `geometry`. samples: of a pixel. Without a camera in the scene it looks from as far as what is
 // written over pictures needs (render/annotations/make_room.hpp), though it carries none of it.
 [[nodiscard]] render::Frame frame_of(const Geometry& geometry, const scene::Scene& scene, int width, int height,
                                      int samples);

@@ -59,11 +59,11 @@ struct Server::State {
           memory(
               options.limits.memory_bytes, [this] { return dataset_bytes(); },
               [this] { release_unused(Clock::now()); }),
-          workers(options.render_workers, options.backend),
-          picture_workers(1, options.backend), services{options.limits, options.extraction,
-                                                        catalog,        connections,
-                                                        workers,        metrics,
-                                                        memory},
+          workers(options.render_workers, options.backend, options.still_samples),
+          picture_workers(1, options.backend, options.still_samples), services{options.limits, options.extraction,
+                                                                               catalog,        connections,
+                                                                               workers,        metrics,
+                                                                               memory},
           sessions(services), uploads(options.limits), slow_calls(options.limits) {
         store::keep_memory_in_reserve();
         watch = catalog.watch([this](const std::string& dataset) { tell_steps(dataset); });

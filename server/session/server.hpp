@@ -5,6 +5,7 @@
 #include "render/renderer.hpp"
 #include "session/connection.hpp"
 #include "session/limits.hpp"
+#include "session/still_samples.hpp"
 #include "store/catalog.hpp"
 
 #include <chrono>
@@ -19,7 +20,8 @@ struct ServerOptions {
     render::Backend backend = render::Backend::automatic;
     Extraction extraction;
     unsigned render_workers = 1;
-    bool allow_append = false; // by clients, who need the token
+    int still_samples = default_still_samples; // of a pixel
+    bool allow_append = false;                 // by clients, who need the token
     Limits limits;
 };
 

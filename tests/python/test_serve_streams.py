@@ -13,6 +13,7 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkIOImage import vtkJPEGReader, vtkPNGReader
 
 import box_dataset
+from program import ciel
 from serve_process import PATIENCE, UPGRADE, Frame, Server, client, iso, until
 
 
@@ -128,6 +129,39 @@ def test_lines_are_as_wide_in_moving_and_still_pictures_and_on_any_screen(server
             assert b'"width": 4.5' in frame.payload
 
     run(attempt)
+
+
+def colors_of_stills(running: Server) -> list[int]:
+    """Of a white box before black, in a view's still and in a picture of its own: with soft edges there are greys."""
+    scene = {"dataset": "box", "background": "#000000", "annotations": {"legend": False, "triad": False},
+             "lighting": {"on": False}, "layers": {"all": {"type": "surface", "color": {"solid": "#ffffff"}}},
+             "camera": {"position": [3, -8, 5], "target": [0.5, 0.5, 0.5], "up": [0, 0, 1]}}
+    stills = []
+
+    async def attempt():
+        async with client(running) as caller:
+            session = (await caller.call("session.open", scene=scene))["session"]
+            await caller.call("view.open", session=session, width=320, height=240)
+            frame = await caller.next_frame()
+            while not frame.still:
+                await caller.acknowledge(frame)
+                frame = await caller.next_frame()
+            answer = await caller.call("picture.render", session=session, width=320, height=240)
+            stills.extend((frame.payload, base64.b64decode(answer["data"])))
+
+    run(attempt)
+    return [len(numpy.unique(pixels(vtkPNGReader(), still)[:, :, 0])) for still in stills]
+
+
+def test_stills_have_as_many_samples_as_the_server_was_given(server, tmp_path):
+    assert all(colors > 2 for colors in colors_of_stills(server))
+    box = box_dataset.write_box(tmp_path / "box.ciel", n=4)
+    with Server(box, "--still-samples", "1") as running:
+        assert colors_of_stills(running) == [2, 2]
+    with Server(box, environment={"CIEL_STILL_SAMPLES": "1"}) as running:
+        assert colors_of_stills(running) == [2, 2]
+    refused = ciel("serve", box, "--still-samples", "3")
+    assert refused.returncode == 2 and "--still-samples" in refused.stderr
 
 
 def test_a_burst_of_a_hundred_patches_draws_what_the_line_has_room_for_and_the_last(server):
