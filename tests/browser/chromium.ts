@@ -17,10 +17,16 @@ const FLAGS = [
   "--disable-sync",
 ];
 
-export function launch(): Promise<Playwright.Browser> {
+export function launch(more: readonly string[] = []): Promise<Playwright.Browser> {
   const executablePath = process.env.CIEL_CHROMIUM ?? "/usr/bin/chromium";
   return playwright.chromium.launch({
     executablePath,
-    args: [...FLAGS, "--enable-unsafe-swiftshader"],
+    args: [...FLAGS, "--enable-unsafe-swiftshader", ...more],
   });
+}
+
+/** The browser of with_chromium.ts, which closes no more than the contexts made here; else one of our own. */
+export function browser(): Promise<Playwright.Browser> {
+  const shared = process.env.CIEL_CHROMIUM_ADDRESS ?? "";
+  return shared === "" ? launch() : playwright.chromium.connectOverCDP(shared);
 }

@@ -161,6 +161,7 @@ describe("company", { skip }, () => {
     const link = new URL(client.page.url()).hash;
     await client.button("Undo").click();
     await client.settled();
+    await client.addressed(); // else the address is that of the link still
     await client.page.evaluate((hash) => void (location.hash = hash), link);
     await client.reached(wanted);
     await client.settled();

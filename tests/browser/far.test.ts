@@ -6,7 +6,7 @@ import type { Client } from "./page.ts";
 import { isoFragment, skip, Stage } from "./stage.ts";
 
 describe("far from the server", { skip }, () => {
-  const stage = new Stage();
+  const stage = new Stage({}, { large: true }); // a server that takes longer than a hand
 
   async function over(options: LineOptions, use: (client: Client) => Promise<void>): Promise<void> {
     const line = await Line.to(stage.server.port, options);

@@ -165,7 +165,7 @@ async function rows(browser: Browser, server: Server, stream: string, roundTrip:
   }
 }
 
-const server = await Server.started(datasets());
+const server = await Server.started(datasets(), { samples: 4 });
 const browser = await launch();
 try {
   console.log(

@@ -145,6 +145,17 @@ export class Client {
     }
   }
 
+  /** Does something, and waits until the server has taken the scene that comes of it. */
+  async taken(act: () => Promise<unknown>): Promise<void> {
+    const { wanted: before } = await this.shown();
+    await act();
+    const deadline = Date.now() + 60_000;
+    for (let { wanted } = await this.shown(); !(wanted > before); { wanted } = await this.shown()) {
+      if (Date.now() > deadline) throw new Error(`the scene is still that of revision ${before}`);
+      await this.page.waitForTimeout(30);
+    }
+  }
+
   /** Until the address has followed the scene, which it does after a pause. */
   async addressed(): Promise<void> {
     let [address, since] = ["", Date.now()];

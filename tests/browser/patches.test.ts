@@ -13,8 +13,8 @@ import { Server } from "./server.ts";
 import { skip, Stage } from "./stage.ts";
 
 const CELLS = 16;
-/** In front of the bar's "front" sides (y = 0), in the middle of which cell 8 begins. */
-const camera = { position: [8.5, -40, 0.5], target: [8.5, 0, 0.5], up: [0, 0, 1] } as const;
+/** Before the bar's "front" sides (y = 0), in the middle of cell 8, and above it: a hole shows the bottom, lit otherwise. */
+const camera = { position: [8.5, -20, 13.5], target: [8.5, 0, 0.5], up: [0, 0, 1] } as const;
 
 describe("patches", { skip }, () => {
   const stage = new Stage();

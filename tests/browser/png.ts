@@ -20,12 +20,16 @@ function unfilter(raw: Buffer, width: number, height: number, channels: number):
   const pixels = new Uint8Array(stride * height);
   for (let y = 0; y < height; y += 1) {
     const filter = raw[y * (stride + 1)] ?? 0;
+    const [from, to, above] = [y * (stride + 1) + 1, y * stride, (y - 1) * stride];
     for (let i = 0; i < stride; i += 1) {
-      const left = i >= channels ? (pixels[y * stride + i - channels] ?? 0) : 0;
-      const up = y > 0 ? (pixels[(y - 1) * stride + i] ?? 0) : 0;
-      const corner = i >= channels && y > 0 ? (pixels[(y - 1) * stride + i - channels] ?? 0) : 0;
-      const guess = [0, left, up, (left + up) >> 1, paeth(left, up, corner)][filter] ?? 0;
-      pixels[y * stride + i] = (raw[y * (stride + 1) + 1 + i] ?? 0) + guess;
+      const left = i >= channels ? (pixels[to + i - channels] ?? 0) : 0;
+      const up = y > 0 ? (pixels[above + i] ?? 0) : 0;
+      let guess = 0;
+      if (filter === 1) guess = left;
+      else if (filter === 2) guess = up;
+      else if (filter === 3) guess = (left + up) >> 1;
+      else if (filter === 4) guess = paeth(left, up, i >= channels && y > 0 ? (pixels[above + i - channels] ?? 0) : 0);
+      pixels[to + i] = (raw[from + i] ?? 0) + guess;
     }
   }
   return pixels;

@@ -9,9 +9,9 @@ const root = resolve(dirname(fileURLToPath(import.meta.url)), "../..");
 export const binary = process.env.CIEL_BINARY ?? join(root, "build/ciel");
 export const webclient = process.env.CIEL_WEBCLIENT ?? join(root, "webclient/dist");
 
-/** The datasets of CIEL_BROWSER_DATA: paths parted by colons, each a dataset or a folder of them. */
-export function datasets(): string[] {
-  const paths = (process.env.CIEL_BROWSER_DATA ?? "").split(":").filter((path) => path !== "");
+/** Of an environment variable: paths parted by colons, each a dataset or a folder of them. */
+export function datasets(variable = "CIEL_BROWSER_DATA"): string[] {
+  const paths = (process.env[variable] ?? "").split(":").filter((path) => path !== "");
   return paths.flatMap((path) =>
     path.replace(/\/$/, "").endsWith(".ciel") || !existsSync(path)
       ? [path]
@@ -25,7 +25,7 @@ export const nameOf = (path: string): string =>
     .replace(/^.*\//, "")
     .replace(/\.ciel$/, "");
 
-async function freePort(): Promise<number> {
+export async function freePort(): Promise<number> {
   const probe = createServer();
   await new Promise<void>((done) => probe.listen(0, "127.0.0.1", done));
   const address = probe.address();
@@ -34,9 +34,11 @@ async function freePort(): Promise<number> {
   return address.port;
 }
 
-interface ServerOptions {
+export interface ServerOptions {
   prefix?: string;
   token?: string;
+  /** A pixel of stills has one: edges are no matter of most tests, and the machine draws in software. */
+  samples?: number;
 }
 
 export class Server {
@@ -47,12 +49,14 @@ export class Server {
   private readonly data: string[];
   private readonly prefix: string;
   private readonly token: string;
+  private readonly samples: number;
 
-  private constructor(port: number, data: string[], { prefix = "", token = "" }: ServerOptions) {
+  private constructor(port: number, data: string[], { prefix = "", token = "", samples = 1 }: ServerOptions) {
     this.port = port;
     this.data = data;
     this.prefix = prefix;
     this.token = token;
+    this.samples = samples;
   }
 
   static async started(data: string[], options: ServerOptions = {}): Promise<Server> {
@@ -69,7 +73,17 @@ export class Server {
   async start(): Promise<void> {
     if (this.process?.exitCode === null) return;
     const prefix = this.prefix === "" ? [] : ["--prefix", this.prefix];
-    const options = ["serve", ...this.data, "--port", String(this.port), "--webclient", webclient, ...prefix];
+    const drawing = ["--still-samples", String(this.samples)];
+    const options = [
+      "serve",
+      ...this.data,
+      "--port",
+      String(this.port),
+      "--webclient",
+      webclient,
+      ...prefix,
+      ...drawing,
+    ];
     const child = spawn(binary, options, {
       stdio: ["ignore", "pipe", "pipe"],
       env: this.token === "" ? process.env : { ...process.env, CIEL_TOKEN: this.token },

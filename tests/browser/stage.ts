@@ -1,9 +1,9 @@
 // A server, a browser and its pages: every suite needs the same, and so says only what is its own.
 import { after, before } from "node:test";
-import { launch, type Browser } from "./chromium.ts";
+import { browser, type Browser } from "./chromium.ts";
 import { fragmentOf } from "./link.ts";
 import { Client, type PageOptions } from "./page.ts";
-import { datasets, nameOf, Server } from "./server.ts";
+import { datasets, nameOf, Server, type ServerOptions } from "./server.ts";
 
 export const data = datasets();
 export const skip = data.length === 0 ? "no dataset: set CIEL_BROWSER_DATA" : false;
@@ -34,6 +34,11 @@ export async function isoFragment(server: Server): Promise<string> {
   return fragmentOf({ dataset, time: times[0], layers: { outline: { type: "outline", order: 0 }, surface, iso } });
 }
 
+interface StageOptions extends ServerOptions {
+  /** The datasets of CIEL_BROWSER_LARGE, of the same names: for what a small one is too quick or too little for. */
+  large?: boolean;
+}
+
 export class Stage {
   server!: Server;
   private browser!: Browser;
@@ -41,11 +46,12 @@ export class Stage {
   private readonly options: PageOptions;
 
   /** For the suite in which it is made; `options` are those of the page that its tests share. */
-  constructor(options: PageOptions = {}) {
+  constructor(options: PageOptions = {}, { large = false, ...server }: StageOptions = {}) {
     this.options = options;
     before(async () => {
-      this.server = await Server.started(data);
-      this.browser = await launch();
+      const wanted = large ? datasets("CIEL_BROWSER_LARGE") : [];
+      this.server = await Server.started(wanted.length > 0 ? wanted : data, server);
+      this.browser = await browser();
     });
     after(async () => {
       await this.browser.close();

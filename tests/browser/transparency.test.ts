@@ -41,7 +41,7 @@ function countObjects(): void {
 }
 
 describe("transparency", { skip }, () => {
-  const stage = new Stage();
+  const stage = new Stage({}, { samples: 4 });
   let client: Client;
   before(async () => {
     const options = { width: 1000, height: 640, before: `(${countObjects.toString()})()` };
@@ -53,8 +53,12 @@ describe("transparency", { skip }, () => {
     await client.settled(name);
   };
   const show = async (scene: object): Promise<void> => {
-    await client.page.evaluate((hash) => void (location.hash = hash), fragmentOf(scene));
-    await client.page.waitForTimeout(400); // the page reads the address, then asks the server
+    await client.taken(() => client.page.evaluate((hash) => void (location.hash = hash), fragmentOf(scene)));
+  };
+  /** Not in polygons, which take seconds in software: nobody looks at them yet. */
+  const showPicture = async (scene: object): Promise<void> => {
+    await stream("image");
+    await show(scene);
   };
   /** Until the picture stands: polygons are drawn coarsely while something moves. */
   const atRest = async (): Promise<Picture> => {
@@ -83,7 +87,7 @@ describe("transparency", { skip }, () => {
   const sides: Record<string, Place> = { front: [5, 0, 26], above, behind: [14, -9, -15] };
   for (const [side, position] of Object.entries(sides)) {
     test(`two nested surfaces and a slice through them from ${side}`, async () => {
-      await show(sceneOf(nested, position));
+      await showPicture(sceneOf(nested, position));
       await alike(side, 0.002);
     });
   }
@@ -113,7 +117,7 @@ describe("transparency", { skip }, () => {
   };
   for (const [name, layers] of Object.entries(scenes)) {
     test(name, async () => {
-      await show(sceneOf(layers));
+      await showPicture(sceneOf(layers));
       await alike(name.replaceAll(" ", "-"), 0.01);
     });
   }
@@ -139,7 +143,7 @@ describe("transparency", { skip }, () => {
   });
 
   test("it stays right when the window changes and when the context is lost; a drag makes no GL objects", async () => {
-    await show(sceneOf(nested));
+    await stream("image");
     await client.page.setViewportSize({ width: 900, height: 700 });
     const whole = await alike("resized", 0.002);
     await client.page.evaluate(() => {
@@ -153,7 +157,7 @@ describe("transparency", { skip }, () => {
     const objects = (): Promise<number> =>
       client.page.evaluate(() => (globalThis as unknown as { objects: number }).objects);
     const made = await objects();
-    await client.dragCanvas([0.4, 0.5], [0.5, 0.6]);
+    await client.dragCanvas([0.4, 0.5], [0.5, 0.6], 2);
     assert.ok(difference(whole, await atRest()) > 0.05);
     assert.equal(await objects(), made);
     assert.ok(made > 20, "they are counted");

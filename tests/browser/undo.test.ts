@@ -57,7 +57,7 @@ describe("undo", { skip }, () => {
   let session = "";
   before(async () => {
     const scene = { dataset: nameOf(data[0] ?? ""), layers, lighting };
-    client = await stage.fresh({ width: 1200, height: 800 }, fragmentOf(scene));
+    client = await stage.fresh({ width: 800, height: 600 }, fragmentOf(scene));
     session = (await client.page.evaluate(() => sessionStorage.getItem("ciel.session"))) ?? "";
   });
   after(() => client.close());

@@ -13,7 +13,7 @@ const foreground = (picture: Picture): number =>
 const isColoured = (color: Color): boolean => hue(color) !== null;
 
 describe("view", { skip }, () => {
-  const stage = new Stage({ width: 1280, height: 720 });
+  const stage = new Stage({ width: 1280, height: 720 }, { large: true }); // polygons in many batches and pieces
   let client: Client;
   before(async () => {
     client = await stage.same();
