@@ -17,11 +17,12 @@ const FLAGS = [
   "--disable-sync",
 ];
 
-export function launch(more: readonly string[] = []): Promise<Playwright.Browser> {
+export function launch({ args = [], ...more }: Playwright.LaunchOptions = {}): Promise<Playwright.Browser> {
   const executablePath = process.env.CIEL_CHROMIUM ?? "/usr/bin/chromium";
   return playwright.chromium.launch({
     executablePath,
-    args: [...FLAGS, "--enable-unsafe-swiftshader", ...more],
+    args: [...FLAGS, "--enable-unsafe-swiftshader", ...args],
+    ...more,
   });
 }
 

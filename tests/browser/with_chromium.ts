@@ -6,10 +6,12 @@ import { freePort } from "./server.ts";
 
 const [command = "", ...rest] = process.argv.slice(2);
 const port = await freePort();
-const browser = await launch([`--remote-debugging-port=${port}`]);
+const ours = { handleSIGINT: false, handleSIGTERM: false, handleSIGHUP: false }; // the command ends before its browser
+const browser = await launch({ args: [`--remote-debugging-port=${port}`], ...ours });
 try {
   const env = { ...process.env, CIEL_CHROMIUM_ADDRESS: `http://127.0.0.1:${port}` };
   const child = spawn(command, rest, { stdio: "inherit", env });
+  for (const signal of ["SIGINT", "SIGTERM", "SIGHUP"] as const) process.on(signal, () => child.kill(signal));
   process.exitCode = await new Promise<number>((ended, failed) => {
     child.on("error", failed);
     child.on("exit", (code) => ended(code ?? 1));
