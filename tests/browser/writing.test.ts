@@ -55,7 +55,7 @@ describe("writing", { skip }, () => {
       const wall = { type: "surface", color: { solid } };
       const lighting = { on: false };
       const client = await stage.fresh({}, linked({ background, annotations, lighting, layers: { wall } }));
-      for (let i = 0; i < 5; i += 1) await client.page.keyboard.press("+");
+      for (let i = 0; i < 7; i += 1) await client.page.keyboard.press("+"); // title, name and numbers lie on the wall
       await client.settled();
       const boxes = await client.page
         .locator(".captions h2, .captions p, .box-axes text, .legend figcaption")
