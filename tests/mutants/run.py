@@ -2,7 +2,8 @@
 
 tests/mutants/SUITE/NAME.patch begins with a sentence that says what is broken, then `build: TARGET...` (CMake targets, or
 `page` for the web client; may be left out) and `run: COMMAND`, the narrowest part of the suite that has to fail. The same
-command has to pass in the unbroken copy. run.py ROOT RESULTS.xml [SUITE ...]
+command has to pass in the unbroken copy. `needs: COMMAND`, where there is one: the mutant is skipped on a machine where that
+fails. run.py ROOT RESULTS.xml [SUITE ...]
 """
 
 import os
@@ -20,9 +21,10 @@ class Mutant:
         head, _, self.patch = path.read_text(encoding="utf-8").partition("\n--- ")
         self.patch = "--- " + self.patch
         self.suite, self.name = path.parent.name, path.stem
-        fields = dict(re.findall(r"^(build|run): (.+)$", head, re.M))
+        fields = dict(re.findall(r"^(build|needs|run): (.+)$", head, re.M))
         self.what = head.splitlines()[0]
         self.targets, self.command = fields.get("build", "").split(), fields["run"]
+        self.needs = fields.get("needs", "")
 
 
 class Copy:
@@ -40,8 +42,12 @@ class Copy:
         modules = folder / "webclient/node_modules"
         if not modules.exists():
             modules.symlink_to((root / "webclient/node_modules").resolve())
+        results = folder / "build/results"
+        results.mkdir(parents=True, exist_ok=True)
         self.environment = {
+            "CIEL_PYTHON": sys.executable,
             **os.environ,
+            "CIEL_RESULTS": str(results),  # what fails here on purpose is no result of the suites
             "CIEL_BINARY": str(folder / "build/ciel"),
             "CIEL_IMPORT_BINARY": str(folder / "build/ciel-import"),
             "PYTHONPATH": "protocol/python",
@@ -83,29 +89,41 @@ def noticed(copy: Copy, mutant: Mutant) -> None:
         copy.patch(mutant, "--reverse")
 
 
+def problem_with(copy: Copy, mutant: Mutant, sound: dict[str, str]) -> str:
+    """A sentence, or nothing. `sound`: what came of each command in the unbroken copy."""
+    try:
+        if mutant.command not in sound:
+            copy.build(mutant.targets)
+            done = copy.shell(mutant.command)
+            sound[mutant.command] = "" if done.returncode == 0 else done.stdout[-3000:]
+        if sound[mutant.command]:
+            return f"the command fails without the patch too:\n{sound[mutant.command]}"
+        noticed(copy, mutant)
+    except RuntimeError as error:
+        return str(error)
+    return ""
+
+
 def main(root: pathlib.Path, results: pathlib.Path, suites: list[str]) -> int:
     mutants = [Mutant(path) for path in sorted((root / "tests/mutants").glob("*/*.patch"))]
     mutants = [mutant for mutant in mutants if not suites or mutant.suite in suites]
     copy = Copy(root, root / "build/mutants/tree")
     report = ElementTree.Element("testsuite", name="mutants")
-    sound: dict[str, str] = {}  # what came of each command in the unbroken copy
+    sound: dict[str, str] = {}
+    lacks: dict[str, str] = {"": ""}
     for mutant in mutants:
-        started, problem = time.monotonic(), ""
-        try:
-            if mutant.command not in sound:
-                copy.build(mutant.targets)
-                done = copy.shell(mutant.command)
-                sound[mutant.command] = "" if done.returncode == 0 else done.stdout[-3000:]
-            if sound[mutant.command]:
-                raise RuntimeError(f"the command fails without the patch too:\n{sound[mutant.command]}")
-            noticed(copy, mutant)
-        except RuntimeError as error:
-            problem = str(error)
+        started = time.monotonic()
+        if mutant.needs not in lacks:
+            done = copy.shell(mutant.needs)
+            lacks[mutant.needs] = "" if done.returncode == 0 else f"`{mutant.needs}` fails: {done.stdout[-500:]}"
+        lack = lacks[mutant.needs]
+        problem = "" if lack else problem_with(copy, mutant, sound)
         case = ElementTree.SubElement(report, "testcase", classname=mutant.suite, name=mutant.name,
                                       time=f"{time.monotonic() - started:.3f}")
-        if problem:
-            ElementTree.SubElement(case, "failure", message=problem)
-        print(f"{'FAILED' if problem else 'ok'}: {mutant.suite} {mutant.name}{': ' if problem else ''}{problem}", flush=True)
+        if problem or lack:
+            ElementTree.SubElement(case, "failure" if problem else "skipped", message=problem or lack)
+        said = "FAILED" if problem else "skipped" if lack else "ok"
+        print(f"{said}: {mutant.suite} {mutant.name}{': ' if problem or lack else ''}{problem or lack}", flush=True)
         ElementTree.ElementTree(report).write(results)
     return any(case.find("failure") is not None for case in report)
 
