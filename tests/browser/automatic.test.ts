@@ -9,7 +9,7 @@ import { cubeIn } from "./cube.ts";
 import { Line, type LineOptions } from "./line.ts";
 import { fragmentOf } from "./link.ts";
 import type { Client } from "./page.ts";
-import { Server } from "./server.ts";
+import { datasets, Server } from "./server.ts";
 import { data, isoFragment, skip, Stage } from "./stage.ts";
 
 /** Runs in the page: milliseconds that each drawing keeps the next animation frame waiting. */
@@ -26,14 +26,17 @@ function pretendCard(slowness: number): void {
 
 const card = (slowness = 0): string => `(${pretendCard.toString()})(${slowness});`;
 
-const CUBE = fragmentOf({ dataset: "cube", layers: { iso: { type: "iso", array: "x", values: [0.5] } } });
+const CUBE = fragmentOf({
+  dataset: "cube",
+  layers: { iso: { type: "iso", array: "x", values: [0.5] } },
+});
 
 describe("the automatic stream", { skip }, () => {
-  const stage = new Stage();
+  const stage = new Stage({}, { large: true }); // whose polygons are dear on a line that frames can measure
   const folder = mkdtempSync(join(tmpdir(), "ciel-automatic-"));
   let server: Server;
   before(async () => {
-    server = await Server.started([data[0] ?? "", cubeIn(folder)]);
+    server = await Server.started([datasets("CIEL_BROWSER_LARGE")[0] ?? data[0] ?? "", cubeIn(folder)]);
   });
   after(async () => {
     await server.stop();
