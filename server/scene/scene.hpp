@@ -32,7 +32,7 @@ struct Coloring { // by a scalar through a map, or solid when `array` is empty
     std::string array;
     std::string map = "viridis";
     std::vector<ColorPoint> points;             // none, or two and more in ascending order, which are the map then
-    std::optional<std::array<double, 2>> range; // none: the array's range at the shown time; above zero when `log` alone
+    std::optional<std::array<double, 2>> range; // none: the array's at the shown time; above zero when `log` alone
     bool reverse = false, symmetric = false, log = false; // both: logarithmic on either side of zero
     int steps = 0;                                        // 0: smooth
     Rgb8 nan{128, 128, 128};

@@ -272,7 +272,8 @@ constexpr Malformed table[] = {
     {"clip_with_opacity",
      R"({"dataset": "d", "layers": {"a": {"type": "clip", "axis": "x", "value": 0, "opacity": 1}}})",
      "/layers/a/opacity",
-     "/layers/a/opacity is not known here; there are axis, caps, color, invert, normal, order, origin, type, value, visible"},
+     "/layers/a/opacity is not known here; there are axis, caps, color, invert, normal, order, origin, type, value, "
+     "visible"},
     {"threshold_of_nothing", R"({"dataset": "d", "layers": {"a": {"type": "surface", "threshold": {"array": "p"}}}})",
      "/layers/a/threshold/range", "/layers/a/threshold/range is missing"},
     {"threshold_backwards",
