@@ -364,7 +364,7 @@ describe("hands", { skip }, () => {
         const answer = asked.call(this, name);
         return typeof answer === "string" && /swiftshader/i.test(answer) ? "A graphics card" : answer;
       };`;
-    const other = await stage.fresh({ before: card });
+    const other = await stage.fresh({ before: `${card} localStorage.setItem("ciel.stream", "image")` });
     const image = await other.picture();
     await other.page.getByLabel("Stream").selectOption("geometry"); // polygons measure the line
     await other.settled("geometry");
