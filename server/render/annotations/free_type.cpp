@@ -4,30 +4,28 @@
 
 #include FT_MODULE_H
 
-#include <boost/interprocess/file_mapping.hpp>
 #include <cerrno>
 #include <cstdlib>
+#include <fcntl.h>
 #include <new>
+#include <sys/mman.h>
+#include <sys/stat.h>
+#include <unistd.h>
 #include <utility>
 
 namespace ciel::render {
 namespace {
 
-namespace mapping = boost::interprocess;
-
 FreeType& owner(FT_Memory memory) { return *static_cast<FreeType*>(memory->user); }
 
-// Empty where there is no such file. FreeType's own stream hides why it could not map a file.
-mapping::mapped_region mapped(const std::filesystem::path& file) {
-    try {
-        return {mapping::file_mapping(file.c_str(), mapping::read_only), mapping::read_only};
-    } catch (const mapping::interprocess_exception& error) {
-        if (error.get_native_error() == ENOMEM) throw std::bad_alloc();
-        return {};
-    }
+std::size_t size_of(int file) {
+    struct stat status {};
+    return ::fstat(file, &status) == 0 ? static_cast<std::size_t>(status.st_size) : 0;
 }
 
 } // namespace
+
+void FreeType::Unmap::operator()(void* begin) const { ::munmap(begin, bytes); }
 
 FreeType::FreeType() : memory_{this, allocate, release, reallocate} {
     if (FT_New_Library(&memory_, &library_) != 0) throw std::bad_alloc();
@@ -54,11 +52,25 @@ void FreeType::throw_if_out_of_memory() {
     if (std::exchange(ran_out_, false)) throw std::bad_alloc();
 }
 
+// FreeType's own stream hides why it could not map a file.
+FreeType::Mapping FreeType::map(const std::filesystem::path& path) {
+    const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+    if (file < 0) return {};
+    const std::size_t bytes = size_of(file);
+    void* begin = ::mmap(nullptr, bytes, PROT_READ, MAP_PRIVATE, file, 0);
+    const int failure = errno;
+    ::close(file);
+    if (begin != MAP_FAILED) return {begin, Unmap{bytes}};
+    if (failure == ENOMEM) throw std::bad_alloc();
+    return {};
+}
+
 FT_Face FreeType::open(const std::filesystem::path& file, int index) {
-    mapping::mapped_region bytes = mapped(file);
+    Mapping bytes = map(file);
+    if (!bytes) return nullptr;
     FT_Face face = nullptr;
-    const FT_Error failed = FT_New_Memory_Face(library_, static_cast<const FT_Byte*>(bytes.get_address()),
-                                               static_cast<FT_Long>(bytes.get_size()), index, &face);
+    const FT_Error failed = FT_New_Memory_Face(library_, static_cast<const FT_Byte*>(bytes.get()),
+                                               static_cast<FT_Long>(bytes.get_deleter().bytes), index, &face);
     if (failed != 0) {
         throw_if_out_of_memory();
         return nullptr;

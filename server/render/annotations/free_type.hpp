@@ -3,9 +3,9 @@
 // thread at a time.
 #pragma once
 
-#include <boost/interprocess/mapped_region.hpp>
 #include <filesystem>
 #include <ft2build.h>
+#include <memory>
 #include <vector>
 #include FT_FREETYPE_H
 #include FT_SYSTEM_H
@@ -27,6 +27,13 @@ public:
     void check(FT_Error error, const char* what, const std::filesystem::path& file);
 
 private:
+    struct Unmap {
+        std::size_t bytes = 0;
+        void operator()(void* begin) const;
+    };
+    using Mapping = std::unique_ptr<void, Unmap>;
+
+    static Mapping map(const std::filesystem::path& path); // null where it cannot be read
     static void* allocate(FT_Memory memory, long bytes);
     static void* reallocate(FT_Memory memory, long before, long bytes, void* block);
     static void release(FT_Memory memory, void* block);
@@ -35,7 +42,7 @@ private:
     FT_MemoryRec_ memory_;
     FT_Library library_ = nullptr;
     bool ran_out_ = false;
-    std::vector<boost::interprocess::mapped_region> files_; // faces read from them as long as they live
+    std::vector<Mapping> files_; // faces read from them as long as they live
 };
 
 } // namespace ciel::render
