@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <fstream>
 #include <vtkCONVERGECFDReader.h>
-#include <vtkFLUENTReader.h>
 #include <vtkGenericEnSightReader.h>
 #include <vtkHDFReader.h>
 #include <vtkNew.h>
@@ -38,7 +37,6 @@ bool is_exodus(const Head& head) {
 bool is_ensight(const Head& head) {
     return has_extension(head, {".case", ".encas"}) && contains(head, "FORMAT") && contains(head, "GEOMETRY");
 }
-bool is_fluent(const Head& head) { return has_extension(head, {".cas"}) && contains(head, "("); }
 bool is_tecplot(const Head& head) {
     return has_extension(head, {".tec", ".dat"}) && (contains(head, "ZONE") || contains(head, "zone"));
 }
@@ -70,9 +68,6 @@ std::unique_ptr<Source> open_ensight(const Inputs& inputs, const SourceOptions&)
                                           [&] { return arrays_of(*reader.Get()); });
 }
 
-std::unique_ptr<Source> open_fluent(const Inputs& inputs, const SourceOptions&) {
-    return open_with<vtkFLUENTReader>("Fluent", inputs);
-}
 std::unique_ptr<Source> open_converge(const Inputs& inputs, const SourceOptions&) {
     return open_with<vtkCONVERGECFDReader>("CONVERGE", inputs);
 }
@@ -97,6 +92,7 @@ const std::vector<Format>& table() {
         {"CGNS", {".cgns"}, is_cgns, false, open_cgns},
         {"LS-DYNA", {".lsdyna"}, is_lsdyna, false, open_lsdyna},
         {"Fluent", {".cas"}, is_fluent, false, open_fluent},
+        {"Fluent CFF", {".cas.h5"}, is_fluent_cff, false, open_fluent_cff},
         {"CONVERGE", {".h5"}, is_converge, false, open_converge},
         {"Tecplot", {".tec", ".dat"}, is_tecplot, false, open_tecplot},
         {"PLOT3D", {".xyz", ".x", ".g", ".p3d", ".grd", ".grid", ".bin"}, is_plot3d, true, open_plot3d},

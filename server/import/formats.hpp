@@ -42,7 +42,11 @@ std::unique_ptr<Source> open_plot3d(const Inputs& inputs, const SourceOptions& o
 std::unique_ptr<Source> open_exodus(const Inputs& inputs, const SourceOptions& options);     // exodus.cpp
 std::unique_ptr<Source> open_lsdyna(const Inputs& inputs, const SourceOptions& options);     // lsdyna.cpp
 std::unique_ptr<Source> open_cgns(const Inputs& inputs, const SourceOptions& options);       // cgns.cpp
+std::unique_ptr<Source> open_fluent(const Inputs& inputs, const SourceOptions& options);     // fluent.cpp
+std::unique_ptr<Source> open_fluent_cff(const Inputs& inputs, const SourceOptions& options); // fluent.cpp
 
+bool is_fluent(const Head& head);
+bool is_fluent_cff(const Head& head);
 bool is_openfoam(const Head& head);
 bool is_plot3d(const Head& head);
 
