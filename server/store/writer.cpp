@@ -81,7 +81,7 @@ struct Writer::State {
     DatasetInfo info;
     Marker marker;
     std::vector<WrittenMesh> meshes;
-    std::optional<StepUnderWay> under_way;
+    std::unique_ptr<StepUnderWay> under_way;
     bool info_changed = false, finished = false;
 
     State() = default;
@@ -291,7 +291,7 @@ void Writer::begin_step(double time, std::size_t mesh, std::size_t coordinates) 
                     std::to_string(state.marker.steps.back().time));
     if (coordinates >= written.attributes.coordinate_checksums.size())
         throw Error("mesh " + std::to_string(mesh) + " has no coordinates " + std::to_string(coordinates));
-    state.under_way = StepUnderWay{{time, mesh, coordinates, {}}, {}, {}};
+    state.under_way = std::make_unique<StepUnderWay>(StepUnderWay{{time, mesh, coordinates, {}}, {}, {}});
 }
 
 void Writer::add_values(const ArrayValues& array) {
