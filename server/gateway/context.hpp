@@ -4,6 +4,7 @@
 #include "gateway/access.hpp"
 #include "gateway/connections.hpp"
 #include "gateway/log_limiter.hpp"
+#include "gateway/peer_owner.hpp"
 #include "gateway/remote_address.hpp"
 #include "gateway/static_files.hpp"
 #include "session/server.hpp"
@@ -31,6 +32,7 @@ struct Context {
     TrustedProxies proxies;
     std::size_t most_files; // descriptors that the process may have
     LogLimiter log_limiter;
+    PeerOwners owners;
     std::atomic<std::uint64_t> guesses_waiting{0}; // answers to wrong tokens
     std::atomic<bool> draining{false};
     std::atomic<std::uint64_t> next_connection_id{1};

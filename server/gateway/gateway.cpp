@@ -48,6 +48,7 @@ public:
         io_.run();
         threads.clear();
         if (!drained_) abandon();
+        context_.owners.join();
         workers_.join();
         return 0;
     }

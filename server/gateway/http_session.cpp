@@ -2,7 +2,6 @@
 
 #include "gateway/deadline.hpp"
 #include "gateway/http_request.hpp"
-#include "gateway/peer_owner.hpp"
 #include "gateway/remote_address.hpp"
 #include "gateway/routes.hpp"
 #include "gateway/rpc_call.hpp"
@@ -61,10 +60,7 @@ private:
         error_code gone;
         const auto own = stream_.socket().local_endpoint(gone);
         if (gone) co_return;
-        co_await on_worker(workers_, [&] {
-            is_of_own_user_ = is_own_user(start_.peer, own);
-            return std::string();
-        });
+        is_of_own_user_ = co_await context_.owners.is_own_user(start_.peer, own);
     }
 
     // False when the connection ends with it.

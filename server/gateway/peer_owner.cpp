@@ -33,12 +33,6 @@ std::string hex(std::uint32_t number, int digits) {
     return text;
 }
 
-bool lists_pair(const char* table, const asio::ip::address& peer_address, unsigned short peer_port,
-                const asio::ip::address& own_address, unsigned short own_port) {
-    std::ifstream file(table);
-    return lists_socket_of(file, socket_name(peer_address, peer_port), socket_name(own_address, own_port), ::geteuid());
-}
-
 asio::ip::address plain_v4(const asio::ip::address& address) {
     if (address.is_v6() && address.to_v6().is_v4_mapped())
         return asio::ip::make_address_v4(asio::ip::v4_mapped, address.to_v6());
@@ -83,21 +77,46 @@ std::string socket_name(const asio::ip::address& address, unsigned short port) {
     return name + ":" + hex(port, 4);
 }
 
-bool lists_socket_of(std::istream& table, std::string_view peer, std::string_view own, std::uint32_t user) {
+std::set<std::string> sockets_of(std::istream& table, std::uint32_t user) {
+    std::set<std::string> sockets;
+    if (user == nobody) return sockets;
     for (std::string line; std::getline(table, line);) {
         const auto row = parse_socket_row(line);
-        if (row && row->local == peer && row->remote == own && row->state == established)
-            return row->inode != 0 && row->user == user && user != nobody;
+        if (row && row->state == established && row->inode != 0 && row->user == user)
+            sockets.insert(std::string(row->local) + " " + std::string(row->remote));
     }
-    return false;
+    return sockets;
 }
 
-bool is_own_user(const asio::ip::tcp::endpoint& peer, const asio::ip::tcp::endpoint& own) {
+OwnSockets::OwnSockets() : open_([](const char* path) { return std::make_unique<std::ifstream>(path); }) {}
+
+bool OwnSockets::lists(Table& table, const std::string& socket, Clock::time_point asked) {
+    if (table.begun < asked) {
+        table.begun = Clock::now();
+        table.sockets = sockets_of(*open_(table.path), ::geteuid());
+    }
+    return table.sockets.contains(socket);
+}
+
+bool OwnSockets::contain(const asio::ip::tcp::endpoint& peer, const asio::ip::tcp::endpoint& own,
+                         Clock::time_point asked) {
     const auto from = plain_v4(peer.address()), to = plain_v4(own.address());
-    if (from.is_v6() || to.is_v6()) return lists_pair("/proc/net/tcp6", from, peer.port(), to, own.port());
+    const auto socket = [&](const asio::ip::address& at, const asio::ip::address& end) {
+        return socket_name(at, peer.port()) + " " + socket_name(end, own.port());
+    };
+    if (from.is_v6() || to.is_v6()) return lists(v6_, socket(from, to), asked);
     // A client that connects to ::ffff:127.0.0.1 has a socket of IPv6, and stands in that table alone.
-    return lists_pair("/proc/net/tcp", from, peer.port(), to, own.port()) ||
-           lists_pair("/proc/net/tcp6", mapped(from), peer.port(), mapped(to), own.port());
+    return lists(v4_, socket(from, to), asked) || lists(v6_, socket(mapped(from), mapped(to)), asked);
+}
+
+asio::awaitable<bool> PeerOwners::is_own_user(asio::ip::tcp::endpoint peer, asio::ip::tcp::endpoint own) {
+    bool is_own = false;
+    const auto asked = OwnSockets::Clock::now();
+    co_await on_worker(reader_, [&] {
+        is_own = sockets_.contain(peer, own, asked);
+        return std::string();
+    });
+    co_return is_own;
 }
 
 } // namespace ciel::gateway

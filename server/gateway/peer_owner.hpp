@@ -4,9 +4,13 @@
 
 #include "gateway/asio.hpp"
 
+#include <chrono>
 #include <cstdint>
-#include <iosfwd>
+#include <functional>
+#include <istream>
+#include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 
@@ -25,12 +29,46 @@ struct SocketRow {
 // "0100007F:1F90" for 127.0.0.1:8080 on a little-endian machine: 32-bit words in its own byte order.
 [[nodiscard]] std::string socket_name(const asio::ip::address& address, unsigned short port);
 
-// Whether a table has an established socket of `user`, held by a process, from `peer` to `own` (names of sockets).
-[[nodiscard]] bool lists_socket_of(std::istream& table, std::string_view peer, std::string_view own,
-                                   std::uint32_t user);
+// "LOCAL REMOTE" of the table's established sockets that a process of `user` holds. The user 65534 (nobody) holds none:
+// a user namespace shows everybody from outside by that number.
+[[nodiscard]] std::set<std::string> sockets_of(std::istream& table, std::uint32_t user);
 
-// Whether a process of this process's user holds the peer's end. The user 65534 (nobody) never does: a user namespace
-// shows everybody from outside by that number. Reads files of the kernel; not for the threads of the sockets.
-[[nodiscard]] bool is_own_user(const asio::ip::tcp::endpoint& peer, const asio::ip::tcp::endpoint& own);
+// The sockets of this process's user. Not thread-safe.
+class OwnSockets {
+public:
+    using Clock = std::chrono::steady_clock;
+    using Open = std::function<std::unique_ptr<std::istream>(const char* path)>;
+
+    OwnSockets(); // of the kernel's tables
+    explicit OwnSockets(Open open) : open_(std::move(open)) {}
+
+    // Whether one goes from `peer` to `own`. Takes milliseconds where a table is read anew: only where the last reading
+    // began before `asked`, so that one answers all who wait for it.
+    [[nodiscard]] bool contain(const asio::ip::tcp::endpoint& peer, const asio::ip::tcp::endpoint& own,
+                               Clock::time_point asked);
+
+private:
+    struct Table {
+        const char* path;
+        Clock::time_point begun = Clock::time_point::min();
+        std::set<std::string> sockets = {};
+    };
+    [[nodiscard]] bool lists(Table& table, const std::string& socket, Clock::time_point asked);
+
+    Open open_;
+    Table v4_{"/proc/net/tcp"}, v6_{"/proc/net/tcp6"};
+};
+
+// Reads the tables on a thread of its own: the methods' threads are not to wait for thousands of connections.
+class PeerOwners {
+public:
+    // Whether a process of this process's user holds the peer's end. To be awaited on the connection's executor.
+    [[nodiscard]] asio::awaitable<bool> is_own_user(asio::ip::tcp::endpoint peer, asio::ip::tcp::endpoint own);
+    void join() { reader_.join(); } // after the last question
+
+private:
+    asio::thread_pool reader_{1};
+    OwnSockets sockets_; // of that thread
+};
 
 } // namespace ciel::gateway

@@ -2,6 +2,7 @@
 #include "ciel/types.hpp"
 #include "import/formats.hpp"
 #include "import/parsers/plot3d_layout.hpp"
+#include "import/reader_source.hpp"
 #include "import/vtk_errors.hpp"
 #include "store/freshness.hpp"
 
@@ -81,10 +82,9 @@ public:
         if (inputs_.size() > 1) reader_->SetQFileName(inputs_[step + 1].c_str());
         reader_->Update();
         throw_vtk_errors(inputs_[0]);
-        vtkNew<vtkMultiBlockDataSet> copy;
-        copy->RecursiveShallowCopy(reader_->GetOutput());
+        vtkSmartPointer<vtkDataObject> output = kept(*reader_->GetOutput());
         progress(1);
-        return copy.Get();
+        return output;
     }
 
 private:

@@ -11,6 +11,7 @@
 #include <vtkInformation.h>
 #include <vtkNew.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
+#include <vtkVersionMacros.h>
 
 namespace ciel::importer {
 
@@ -68,12 +69,19 @@ vtkSmartPointer<vtkDataObject> ReaderSource::read(std::size_t step, const ReadPr
 
     vtkDataObject* output = reader_->GetOutputDataObject(0);
     if (output == nullptr) throw Error(file_ + ": the reader gave nothing");
-    // The reader writes its next step into the same object: a shallow copy keeps this one's arrays.
-    vtkSmartPointer<vtkDataObject> copy = vtk::TakeSmartPointer(output->NewInstance());
-    if (auto* tree = vtkDataObjectTree::SafeDownCast(copy))
-        tree->RecursiveShallowCopy(output);
-    else
-        copy->ShallowCopy(output);
+    return kept(*output);
+}
+
+vtkSmartPointer<vtkDataObject> kept(vtkDataObject& output) {
+    vtkSmartPointer<vtkDataObject> copy = vtk::TakeSmartPointer(output.NewInstance());
+#if VTK_VERSION_NUMBER < VTK_VERSION_CHECK(9, 3, 0)
+    // There ShallowCopy shares the pieces of a tree.
+    if (auto* tree = vtkDataObjectTree::SafeDownCast(copy)) {
+        tree->RecursiveShallowCopy(&output);
+        return copy;
+    }
+#endif
+    copy->ShallowCopy(&output);
     return copy;
 }
 

@@ -29,6 +29,9 @@ private:
     std::optional<std::vector<ArrayName>> arrays_;
 };
 
+// A copy that keeps the arrays of a reader's output: the reader writes its next step into the same object.
+[[nodiscard]] vtkSmartPointer<vtkDataObject> kept(vtkDataObject& output);
+
 // For ListArrays: most readers offer their arrays by these functions.
 template <typename Reader>
 std::vector<ArrayName> arrays_of(Reader& reader) {

@@ -115,6 +115,18 @@ struct Server::State {
         readiness_known.notify_all();
     }
 
+    // Both who draw frames and who draws pictures must: each has a context of its own.
+    void test_readiness() {
+        const auto test_pictures = [this](Worker& worker) { know(tested(worker)); };
+        const auto test_frames = [this, test_pictures](Worker& worker) {
+            const Readiness readiness = tested(worker);
+            if (!readiness.ready) return know(readiness);
+            if (!picture_workers.post_later(Clock::now(), test_pictures)) know_of_end();
+        };
+        if (!workers.post_later(Clock::now(), test_frames)) know_of_end();
+    }
+    void know_of_end() { know({.problem = "the server is about to stop and draws no more"}); }
+
     void tell_steps(const std::string& dataset) {
         protocol::DatasetChanged note{dataset, std::vector<double>()};
         try {
@@ -169,7 +181,10 @@ void Server::tidy(std::chrono::steady_clock::time_point now) { state_->tidy(now)
 Readiness Server::readiness() {
     Readiness readiness;
     try {
-        readiness = state_->workers.run([](Worker& worker) { return tested(worker); });
+        for (FrameWorkers* workers : {&state_->picture_workers, &state_->workers}) {
+            readiness = workers->run([](Worker& worker) { return tested(worker); });
+            if (!readiness.ready) break;
+        }
     } catch (const std::exception& error) { // drained
         readiness.problem = store::sentence_for_clients(error);
     }
@@ -184,9 +199,7 @@ Readiness Server::readiness_by_now() {
     if (!is_fresh && !state.readiness_asked) {
         state.readiness_asked = true;
         lock.unlock();
-        const bool posted =
-            state.workers.post_later(Clock::now(), [&state](Worker& worker) { state.know(tested(worker)); });
-        if (!posted) state.know({.problem = "the server is about to stop and draws no more"});
+        state.test_readiness();
         lock.lock();
     }
     state.readiness_known.wait_for(lock, readiness_patience, [&] { return !state.readiness_asked; });

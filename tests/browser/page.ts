@@ -2,7 +2,7 @@
 import { mkdirSync, writeFileSync } from "node:fs";
 import { dirname, join, resolve } from "node:path";
 import { fileURLToPath } from "node:url";
-import type { Browser, Locator, Page } from "./chromium.ts";
+import type { Browser, BrowserContext, Locator, Page } from "./chromium.ts";
 import { decodePng, type Picture } from "./png.ts";
 
 const root = resolve(dirname(fileURLToPath(import.meta.url)), "../..");
@@ -29,16 +29,39 @@ export interface Frame {
   stream: string;
 }
 
+/** A context costs as much as half a test: those that no client has any more, by the options they were made with. */
+const contexts = new WeakMap<Browser, Map<string, BrowserContext[]>>();
+
+function freeContexts(browser: Browser, { before: _, ...options }: PageOptions): BrowserContext[] {
+  const all = contexts.get(browser) ?? new Map<string, BrowserContext[]>();
+  contexts.set(browser, all);
+  const key = JSON.stringify(options, Object.keys(options).sort());
+  const free = all.get(key) ?? [];
+  all.set(key, free);
+  return free;
+}
+
+const newContext = (browser: Browser, options: PageOptions): Promise<BrowserContext> =>
+  browser.newContext({
+    viewport: { width: options.width ?? 1024, height: options.height ?? 640 },
+    deviceScaleFactor: options.scale ?? 1,
+    colorScheme: options.scheme ?? "dark",
+    hasTouch: options.touch ?? false,
+    ignoreHTTPSErrors: options.selfSigned ?? false,
+  });
+
 export class Client {
   readonly problems: string[] = [];
   readonly patches: { patch: Record<string, unknown>; gesture: string }[] = [];
 
   readonly page: Page;
+  private readonly free: BrowserContext[];
   private readonly unanswered = new Set<number>();
   private patchListeners: { sent: () => void; answered: () => void } | null = null;
 
-  private constructor(page: Page) {
+  private constructor(page: Page, free: BrowserContext[]) {
     this.page = page;
+    this.free = free;
     page.on("pageerror", (error) => this.problems.push(error.message));
     page.on("console", (message) => {
       if (message.type() === "error" && !/WebSocket|ERR_/.test(message.text())) this.problems.push(message.text());
@@ -64,21 +87,23 @@ export class Client {
   }
 
   static async open(browser: Browser, address: string, options: PageOptions = {}): Promise<Client> {
-    const context = await browser.newContext({
-      viewport: { width: options.width ?? 1024, height: options.height ?? 640 },
-      deviceScaleFactor: options.scale ?? 1,
-      colorScheme: options.scheme ?? "dark",
-      hasTouch: options.touch ?? false,
-      ignoreHTTPSErrors: options.selfSigned ?? false,
-    });
-    if (options.before !== undefined) await context.addInitScript(options.before);
-    const client = new Client(await context.newPage());
+    const free = freeContexts(browser, options);
+    const context = free.pop() ?? (await newContext(browser, options));
+    const client = new Client(await context.newPage(), free);
+    if (options.before !== undefined) await client.page.addInitScript(options.before);
+    const devtools = await context.newCDPSession(client.page);
+    const { origin } = new URL(address);
+    await devtools.send("Storage.clearDataForOrigin", { origin, storageTypes: "all" });
+    await devtools.detach();
     await client.page.goto(address);
     return client;
   }
 
+  /** The next client may have its context, without anything of what this one left there. */
   async close(): Promise<void> {
-    await this.page.context().close();
+    const context = this.page.context();
+    await Promise.all(context.pages().map((page) => page.close()));
+    this.free.push(context);
   }
 
   get canvas(): Locator {

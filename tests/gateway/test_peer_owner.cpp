@@ -4,6 +4,7 @@
 #include <bit>
 #include <gtest/gtest.h>
 #include <sstream>
+#include <unistd.h>
 
 namespace ciel::gateway {
 namespace {
@@ -20,7 +21,7 @@ std::string row(const std::string& local, const std::string& remote, const char*
 
 bool lists(const std::string& rows, std::uint32_t user) {
     std::istringstream table(heading + rows);
-    return lists_socket_of(table, client, server, user);
+    return sockets_of(table, user).contains(client + " " + server);
 }
 
 TEST(SocketRow, IsTakenApart) {
@@ -82,6 +83,37 @@ TEST(Owner, OfAReusedPortIsTheOneThatIsConnected) {
 
 // What a user namespace shows of everybody outside.
 TEST(Owner, IsNeverTheOverflowUser) { EXPECT_FALSE(lists(row(client, server, "01", "65534", "42"), 65534)); }
+
+class OwnSocketsTest : public testing::Test {
+protected:
+    const asio::ip::tcp::endpoint peer{asio::ip::make_address("127.0.0.1"), 0xD431};
+    const asio::ip::tcp::endpoint own{asio::ip::make_address("127.0.0.1"), 8080};
+    std::string rows;
+    int readings = 0;
+    OwnSockets sockets{[this](const char* path) {
+        ++readings;
+        return std::make_unique<std::istringstream>(path == std::string("/proc/net/tcp") ? heading + rows : heading);
+    }};
+    const std::string held = row(client, server, "01", std::to_string(::geteuid()).c_str(), "42");
+};
+
+// Each reading takes milliseconds: a flood of connections is not to make everybody else wait for one each.
+TEST_F(OwnSocketsTest, AreReadOnceForAllWhoAskedBefore) {
+    rows = held;
+    const auto asked = OwnSockets::Clock::now();
+    for (int i = 0; i < 400; ++i) EXPECT_TRUE(sockets.contain(peer, own, asked));
+    for (unsigned short i = 1; i < 400; ++i)
+        EXPECT_FALSE(sockets.contain({peer.address(), static_cast<unsigned short>(peer.port() + i)}, own, asked));
+    EXPECT_EQ(readings, 2) << "one of each table";
+}
+
+TEST_F(OwnSocketsTest, OfBeforeTheQuestionAreTooOld) {
+    EXPECT_FALSE(sockets.contain(peer, own, OwnSockets::Clock::now()));
+    rows = held;
+    EXPECT_TRUE(sockets.contain(peer, own, OwnSockets::Clock::now()));
+    rows = row(client, server, "01", "0", "0");
+    EXPECT_FALSE(sockets.contain(peer, own, OwnSockets::Clock::now())) << "another took the port";
+}
 
 } // namespace
 } // namespace ciel::gateway

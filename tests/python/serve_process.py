@@ -38,12 +38,12 @@ def iso(value: float) -> dict:
 
 class Server:
     def __init__(self, *arguments: str, environment: dict[str, str] | None = None, log: pathlib.Path | None = None,
-                 user: int | None = None, descriptors: int | None = None, program: str = CIEL):
+                 user: int | None = None, limits: dict[int, int] | None = None, program: str = CIEL):
         self.log = open(log, "w+") if log else open(os.devnull, "w+")
         self.process = subprocess.Popen(
             [program, "serve", *([] if "--port" in arguments else ["--port", "0"]), *map(str, arguments)],
             stdout=subprocess.PIPE, stderr=self.log, text=True, env={**os.environ, **(environment or {})}, user=user,
-            preexec_fn=descriptors and (lambda: resource.setrlimit(resource.RLIMIT_NOFILE, (descriptors, descriptors))))
+            preexec_fn=limits and (lambda: [resource.setrlimit(of, (most, most)) for of, most in limits.items()]))
         self.line = self.process.stdout.readline().strip()
         match = re.search(r"http://([^/]+?:(\d+))(/[^?\s]*)", self.line)
         if not match:

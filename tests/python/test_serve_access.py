@@ -3,6 +3,7 @@
 import os
 import pathlib
 import re
+import resource
 import select
 import shutil
 import socket
@@ -305,7 +306,7 @@ def test_dripping_connections_keep_nobody_out(box):
 
 
 def test_with_few_descriptors_sessions_still_open_and_it_is_said_once(box, tmp_path):
-    with Server(box, log=tmp_path / "log", descriptors=64) as running:
+    with Server(box, log=tmp_path / "log", limits={resource.RLIMIT_NOFILE: 64}) as running:
         idle = [socket.create_connection(("127.0.0.1", running.port), timeout=PATIENCE) for _ in range(100)]
         for _ in range(5):
             state = running.call("session.open", dataset="box")

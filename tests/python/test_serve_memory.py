@@ -77,6 +77,17 @@ def test_a_server_without_room_for_a_picture_is_not_ready(box):
         limit(running, None)
 
 
+@pytest.mark.parametrize("megabytes", [1300, 1500, 1700, 1900, 2100, 2400])
+def test_a_server_that_starts_with_little_tells_the_truth(box, megabytes):
+    """Frames and pictures are drawn by threads with a context each; there must be room for both."""
+    with Server(box, limits={resource.RLIMIT_AS: megabytes << 20}) as running:
+        answer = running.get("/readyz")
+        refused = picture(running, SURFACE, 640, 360)
+        assert (answer.status_code == 200) == (refused == ""), f"{answer.text}: {refused}"
+        assert running.get("/readyz").status_code == answer.status_code
+        assert running.process.poll() is None
+
+
 def test_a_large_picture_leaves_little_behind(box):
     """What drawing took goes back to the system once nobody draws: the server looks every ten seconds."""
     with Server(box) as running:
