@@ -65,7 +65,9 @@ void warn_of_files_to_import(const fs::path& folder) {
         if (entry.path().extension() == ".ciel") return;
         if (entry.is_regular_file() && (first.empty() || entry.path() < first)) first = entry.path();
     }
-    if (!first.empty())
+    if (first.empty())
+        spdlog::warn("{} has no dataset (NAME.ciel) yet; one that is put there is served at once", folder.string());
+    else
         spdlog::warn("{} has no dataset (NAME.ciel); to have a file imported and served, name it: ciel serve {}",
                      folder.string(), first.string());
 }
@@ -154,13 +156,16 @@ void add_serve(CLI::App& app, Run& run) {
     command->add_option("DATA", options->data, "datasets (NAME.ciel), folders of them, or files to import first");
     command->add_option("--data-dir", options->import_folder, "where what is imported is kept")->capture_default_str();
     command->add_option("--host", gateway.host, "address to listen on")->capture_default_str();
-    command->add_option("--port", gateway.port, "0: any free one")->capture_default_str();
+    command->add_option("--port", gateway.port, "0: any free one")->check(CLI::Range(0, 65535))->capture_default_str();
     command->add_option("--prefix", gateway.prefix, "path below which a proxy offers the server, such as /ciel");
     auto* token =
         command->add_option("--token", gateway.token,
                             "what every client must know; other users see it in the process list: better CIEL_TOKEN or "
                             "--token-file. Without "
                             "one, a token is made at each start, and on loopback the server's own user needs none");
+    token->check([](const std::string& text) {
+        return text.empty() ? "an empty token; leave --token out to have one made" : std::string();
+    });
     command->add_option("--token-file", options->token_file, "file that holds the token")->excludes(token);
     command->add_option("--origin", gateway.origins,
                         "another site whose pages may use this server, such as https://example.org");

@@ -3,7 +3,9 @@
 #include "gateway/target.hpp"
 
 #include <algorithm>
+#include <pwd.h>
 #include <sys/resource.h>
+#include <unistd.h>
 
 namespace ciel::gateway {
 namespace {
@@ -12,6 +14,15 @@ constexpr rlim_t enough_files = 65536; // some programs close all that they migh
 
 ConnectionRules rules_of(const session::Limits& limits) {
     return {limits.connections, limits.reserved_connections, limits.connections_of_address};
+}
+
+std::string own_user_name() {
+    std::array<char, 4096> text;
+    passwd entry{};
+    passwd* found = nullptr;
+    if (::getpwuid_r(::geteuid(), &entry, text.data(), text.size(), &found) == 0 && found != nullptr)
+        return found->pw_name;
+    return std::to_string(::geteuid());
 }
 
 // A user may raise the soft limit up to the hard one.
@@ -28,8 +39,8 @@ std::size_t raised_file_limit() {
 } // namespace
 
 Context::Context(session::Server& server_, const GatewayOptions& options, AccessRules access_)
-    : server(server_), prefix(normal_prefix(options.prefix)), version(options.version), access(std::move(access_)),
-      files(options.webclient.empty() ? StaticFiles() : StaticFiles(options.webclient)),
+    : server(server_), prefix(normal_prefix(options.prefix)), version(options.version), own_user(own_user_name()),
+      access(std::move(access_)), files(options.webclient.empty() ? StaticFiles() : StaticFiles(options.webclient)),
       connections(rules_of(server_.limits())), proxies(options.trusted_proxies), most_files(raised_file_limit()) {}
 
 } // namespace ciel::gateway

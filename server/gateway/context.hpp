@@ -24,7 +24,7 @@ struct Context {
     Context(session::Server& server_, const GatewayOptions& options, AccessRules access_);
 
     session::Server& server;
-    std::string prefix, version;
+    std::string prefix, version, own_user; // own_user: the name of this process's
     AccessRules access;
     StaticFiles files;
     Counters counters;

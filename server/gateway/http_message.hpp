@@ -13,11 +13,11 @@ struct Request {
     std::string host;   // the authority of an absolute-form target, else the header
     std::string origin, authorization, cookie, content_type, accept_encoding, if_none_match;
     std::string forwarded_for, forwarded_proto;
-    std::string forwarded_user; // of a trusted proxy: whom it let in
     std::string body;
-    std::string remote;          // address and port, for logs
-    std::string id;              // in the log, in X-Request-Id, and in the errors of its calls
-    std::string address;         // without the port
+    std::string user;    // for logs: whom a trusted proxy let in, or who holds the peer on this machine; else empty
+    std::string remote;  // address and port, for logs
+    std::string id;      // in the log, in X-Request-Id, and in the errors of its calls
+    std::string address; // without the port
     bool is_of_own_user = false; // the peer is a process of the server's user, on this machine
     bool is_proxied = false;     // a header says that it came through a proxy
 };

@@ -44,7 +44,7 @@ Request plain_request(const HttpRequest& message) {
     request.if_none_match = text_of(message[http::field::if_none_match]);
     request.forwarded_for = joined(message, "X-Forwarded-For");
     request.forwarded_proto = text_of(message["X-Forwarded-Proto"]);
-    request.forwarded_user = text_of(message["X-Forwarded-User"]);
+    request.user = text_of(message["X-Forwarded-User"]);
     request.is_proxied = std::any_of(message.begin(), message.end(),
                                      [](const auto& field) { return is_of_a_proxy(view_of(field.name_string())); });
     return request;

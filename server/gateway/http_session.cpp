@@ -134,7 +134,7 @@ private:
         request.id = session::next_request_id();
         request.address = address_;
         request.is_of_own_user = is_of_own_user_;
-        if (!start_.is_of_trusted_proxy) request.forwarded_user.clear();
+        if (!start_.is_of_trusted_proxy) request.user = is_of_own_user_ && !request.is_proxied ? context_.own_user : "";
         return request;
     }
 
@@ -158,7 +158,7 @@ private:
                 resolved = refused(std::move(*problem));
             else {
                 HttpRequest message = parser.release();
-                WebSocketPeer peer{request.remote, request.forwarded_user, resolved.claim == Claim::token};
+                WebSocketPeer peer{request.remote, request.user, resolved.claim == Claim::token};
                 co_await upgrade(std::move(message), std::move(peer));
                 co_return false;
             }
@@ -175,6 +175,8 @@ private:
         deadline_.stop();
         if (resolved.refusal && resolved.refusal->status == 401 && resolved.claim == Claim::wrong_token)
             co_await slow_down(request, resolved);
+        else if (resolved.refusal)
+            tell_refusal(request, *resolved.refusal);
         const bool unread = !parser.is_done();
         Response response = co_await response_to(request, resolved);
         const bool keep_alive = parser.get().keep_alive() && !unread && !context_.draining && !is_last;
@@ -184,12 +186,26 @@ private:
         co_return written&& keep_alive;
     }
 
+    // A page that is not found is no failure, nor is one that has moved.
+    void tell_refusal(const Request& request, const Response& refusal) {
+        const std::string status = std::to_string(refusal.status);
+        if (refusal.status < 400 || refusal.status == 404) return;
+        if (!context_.log_limiter.allows(status + " " + request.address)) return;
+        session::log_event(session::LogLevel::warning, "a request was refused",
+                           {{"status", status},
+                            {"reason", refusal.body.substr(0, refusal.body.find('\n'))},
+                            {"remote", request.address},
+                            {"user", request.user},
+                            {"request", request.id},
+                            {"note", "further ones of this address are not logged for a minute"}});
+    }
+
     // Makes guessing slow: the answer waits, and of many guesses at a time most get none.
     asio::awaitable<void> slow_down(const Request& request, Resolved& resolved) {
         if (context_.log_limiter.allows("token " + request.address))
             session::log_event(session::LogLevel::warning, "a wrong token was refused",
                                {{"remote", request.address},
-                                {"user", request.forwarded_user},
+                                {"user", request.user},
                                 {"request", request.id},
                                 {"note", "further ones of this address are not logged for a minute"}});
         if (context_.guesses_waiting.fetch_add(1) < limits_.wrong_tokens_waiting) {
@@ -263,6 +279,8 @@ private:
         const Resolved resolved = refused(std::move(*refusal));
         Request unknown;
         unknown.id = session::next_request_id();
+        unknown.address = address_;
+        tell_refusal(unknown, *resolved.refusal);
         Response response = respond(context_, unknown, resolved);
         const bool written = co_await write(std::move(response), false, 11, false);
         if (written) co_await linger();

@@ -41,7 +41,7 @@ asio::awaitable<Response> rpc_call(beast::tcp_stream& stream, const Request& req
     const auto connection = std::make_shared<session::Connection>();
     connection->id = context.next_connection_id++;
     connection->remote = request.remote;
-    connection->user = request.forwarded_user;
+    connection->user = request.user;
     connection->has_token = has_token;
     connection->request = request.id;
     connection->stop = pending->hung_up.get_token();

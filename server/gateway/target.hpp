@@ -20,7 +20,8 @@ struct Target {
 // "host:80" of an absolute form; empty of an origin form.
 [[nodiscard]] std::string_view authority_of(std::string_view target);
 
-// "/ciel" from "ciel", "/ciel/"; empty stays empty. Throws Error when it holds anything but letters, digits and -._~/.
+// "/ciel" from "ciel", "/ciel/"; empty stays empty. Throws Error when it holds anything but letters, digits and -._~/,
+// or a part that is empty, "." or "..".
 [[nodiscard]] std::string normal_prefix(const std::string& prefix);
 
 // The path below the prefix, whether the proxy in front has kept the prefix or taken it off. Empty when the path is the

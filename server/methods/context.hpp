@@ -24,6 +24,7 @@ struct Context { // NOLINT(bugprone-exception-escape): of what a string moves, n
 
     void begin();                              // a call
     [[nodiscard]] double milliseconds() const; // since then
+    [[nodiscard]] session::Caller caller() const { return {connection, request_id}; }
 
     [[nodiscard]] std::shared_ptr<session::Session> session(const std::string& id) const {
         return server.sessions().find(id);

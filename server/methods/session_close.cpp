@@ -3,7 +3,7 @@
 namespace ciel::methods {
 
 protocol::SessionCloseResult session_close(Context& context, const protocol::SessionCloseParams& params) {
-    context.server.sessions().close(params.session);
+    context.server.sessions().close(params.session, context.caller());
     return nullptr;
 }
 

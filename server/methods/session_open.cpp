@@ -20,8 +20,7 @@ protocol::SessionOpenResult session_open(Context& context, const protocol::Sessi
     };
     const session::Steps steps{params.undo.value_or(std::vector<nlohmann::json>()),
                                params.redo.value_or(std::vector<nlohmann::json>())};
-    const auto session =
-        context.server.sessions().open(params.session.value_or(""), document, context.connection, steps);
+    const auto session = context.server.sessions().open(params.session.value_or(""), document, context.caller(), steps);
     if (context.streaming_connection()) session->subscribe(context.connection.id);
     return state_of(*session, session->status());
 }

@@ -16,11 +16,11 @@ using Unit = LimitRow::Unit;
 constexpr std::uint64_t million = 1'000'000, most_bytes = std::uint64_t{1} << 50, most_seconds = 315'360'000;
 
 constexpr auto rows = std::to_array<LimitRow>({
-    {"message_bytes", &Limits::message_bytes, Unit::bytes, "size of one JSON-RPC text", most_bytes},
+    {"message_bytes", &Limits::message_bytes, Unit::bytes, "size of one JSON-RPC text", most_bytes, 4 << 10},
     {"json_depth", &Limits::json_depth, Unit::count, "levels of JSON", 1000},
     {"batch_requests", &Limits::batch_requests, Unit::count, "requests in one JSON-RPC batch", million},
     {"batch_answer_bytes", &Limits::batch_answer_bytes, Unit::bytes, "answers of one batch together", most_bytes},
-    {"header_bytes", &Limits::header_bytes, Unit::bytes, "size of an HTTP request's head", 1 << 20},
+    {"header_bytes", &Limits::header_bytes, Unit::bytes, "size of an HTTP request's head", 1 << 20, 1 << 10},
     {"connections", &Limits::connections, Unit::count, "open connections", million},
     {"reserved_connections", &Limits::reserved_connections, Unit::count,
      "of these, kept for clients that are let in; at most half", million},
@@ -55,7 +55,7 @@ constexpr auto rows = std::to_array<LimitRow>({
      "time without use after which a dataset is released", most_seconds},
     {"session_memory_bytes", &Limits::session_memory_bytes, Unit::memory, "query state and surfaces of one scene",
      most_bytes},
-    {"memory_bytes", &Limits::memory_bytes, Unit::memory, "all that clients and datasets hold", most_bytes},
+    {"memory_bytes", &Limits::memory_bytes, Unit::memory, "all that clients and datasets hold", most_bytes, 64 << 20},
     {"unacknowledged_frames", &Limits::unacknowledged_frames, Unit::count,
      "frames of a view on the way to a client before it has acknowledged one", 1024},
     {"session_idle_seconds", &Limits::session_idle_seconds, Unit::seconds,
@@ -73,7 +73,7 @@ constexpr auto rows = std::to_array<LimitRow>({
     {"waiting_call_bytes", &Limits::waiting_call_bytes, Unit::bytes,
      "requests of a WebSocket that wait; beyond it, the socket is not read", most_bytes},
     {"unsent_bytes", &Limits::unsent_bytes, Unit::bytes,
-     "output that a WebSocket has not taken: half for frames, half for answers", most_bytes},
+     "output that a WebSocket has not taken: half for frames, half for answers", most_bytes, 2 << 20},
     {"websocket_idle_seconds", &Limits::websocket_idle_seconds, Unit::seconds,
      "time without a sign of life of a WebSocket; pings are sent at half of it", most_seconds},
     {"drain_seconds", &Limits::drain_seconds, Unit::seconds, "time from SIGTERM to the end", most_seconds},
@@ -126,8 +126,9 @@ std::string environment_of(const LimitRow& row) {
 
 std::uint64_t parse_limit(const LimitRow& row, std::string_view text) {
     const std::uint64_t value = number_of(row, text);
-    if (value < 1 || value > row.most)
-        throw Error(printable(text) + " is not between 1 and " + limit_text(row, row.most));
+    if (value < row.least || value > row.most)
+        throw Error(printable(text) + " is not between " + (row.least > 1 ? limit_text(row, row.least) : "1") +
+                    " and " + limit_text(row, row.most));
     return value;
 }
 

@@ -64,15 +64,16 @@ struct LimitRow {
     std::uint64_t Limits::*member;
     Unit unit;
     std::string_view description;
-    std::uint64_t most; // values above make no sense, or the contract refuses them; the least value is 1
+    std::uint64_t most;      // values above make no sense, or the contract refuses them
+    std::uint64_t least = 1; // a server with less serves nobody
 };
 
 [[nodiscard]] std::span<const LimitRow> limit_rows();
 [[nodiscard]] std::string option_of(const LimitRow& row);      // "--limit-message-bytes"
 [[nodiscard]] std::string environment_of(const LimitRow& row); // "CIEL_LIMIT_MESSAGE_BYTES"
 
-// A whole number from 1 to row.most; of bytes also with K, M, G or T (1024 each), of memory also as a share: "25%".
-// Throws Error with a sentence about the value.
+// A whole number from row.least to row.most; of bytes also with K, M, G or T (1024 each), of memory also as a share:
+// "25%". Throws Error with a sentence about the value.
 [[nodiscard]] std::uint64_t parse_limit(const LimitRow& row, std::string_view text);
 // "64", "1 MiB", "30 s".
 [[nodiscard]] std::string limit_text(const LimitRow& row, std::uint64_t value);

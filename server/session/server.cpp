@@ -30,6 +30,14 @@ Readiness tested(Worker& worker) {
     }
 }
 
+Readiness tested(FrameWorkers& workers) {
+    try {
+        return workers.run([](Worker& worker) { return tested(worker); });
+    } catch (const std::exception& error) { // drained
+        return {.problem = store::sentence_for_clients(error)};
+    }
+}
+
 } // namespace
 
 struct Server::State {
@@ -179,15 +187,8 @@ void Server::look_for_steps(const std::string& name, store::LoadedDataset& datas
 void Server::tidy(std::chrono::steady_clock::time_point now) { state_->tidy(now); }
 
 Readiness Server::readiness() {
-    Readiness readiness;
-    try {
-        for (FrameWorkers* workers : {&state_->picture_workers, &state_->workers}) {
-            readiness = workers->run([](Worker& worker) { return tested(worker); });
-            if (!readiness.ready) break;
-        }
-    } catch (const std::exception& error) { // drained
-        readiness.problem = store::sentence_for_clients(error);
-    }
+    Readiness readiness = tested(state_->picture_workers);
+    if (readiness.ready) readiness = tested(state_->workers);
     state_->know(readiness);
     return readiness;
 }
@@ -211,7 +212,7 @@ Readiness Server::last_readiness() {
         const std::scoped_lock lock(state_->readiness_mutex);
         if (state_->last_readiness) return *state_->last_readiness;
     }
-    return readiness();
+    return tested(state_->workers); // pictures may take long, and who asks wants to know what draws
 }
 
 std::string Server::metrics() const {

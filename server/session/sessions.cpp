@@ -19,10 +19,20 @@ std::string random_id() {
     return id;
 }
 
+double seconds_since(Clock::time_point then) { return std::chrono::duration<double>(Clock::now() - then).count(); }
+
 void tell_closed(const Session& session, const char* why) {
-    const std::chrono::duration<double> open = Clock::now() - session.opened();
     log_event(LogLevel::info, "session closed",
-              {{"session", short_id(session.id())}, {"why", why}, {"seconds", open.count()}});
+              {{"session", short_id(session.id())}, {"why", why}, {"seconds", seconds_since(session.opened())}});
+}
+void tell_closed(const Session& session, const Caller& by) {
+    log_event(LogLevel::info, "session closed",
+              {{"session", short_id(session.id())},
+               {"why", "by a client"},
+               {"seconds", seconds_since(session.opened())},
+               {"request", by.request},
+               {"user", by.connection.user},
+               {"remote", by.connection.remote}});
 }
 
 } // namespace
@@ -36,7 +46,8 @@ std::shared_ptr<Session> Sessions::find(const std::string& id) {
 }
 
 std::shared_ptr<Session> Sessions::open(const std::string& id, const std::function<nlohmann::json()>& document,
-                                        const Connection& by, const Steps& steps) {
+                                        const Caller& by, const Steps& steps) {
+    const auto begun = Clock::now();
     const auto check = [&] { // REQUIRES: the lock
         if (stopped_) throw LimitReached("the server is about to stop and opens no new sessions");
         if (sessions_.size() >= services_.limits.sessions && !drop_longest_left())
@@ -59,8 +70,10 @@ std::shared_ptr<Session> Sessions::open(const std::string& id, const std::functi
     log_event(LogLevel::info, "session opened",
               {{"session", short_id(name)},
                {"dataset", session->newest()->scene.dataset},
-               {"user", by.user},
-               {"remote", by.remote}});
+               {"request", by.request},
+               {"user", by.connection.user},
+               {"remote", by.connection.remote},
+               {"ms", 1000 * seconds_since(begun)}});
     return session;
 }
 
@@ -77,11 +90,11 @@ bool Sessions::drop_longest_left() {
     return true;
 }
 
-void Sessions::close(const std::string& id) {
+void Sessions::close(const std::string& id, const Caller& by) {
     const auto session = find(id);
     session->close();
     const std::scoped_lock lock(mutex_);
-    if (sessions_.erase(id) > 0) tell_closed(*session, "by a client");
+    if (sessions_.erase(id) > 0) tell_closed(*session, by);
 }
 
 std::shared_ptr<View> Sessions::open_view(Session& session, const std::shared_ptr<Connection>& connection,

@@ -6,6 +6,12 @@
 
 namespace ciel::session {
 
+// Who opens or closes a session, for the log.
+struct Caller {
+    const Connection& connection;
+    const std::string& request;
+};
+
 // Thread-safe.
 class Sessions {
 public:
@@ -15,10 +21,10 @@ public:
     // Throws NotFound with a sentence.
     [[nodiscard]] std::shared_ptr<Session> find(const std::string& id);
     // The session of this id, or a new one of it that shows `document`; an empty id: a new one. Throws LimitReached,
-    // and as make_version does. by: for the log. steps: of a new session.
+    // and as make_version does. steps: of a new session.
     [[nodiscard]] std::shared_ptr<Session> open(const std::string& id, const std::function<nlohmann::json()>& document,
-                                                const Connection& by, const Steps& steps = {});
-    void close(const std::string& id); // throws NotFound
+                                                const Caller& by, const Steps& steps = {});
+    void close(const std::string& id, const Caller& by); // throws NotFound
 
     // Views have ids of their own in the process; only the connection that opened one may use it.
     [[nodiscard]] std::shared_ptr<View> open_view(Session& session, const std::shared_ptr<Connection>& connection,

@@ -40,6 +40,19 @@ void check_version(const JsonReader& document) {
     if (document.at("zarr_format").count() != 2) document.at("zarr_format").refuse("must be 2");
 }
 
+// zarr-python 3.0 writes the bare word, which is no JSON, where Zarr 2 has the text "NaN".
+std::string with_nan_as_text(std::string text) {
+    constexpr std::string_view key = "\"fill_value\"", bare = "NaN", blank = " \t\r\n";
+    const auto found = text.find(key);
+    if (found == std::string::npos) return text;
+    const auto colon = text.find_first_not_of(blank, found + key.size());
+    if (colon == std::string::npos || text[colon] != ':') return text;
+    const auto value = text.find_first_not_of(blank, colon + 1);
+    if (value != std::string::npos && text.compare(value, bare.size(), bare) == 0)
+        text.replace(value, bare.size(), "\"NaN\"");
+    return text;
+}
+
 } // namespace
 
 std::size_t element_bytes(ElementType type) { return row(type).bytes; }
@@ -61,7 +74,7 @@ ZarrArray whole_array(ElementType type, std::uint64_t count) {
 }
 
 ZarrArray parse_zarr_array(std::string_view text, const std::filesystem::path& file) {
-    const nlohmann::json json = parse_json(text, file);
+    const nlohmann::json json = parse_json(with_nan_as_text(std::string(text)), file);
     const JsonReader document(json, file);
     check_version(document);
     if (const auto compressor = document.find("compressor"))

@@ -63,7 +63,7 @@ TEST(Prefix, IsNormalised) {
     EXPECT_EQ(normal_prefix("/"), "");
     EXPECT_EQ(normal_prefix("ciel"), "/ciel");
     EXPECT_EQ(normal_prefix("/a/b//"), "/a/b");
-    for (const char* bad : {"/a b", "/a?b", "/a\r\nX: y", "/a\"b", "/%41"})
+    for (const char* bad : {"/a b", "/a?b", "/a\r\nX: y", "/a\"b", "/%41", "a/../b", "..", "/a/./b", "a//b"})
         EXPECT_THROW((void)normal_prefix(bad), Error) << bad;
 }
 

@@ -84,7 +84,10 @@ class Server:
         return answer["result"]
 
     def socket(self, path: str = "/ws", headers: dict[str, str] | None = None, **options):
-        name = "additional_headers" if int(websockets.__version__.split(".")[0]) >= 14 else "extra_headers"
+        is_new = int(websockets.__version__.split(".")[0]) >= 14
+        name = "additional_headers" if is_new else "extra_headers"
+        if is_new:
+            options.pop("read_limit", None)  # its buffers are those of the transport
         options = {"subprotocols": ["ciel.v1"], "max_size": None, "open_timeout": PATIENCE, name: headers, **options}
         return websockets.connect(f"ws://127.0.0.1:{self.port}{path}", **options)
 

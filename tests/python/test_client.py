@@ -33,6 +33,20 @@ def test_calls_and_batches(server):
     assert refused.value.path == "/dataset" and refused.value.message == "Invalid params"
 
 
+def test_the_printed_address_is_enough(server):
+    printed = f"{server.base}/?token={TOKEN}"
+    assert Client(printed).call("dataset.list")[0]["name"] == "box"
+
+    async def attempt(address: str) -> None:
+        async with Stream(address) as stream:
+            assert (await stream.call("dataset.list"))[0]["name"] == "box"
+
+    for address in (printed, server.base.replace("http", "ws") + "/ws?token=" + TOKEN):
+        asyncio.run(asyncio.wait_for(attempt(address), PATIENCE))
+    with pytest.raises(ValueError, match="no address of a server"):
+        Client("127.0.0.1:8080")
+
+
 def test_a_server_that_refuses_is_named(server):
     with pytest.raises(ConnectionError, match="/rpc: 401"):
         Client(server.base, "another-token").call("dataset.list")

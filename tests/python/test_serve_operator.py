@@ -2,6 +2,8 @@
 
 import asyncio
 import json
+import os
+import pwd
 import re
 
 import pytest
@@ -33,6 +35,23 @@ def test_each_line_is_json_with_utc_and_links_the_clients_error(box, tmp_path):
     assert failed["method"] == "scene.get" and failed["ms"] >= 0 and failed["remote"].startswith("127.0.0.1:")
     events = [line["event"] for line in lines]
     assert events.count("session opened") == events.count("session closed") == 1
+    own_user = pwd.getpwuid(os.geteuid()).pw_name
+    for line in lines:
+        if line["event"].startswith("session "):
+            assert line["user"] == own_user and line["request"] and line.get("ms", line.get("seconds")) >= 0, line
+
+
+def test_each_kind_of_refusal_is_told_once_a_minute(box, tmp_path):
+    with Server(box, "--token", TOKEN, "--log-format", "json", log=tmp_path / "log") as running:
+        for _ in range(3):
+            assert running.get("/metrics").status_code == 401
+            assert running.get("/healthz", headers={"Host": "elsewhere.example"}).status_code == 403
+            assert running.get("/healthz", headers={"Cookie": "a" * 60_000}).status_code == 431
+            assert running.get("/nothing").status_code == 404
+    lines = [json.loads(line) for line in (tmp_path / "log").read_text().splitlines() if line.startswith("{")]
+    refused = [line for line in lines if line["event"] == "a request was refused"]
+    assert [line["status"] for line in refused] == ["401", "403", "431"]
+    assert all(line["reason"] and line["remote"] == "127.0.0.1" and line["request"] for line in refused), refused
 
 
 def test_no_line_has_a_query_a_cookie_a_token_or_a_whole_session_id(box, tmp_path):

@@ -33,7 +33,8 @@ TEST(Limits, each_member_has_one_row_with_a_name_of_its_own_and_a_default_in_its
         EXPECT_TRUE(names.insert(row.name).second) << row.name;
         EXPECT_TRUE(members.insert(&(limits.*row.member)).second) << row.name;
         EXPECT_FALSE(row.description.empty()) << row.name;
-        EXPECT_GE(limits.*row.member, 1U) << row.name;
+        EXPECT_GE(row.least, 1U) << row.name;
+        EXPECT_GE(limits.*row.member, row.least) << row.name;
         EXPECT_LE(limits.*row.member, row.most) << row.name;
     }
     EXPECT_EQ(members.size() * sizeof(std::uint64_t), sizeof(Limits));
@@ -69,7 +70,8 @@ TEST(Limits, that_make_no_sense_are_refused_in_a_sentence) {
     EXPECT_EQ(problem("message_bytes", "25%"), "25% is not a whole number, such as 64M");
     EXPECT_EQ(problem("dataset_memory_bytes", "101%"), "101% is not a whole number, such as 64M or 25%");
     EXPECT_EQ(problem("message_bytes", ""), " is not a whole number, such as 64M");
-    EXPECT_EQ(problem("message_bytes", "18446744073709551615T"), "18446744073709551615T is not between 1 and 1024 TiB");
+    EXPECT_EQ(problem("message_bytes", "18446744073709551615T"),
+              "18446744073709551615T is not between 4 KiB and 1024 TiB");
 }
 
 TEST(Limits, are_told_with_their_unit) {

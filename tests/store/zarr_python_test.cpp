@@ -1,5 +1,6 @@
 // Another implementation of Zarr reads what was written, and appends a step that a served dataset sees.
 #include "store/box/box.hpp"
+#include "store/zarr_array.hpp"
 
 #include <cstdlib>
 #include <gmock/gmock.h>
@@ -34,6 +35,15 @@ TEST(Zarr, PythonReadsAndAppends) {
     const auto later = now->refreshed();
     EXPECT_THAT(later->values("p", 4), testing::ElementsAreArray(expected));
     EXPECT_EQ(later->mesh(0, 1).positions[0], 1) << "what came by plain Zarr is kept";
+}
+
+TEST(Zarr, ABareNaNOfZarrPython3IsRead) {
+    const std::string text = R"({"zarr_format": 2, "shape": [2, 27], "chunks": [1, 27], "dtype": "<f4", "order": "C",
+        "compressor": null, "filters": null, "fill_value": NaN})";
+    EXPECT_EQ(to_text(parse_zarr_array(text, "p")), to_text(ZarrArray{ElementType::f4, {2, 27}, {1, 27}}));
+    for (const char* damaged : {R"({"fill_value")", R"({"fill_value" )", R"({"fill_value":)", R"({"fill_value": )",
+                                R"({"fill_value": Na)", R"({"fill_value": NaNa})"})
+        EXPECT_THROW((void)parse_zarr_array(damaged, "p"), Error) << damaged;
 }
 
 } // namespace

@@ -8,6 +8,7 @@ import contextlib
 import itertools
 import json
 import urllib.error
+import urllib.parse
 import urllib.request
 from collections.abc import AsyncIterator, Mapping
 from typing import Any
@@ -33,11 +34,26 @@ def _result(answer: dict[str, Any]) -> Any:
     return answer["result"]
 
 
+def _parted(url: str) -> tuple[bool, str, str | None]:
+    """Of the address that the server prints, or of its WebSocket: whether TLS, host and path, and the token in it."""
+    parts = urllib.parse.urlsplit(url)
+    if parts.scheme not in ("http", "https", "ws", "wss") or not parts.netloc:
+        raise ValueError(f"{url!r} is no address of a server, such as http://127.0.0.1:8080")
+    token = urllib.parse.parse_qs(parts.query).get("token", [None])[0]
+    place = parts.netloc + parts.path.rstrip("/").removesuffix("/ws")
+    return parts.scheme in ("https", "wss"), place, token
+
+
 class Client:
-    """Calls over HTTP POST. `Client("http://127.0.0.1:8080").call("dataset.list")`."""
+    """Calls over HTTP POST. `Client("http://127.0.0.1:8080").call("dataset.list")`.
+
+    `url` may be the line that the server printed, with its token.
+    """
 
     def __init__(self, url: str = "http://127.0.0.1:8080", token: str | None = None, timeout: float = 60) -> None:
-        self._url = url.rstrip("/") + "/rpc"
+        is_secure, place, offered = _parted(url)
+        token = token or offered
+        self._url = f"{'https' if is_secure else 'http'}://{place}/rpc"
         self._timeout = timeout
         self._headers = {"Content-Type": "application/json"}
         if token:
@@ -96,8 +112,10 @@ class Stream:
     """
 
     def __init__(self, url: str = "ws://127.0.0.1:8080/ws", token: str | None = None) -> None:
-        self._url = url
-        self._by_post = Client(url.replace("ws", "http", 1).removesuffix("/ws"), token)
+        is_secure, place, offered = _parted(url)
+        token = token or offered
+        self._url = f"{'wss' if is_secure else 'ws'}://{place}/ws"
+        self._by_post = Client(url, token)
         self._headers = {"Authorization": f"Bearer {token}"} if token else {}
         self._ids = itertools.count(1)
         self._waiting: dict[int, asyncio.Future[Any]] = {}
