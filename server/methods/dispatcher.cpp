@@ -58,16 +58,19 @@ bool changes_id(const json& request) {
     return id->is_number_float() || (id->is_number_integer() && !id->is_number_unsigned() && *id == 0);
 }
 
+struct Read {
+    json requests;
+    std::vector<std::string> ids; // of raw_ids, or empty when the requests have them all as they came
+};
+
 // The requests of one text, in order: quick ones on the thread that comes by, each slow one when its turn has come.
 class Requests : public std::enable_shared_from_this<Requests> {
 public:
-    // ids: of raw_ids, or empty when the requests have them all as they came.
-    Requests(session::Server& server, std::shared_ptr<session::Connection> connection, json requests,
-             std::vector<std::string> ids, Answer answer)
+    Requests(session::Server& server, std::shared_ptr<session::Connection> connection, Read read, Answer answer)
         : connection_(std::move(connection)), context_{server, *connection_, stop_.get_token()},
-          is_batch_(requests.is_array()),
-          requests_(is_batch_ ? std::move(requests) : json::array({std::move(requests)})), ids_(std::move(ids)),
-          answer_(std::move(answer)), held_(server.memory(), session::Held::answers) {}
+          is_batch_(read.requests.is_array()),
+          requests_(is_batch_ ? std::move(read.requests) : json::array({std::move(read.requests)})),
+          ids_(std::move(read.ids)), answer_(std::move(answer)), held_(server.memory(), session::Held::answers) {}
 
     void go_on() {
         for (; next_ < requests_.size(); ++next_) {
@@ -187,14 +190,35 @@ private:
     bool has_had_a_turn_ = false, given_up_ = false;
 };
 
-// The error of a text that holds no requests, else nothing, and `requests` are set.
-std::optional<json> refusal(const session::Limits& limits, std::string_view text, json& requests) {
+void note_ids(Read& read, std::string_view text, const std::map<std::size_t, std::string>& large) {
+    const json& requests = read.requests;
+    const bool changes_ids =
+        requests.is_array() ? std::any_of(requests.begin(), requests.end(), changes_id) : changes_id(requests);
+    if (changes_ids) read.ids = raw_ids(text);
+    for (const auto& [request, id] : large) read.ids.at(request) = id;
+}
+
+// Throws what json::parse does, but for ids beyond a double.
+void read_requests(const session::Limits& limits, std::string_view text, Read& read) {
+    try {
+        read.requests = scene::read_json(text);
+        note_ids(read, text, {});
+    } catch (const json::out_of_range&) {
+        const auto in_range = ids_in_range(text, limits.batch_requests);
+        if (!in_range) throw;
+        read.requests = scene::read_json(in_range->text);
+        note_ids(read, in_range->text, in_range->large);
+    }
+}
+
+// The error of a text that holds no requests, else nothing, and they are read.
+std::optional<json> refusal(const session::Limits& limits, std::string_view text, Read& read) {
     if (text.size() > limits.message_bytes)
         return limit_error("a message may have at most " + std::to_string(limits.message_bytes) + " bytes");
     if (is_deeper_than(text, limits.json_depth))
         return limit_error("JSON may be at most " + std::to_string(limits.json_depth) + " levels deep");
     try {
-        requests = scene::read_json(text);
+        read_requests(limits, text, read);
     } catch (const scene::TwiceNamed& error) {
         return invalid_request(error.what());
     } catch (const json::out_of_range&) {
@@ -202,6 +226,7 @@ std::optional<json> refusal(const session::Limits& limits, std::string_view text
     } catch (const json::exception&) {
         return parse_error("the message is not valid JSON");
     }
+    const json& requests = read.requests;
     if (!requests.is_array()) return {};
     if (requests.empty()) return invalid_request("a batch must not be empty");
     if (requests.size() > limits.batch_requests)
@@ -213,16 +238,12 @@ std::optional<json> refusal(const session::Limits& limits, std::string_view text
 
 void dispatch(session::Server& server, std::shared_ptr<session::Connection> connection, std::string_view text,
               Answer answer) {
-    json requests;
-    if (auto error = refusal(server.limits(), text, requests)) {
+    Read read;
+    if (auto error = refusal(server.limits(), text, read)) {
         Context context{server, *connection};
         return answer(text_of(refuse_text(context, std::move(*error))));
     }
-    const bool changes_ids =
-        requests.is_array() ? std::any_of(requests.begin(), requests.end(), changes_id) : changes_id(requests);
-    auto ids = changes_ids ? raw_ids(text) : std::vector<std::string>();
-    std::make_shared<Requests>(server, std::move(connection), std::move(requests), std::move(ids), std::move(answer))
-        ->go_on();
+    std::make_shared<Requests>(server, std::move(connection), std::move(read), std::move(answer))->go_on();
 }
 
 std::string dispatch(session::Server& server, session::Connection& connection, std::string_view text) {

@@ -35,7 +35,14 @@ public:
         is_id_ = depth_ == request_depth_ + 1 && name == "id";
         return true;
     }
-    bool parse_error(std::size_t, const std::string&, const json::exception&) override { return false; }
+    bool parse_error(std::size_t end, const std::string& token, const json::exception& error) override {
+        if (is_id_ && dynamic_cast<const json::out_of_range*>(&error) != nullptr) large_ = {end, token};
+        return false;
+    }
+
+    // The id at which reading stopped, and where it ends in the text; none: an empty token.
+    [[nodiscard]] const std::pair<std::size_t, std::string>& large() const { return large_; }
+    [[nodiscard]] std::size_t request() const { return ids_.size() - 1; }
 
 private:
     bool value(const std::string& number = {}) {
@@ -55,6 +62,7 @@ private:
     }
 
     std::vector<std::string> ids_;
+    std::pair<std::size_t, std::string> large_;
     std::size_t depth_ = 0, request_depth_ = 0;
     bool is_id_ = false;
 };
@@ -65,6 +73,21 @@ std::vector<std::string> raw_ids(std::string_view text) {
     IdReader reader;
     (void)json::sax_parse(text.begin(), text.end(), &reader);
     return reader.take();
+}
+
+std::optional<IdsInRange> ids_in_range(std::string_view text, std::size_t most) {
+    IdsInRange result{std::string(text), {}};
+    for (std::size_t i = 0; i <= most; ++i) {
+        IdReader reader;
+        if (json::sax_parse(result.text.begin(), result.text.end(), &reader)) return result;
+        const auto& [end, token] = reader.large();
+        if (token.empty() || end > result.text.size() || end < token.size()) break;
+        std::string small = "0.5"; // shorter than any such number
+        small.resize(token.size(), ' ');
+        result.text.replace(end - token.size(), token.size(), small);
+        result.large[reader.request()] = token;
+    }
+    return std::nullopt;
 }
 
 } // namespace ciel::methods
