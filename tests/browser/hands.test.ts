@@ -266,16 +266,17 @@ describe("hands", { skip }, () => {
   });
 
   test("the tab key reaches every control, and each shows that it has the focus", async () => {
+    await client.page.waitForFunction(() => document.querySelector(".toast") === null); // what it offers goes with it
     await client.page.evaluate(() => (document.activeElement as HTMLElement | null)?.blur());
     const reachable = await client.page.evaluate(() => {
       const controls = [...document.querySelectorAll("button, select, input, [tabindex='0']")];
       const open = controls.filter((e) => !e.matches(":disabled") && (e as HTMLElement).offsetParent !== null);
       open.forEach((e, i) => e.setAttribute("data-nth", String(i)));
-      return open.length;
+      return open.map((e) => e.outerHTML.slice(0, 120));
     });
     const seen = new Set<string>();
     const dim: string[] = [];
-    for (let i = 0; i < reachable + 5; i += 1) {
+    for (let i = 0; i < reachable.length + 5; i += 1) {
       await client.page.keyboard.press("Tab");
       const [nth, shown, html] = await client.page.evaluate(() => {
         const e = document.activeElement;
@@ -288,7 +289,10 @@ describe("hands", { skip }, () => {
       if (nth !== "") seen.add(nth);
       if (!shown) dim.push(html);
     }
-    assert.equal(seen.size, reachable);
+    assert.deepEqual(
+      reachable.filter((_, i) => !seen.has(String(i))),
+      [],
+    );
     assert.deepEqual(dim, []);
   });
 
