@@ -58,7 +58,7 @@ bool changes_id(const json& request) {
     return id->is_number_float() || (id->is_number_integer() && !id->is_number_unsigned() && *id == 0);
 }
 
-struct Read {
+struct Read { // NOLINT(bugprone-exception-escape): of what a string moves, nothing throws
     json requests;
     std::vector<std::string> ids; // of raw_ids, or empty when the requests have them all as they came
 };

@@ -5,7 +5,7 @@ import type * as Playwright from "playwright-core";
 const require = createRequire(new URL("../../webclient/package.json", import.meta.url));
 const playwright = require("playwright-core") as typeof Playwright;
 
-export type { Browser, BrowserContext, CDPSession, Locator, Page } from "playwright-core";
+export type { Browser, BrowserContext, BrowserContextOptions, CDPSession, Locator, Page } from "playwright-core";
 
 const FLAGS = [
   "--no-sandbox",

@@ -2,7 +2,7 @@
 import { mkdirSync, writeFileSync } from "node:fs";
 import { dirname, join, resolve } from "node:path";
 import { fileURLToPath } from "node:url";
-import type { Browser, BrowserContext, Locator, Page } from "./chromium.ts";
+import type { Browser, BrowserContext, BrowserContextOptions, Locator, Page } from "./chromium.ts";
 import { decodePng, type Picture } from "./png.ts";
 
 const root = resolve(dirname(fileURLToPath(import.meta.url)), "../..");
@@ -29,26 +29,25 @@ export interface Frame {
   stream: string;
 }
 
+const contextOptions = (options: PageOptions): BrowserContextOptions => ({
+  viewport: { width: options.width ?? 1024, height: options.height ?? 640 },
+  deviceScaleFactor: options.scale ?? 1,
+  colorScheme: options.scheme ?? "dark",
+  hasTouch: options.touch ?? false,
+  ignoreHTTPSErrors: options.selfSigned ?? false,
+});
+
 /** A context costs as much as half a test: those that no client has any more, by the options they were made with. */
 const contexts = new WeakMap<Browser, Map<string, BrowserContext[]>>();
 
-function freeContexts(browser: Browser, { before: _, ...options }: PageOptions): BrowserContext[] {
+function freeContexts(browser: Browser, options: PageOptions): BrowserContext[] {
   const all = contexts.get(browser) ?? new Map<string, BrowserContext[]>();
   contexts.set(browser, all);
-  const key = JSON.stringify(options, Object.keys(options).sort());
+  const key = JSON.stringify(contextOptions(options));
   const free = all.get(key) ?? [];
   all.set(key, free);
   return free;
 }
-
-const newContext = (browser: Browser, options: PageOptions): Promise<BrowserContext> =>
-  browser.newContext({
-    viewport: { width: options.width ?? 1024, height: options.height ?? 640 },
-    deviceScaleFactor: options.scale ?? 1,
-    colorScheme: options.scheme ?? "dark",
-    hasTouch: options.touch ?? false,
-    ignoreHTTPSErrors: options.selfSigned ?? false,
-  });
 
 export class Client {
   readonly problems: string[] = [];
@@ -88,7 +87,7 @@ export class Client {
 
   static async open(browser: Browser, address: string, options: PageOptions = {}): Promise<Client> {
     const free = freeContexts(browser, options);
-    const context = free.pop() ?? (await newContext(browser, options));
+    const context = free.pop() ?? (await browser.newContext(contextOptions(options)));
     const client = new Client(await context.newPage(), free);
     if (options.before !== undefined) await client.page.addInitScript(options.before);
     const devtools = await context.newCDPSession(client.page);
