@@ -102,6 +102,7 @@ export class Client {
   async close(): Promise<void> {
     const context = this.page.context();
     await Promise.all(context.pages().map((page) => page.close()));
+    await context.clearPermissions();
     this.free.push(context);
   }
 
