@@ -30,14 +30,6 @@ Readiness tested(Worker& worker) {
     }
 }
 
-Readiness tested(FrameWorkers& workers) {
-    try {
-        return workers.run([](Worker& worker) { return tested(worker); });
-    } catch (const std::exception& error) { // drained
-        return {.problem = store::sentence_for_clients(error)};
-    }
-}
-
 } // namespace
 
 struct Server::State {
@@ -187,8 +179,12 @@ void Server::look_for_steps(const std::string& name, store::LoadedDataset& datas
 void Server::tidy(std::chrono::steady_clock::time_point now) { state_->tidy(now); }
 
 Readiness Server::readiness() {
-    Readiness readiness = tested(state_->picture_workers);
-    if (readiness.ready) readiness = tested(state_->workers);
+    Readiness readiness;
+    try {
+        readiness = state_->workers.run([](Worker& worker) { return tested(worker); });
+    } catch (const std::exception& error) { // drained
+        readiness.problem = store::sentence_for_clients(error);
+    }
     state_->know(readiness);
     return readiness;
 }
@@ -212,7 +208,7 @@ Readiness Server::last_readiness() {
         const std::scoped_lock lock(state_->readiness_mutex);
         if (state_->last_readiness) return *state_->last_readiness;
     }
-    return tested(state_->workers); // pictures may take long, and who asks wants to know what draws
+    return readiness();
 }
 
 std::string Server::metrics() const {

@@ -72,10 +72,10 @@ public:
     // Gives back what has not been used for long: sessions, datasets. Called every now and then by the server itself.
     void tidy(std::chrono::steady_clock::time_point now);
 
-    // Draws test pictures where frames are drawn and where pictures are, and checks their pixels: waits for both.
+    // Draws a test picture and checks its pixels: waits for a frame worker.
     [[nodiscard]] Readiness readiness();
-    // Asks for test pictures, at most once a second, and waits for it for a moment: while the workers draw for others
-    // the answer is that of the last one.
+    // Asks for test pictures of frame and picture workers, at most once a second, and waits for them for a moment:
+    // while the workers draw for others the answer is that of the last one.
     [[nodiscard]] Readiness readiness_by_now();
     [[nodiscard]] Readiness last_readiness();  // of the last test picture; draws one only when none was drawn yet
     [[nodiscard]] std::string metrics() const; // Prometheus text exposition format 0.0.4

@@ -55,6 +55,7 @@ TEST_F(Slow, quick_methods_do_not_wait_for_slow_ones) {
         client.call("view.open", {{"session", session}, {"width", 64}, {"height", 64}});
         client.frames_until_still(2);
     }
+    EXPECT_TRUE(server.readiness().ready);
     std::this_thread::sleep_for(std::chrono::milliseconds(1100)); // the last result is older than it may be
     EXPECT_TRUE(server.readiness_by_now().ready);
     EXPECT_TRUE(drew_nothing());
