@@ -6,7 +6,9 @@
 #include <memory>
 #include <tbb/blocked_range.h>
 #include <tbb/global_control.h>
+#include <tbb/info.h>
 #include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
 #elif defined(CIEL_PARALLEL_THREADS)
 #include <atomic>
 #include <exception>
@@ -21,12 +23,16 @@ namespace ciel {
 
 namespace {
 std::unique_ptr<tbb::global_control> limit;
-}
+std::unique_ptr<tbb::task_arena> wide_arena; // the default one has no more places than the machine has processors
+} // namespace
 
 void set_thread_count(unsigned threads) {
+    wide_arena.reset();
     limit.reset(); // the smallest of the living limits holds, so the old one goes first
     if (threads > 0)
         limit = std::make_unique<tbb::global_control>(tbb::global_control::max_allowed_parallelism, threads);
+    if (threads > static_cast<unsigned>(tbb::info::default_concurrency()))
+        wide_arena = std::make_unique<tbb::task_arena>(static_cast<int>(threads));
 }
 
 unsigned thread_count() {
@@ -37,10 +43,13 @@ void parallel_for(std::size_t count, std::size_t grain, LoopBody body) {
     if (count == 0) return;
     grain = std::max<std::size_t>(1, grain);
     if (count <= grain) return body(0, count);
-    tbb::parallel_for(
-        tbb::blocked_range<std::size_t>(0, count, grain),
-        [&](const tbb::blocked_range<std::size_t>& range) { body(range.begin(), range.end()); },
-        tbb::simple_partitioner());
+    const auto loop = [&] {
+        tbb::parallel_for(
+            tbb::blocked_range<std::size_t>(0, count, grain),
+            [&](const tbb::blocked_range<std::size_t>& range) { body(range.begin(), range.end()); },
+            tbb::simple_partitioner());
+    };
+    wide_arena ? wide_arena->execute(loop) : loop();
 }
 
 #elif defined(CIEL_PARALLEL_THREADS)
