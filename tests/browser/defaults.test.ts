@@ -1,6 +1,6 @@
 // What a person finds ready: looks of new layers, legends, ranges, exports, sizes of pictures, values to take away.
 import assert from "node:assert/strict";
-import { after, before, describe, test } from "node:test";
+import { before, describe, test } from "node:test";
 import { fragmentOf } from "./link.ts";
 import type { Locator } from "./chromium.ts";
 import type { Client } from "./page.ts";
@@ -27,7 +27,6 @@ describe("defaults", { skip }, () => {
     const scene = { dataset: nameOf(data[0] ?? ""), camera, layers: { iso, slice } };
     client = await stage.fresh({ width: 1280, height: 800 }, fragmentOf(scene));
   });
-  after(() => client.close());
 
   const rpc = async (method: string, params: object): Promise<unknown> => {
     const session = await client.page.evaluate(() => sessionStorage.getItem("ciel.session"));

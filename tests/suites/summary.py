@@ -1,5 +1,9 @@
-"""Adds up the JUnit files that the suites left and prints the closing line. A suite without a result is a failure."""
+"""Adds up the JUnit files that the suites left and prints the closing line: summary.py RESULTS SUITE... [--broken SUITE...]
 
+A suite without a result is a failure, and so is a broken one (it ended with an error) whose tests have all passed: what
+fails outside of them, as a hook that cleans up, leaves no test case."""
+
+import argparse
 import pathlib
 import re
 import sys
@@ -18,7 +22,7 @@ def outcome(case: ElementTree.Element) -> str:
     return "passed"
 
 
-def main(results: pathlib.Path, suites: list[str]) -> int:
+def main(results: pathlib.Path, suites: list[str], broken: list[str]) -> int:
     counts = {"passed": 0, "failed": 0, "skipped": 0}
     for suite in suites:
         files = sorted(results.glob(f"{suite}*.xml"))
@@ -31,8 +35,11 @@ def main(results: pathlib.Path, suites: list[str]) -> int:
         if not cases:
             print(f"FAILED {suite}: no test reported a result")
             counts["failed"] += 1
-        for case in cases:
-            kind = outcome(case)
+        kinds = [outcome(case) for case in cases]
+        if cases and suite in broken and "failed" not in kinds:
+            print(f"FAILED {suite}: it ended with an error, though no test did; see above")
+            counts["failed"] += 1
+        for case, kind in zip(cases, kinds):
             counts[kind] += 1
             name = f"{suite}: {case.get('classname', '')} {case.get('name', '')}"
             if kind == "failed":
@@ -47,4 +54,9 @@ def main(results: pathlib.Path, suites: list[str]) -> int:
 
 
 if __name__ == "__main__":
-    sys.exit(main(pathlib.Path(sys.argv[1]), sys.argv[2:]))
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("results", type=pathlib.Path)
+    parser.add_argument("suites", nargs="+")
+    parser.add_argument("--broken", nargs="*", default=[])
+    options = parser.parse_args()
+    sys.exit(main(options.results, options.suites, options.broken))
