@@ -69,7 +69,7 @@ async def settle(options, port):
         await frame(client, opened["view"], revision, True)
         took = []
         for turn in range(options.turns):
-            revision = await patch({"camera": turned(scene["camera"], 3 * turn)})
+            revision = await patch({"camera": turned(scene["camera"], 3 * (turn + 1))})
             message, row = await frame(client, opened["view"], revision, False)
             took.append(row["draw"])
         moving, width = pixels(message, size), struct.unpack_from("<I", message, 24)[0]

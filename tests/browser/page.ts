@@ -37,16 +37,40 @@ const contextOptions = (options: PageOptions): BrowserContextOptions => ({
   ignoreHTTPSErrors: options.selfSigned ?? false,
 });
 
-/** A context costs as much as half a test: those that no client has any more, by the options they were made with. */
-const contexts = new WeakMap<Browser, Map<string, BrowserContext[]>>();
+/** A context without a client, and the page that the last one left in it; null where that had a script of its own. */
+interface Left {
+  context: BrowserContext;
+  page: Page | null;
+}
 
-function freeContexts(browser: Browser, options: PageOptions): BrowserContext[] {
-  const all = contexts.get(browser) ?? new Map<string, BrowserContext[]>();
-  contexts.set(browser, all);
-  const key = JSON.stringify(contextOptions(options));
+/** By the options they were made with: a page and its process cost as much as half a test. */
+const left = new WeakMap<Browser, Map<string, Left[]>>();
+
+function leftFor(browser: Browser, options: PageOptions): Left[] {
+  const all = left.get(browser) ?? new Map<string, Left[]>();
+  left.set(browser, all);
+  const key = JSON.stringify([contextOptions(options), options.before]);
   const free = all.get(key) ?? [];
   all.set(key, free);
   return free;
+}
+
+/** The page as a new one of its context would be, but for its place; false where it cannot be had back. */
+async function emptied(page: Page): Promise<boolean> {
+  try {
+    await page.evaluate(() => sessionStorage.clear()); // the tab's, which outlives its pages
+  } catch {
+    return false; // an error page has none
+  }
+  page.removeAllListeners();
+  await page.goto("about:blank");
+  await page.mouse.move(0, 0);
+  return true;
+}
+
+async function reset(page: Page, { viewport, colorScheme }: BrowserContextOptions): Promise<void> {
+  if (viewport) await page.setViewportSize(viewport);
+  await page.emulateMedia({ colorScheme: colorScheme ?? null });
 }
 
 export class Client {
@@ -54,13 +78,13 @@ export class Client {
   readonly patches: { patch: Record<string, unknown>; gesture: string }[] = [];
 
   readonly page: Page;
-  private readonly free: BrowserContext[];
+  private readonly free: Left[];
+  private readonly reusable: boolean;
   private readonly unanswered = new Set<number>();
   private patchListeners: { sent: () => void; answered: () => void } | null = null;
 
-  private constructor(page: Page, free: BrowserContext[]) {
-    this.page = page;
-    this.free = free;
+  private constructor(page: Page, free: Left[], reusable: boolean) {
+    [this.page, this.free, this.reusable] = [page, free, reusable];
     page.on("pageerror", (error) => this.problems.push(error.message));
     page.on("console", (message) => {
       if (message.type() === "error" && !/WebSocket|ERR_/.test(message.text())) this.problems.push(message.text());
@@ -86,24 +110,27 @@ export class Client {
   }
 
   static async open(browser: Browser, address: string, options: PageOptions = {}): Promise<Client> {
-    const free = freeContexts(browser, options);
-    const context = free.pop() ?? (await browser.newContext(contextOptions(options)));
-    const client = new Client(await context.newPage(), free);
+    const free = leftFor(browser, options);
+    const { context, page } = free.pop() ?? { context: await browser.newContext(contextOptions(options)), page: null };
+    const { origin } = new URL(address);
+    const client = new Client(page ?? (await context.newPage()), free, options.before === undefined);
     if (options.before !== undefined) await client.page.addInitScript(options.before);
     const devtools = await context.newCDPSession(client.page);
-    const { origin } = new URL(address);
     await devtools.send("Storage.clearDataForOrigin", { origin, storageTypes: "all" });
     await devtools.detach();
+    if (page !== null) await reset(page, contextOptions(options));
     await client.page.goto(address);
     return client;
   }
 
-  /** The next client may have its context, without anything of what this one left there. */
+  /** The next client may have its context and page, without anything of what this one left there. */
   async close(): Promise<void> {
     const context = this.page.context();
-    await Promise.all(context.pages().map((page) => page.close()));
+    const keeps = this.reusable && !this.page.isClosed() && (await emptied(this.page));
+    const others = context.pages().filter((page) => !keeps || page !== this.page);
+    await Promise.all(others.map((page) => page.close()));
     await context.clearPermissions();
-    this.free.push(context);
+    this.free.push({ context, page: keeps ? this.page : null });
   }
 
   get canvas(): Locator {
