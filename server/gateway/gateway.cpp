@@ -89,7 +89,9 @@ private:
         context_.connections.drain_all(); // each ends when its calls have been answered and the answers are read
         co_await until(begin + half, is_over);
         context_.server.give_up();
-        context_.connections.drain_all(); // the second time they end at once
+        context_.connections.drain_all(); // the second time they end without their answers
+        co_await until(begin + 2 * half - half / 4, is_over);
+        context_.connections.drain_all(); // the third time without the client's leave
         co_await until(begin + 2 * half, is_over);
         drained_ = is_over();
     }

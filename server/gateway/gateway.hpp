@@ -38,9 +38,10 @@ struct Listening {
 
 // Serves until SIGINT or SIGTERM, then drains: no new connections, clients are told, WebSockets close with 1001. What
 // is under way has half of Limits::drain_seconds to finish; then calls are given up, WebSockets closed though answers
-// are missing, and clients that do not read are cut off. A second signal ends the process at once. on_listening is
-// called from the thread that called serve, before anything is served. Throws Error when the address cannot be bound,
-// the token is badly formed, or the web client's folder cannot be read. Returns the process's exit code.
+// are missing, and clients that do not read, or do not close in turn, are cut off. A second signal ends the process at
+// once. on_listening is called from the thread that called serve, before anything is served. Throws Error when the
+// address cannot be bound, the token is badly formed, or the web client's folder cannot be read. Returns the process's
+// exit code.
 int serve(session::Server& server, const GatewayOptions& options,
           const std::function<void(const Listening&)>& on_listening);
 

@@ -9,7 +9,7 @@
 namespace ciel::gateway {
 
 // What draining, or cutting, does to a connection right now; runs on the connection's own executor. Draining comes a
-// second time when the connection has to end at once.
+// second time when answers are not waited for any more, and a third time when the client is not either.
 using OnDrain = std::shared_ptr<std::function<void()>>;
 
 struct ConnectionStart {

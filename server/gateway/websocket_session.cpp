@@ -14,6 +14,7 @@
 #include <optional>
 #include <spdlog/spdlog.h>
 #include <sys/socket.h>
+#include <utility>
 
 namespace ciel::gateway {
 namespace {
@@ -244,13 +245,14 @@ asio::awaitable<void> WebSocketSession::write() {
     cut(); // also ends a read that waits for a peer who is gone
 }
 
-// The first time it waits for the answers and until they are read, the second time for neither.
+// The first time it waits for the answers and until they are read, the second time for neither, the third time not even
+// for the client's own close.
 void WebSocketSession::drain() {
     if (!close_) return request_close(close_code::going_away, "the server stops");
-    closes_now_ = true;
+    const bool is_third = std::exchange(closes_now_, true);
     outbox_->close();
-    if (writing_)
-        cut(); // the client does not read: it would not see why
+    if (writing_ || is_third)
+        cut(); // the client does not read, or does not answer: it would not see why
     else
         outbox_changed_.cancel();
 }

@@ -103,6 +103,16 @@ void client_that_does_not_read() {
     std::_Exit(as_expected);
 }
 
+// Its answers fit into the system's buffers, so that the server writes its close, and waits for the client's.
+void client_that_does_not_close() {
+    Stopping stopping(4);
+    HandMade stuck(*stopping.server);
+    stuck.send_frame(text, heavy_picture);
+    stopping.wait_until_drawing();
+    stopping.server.reset();
+    std::_Exit(as_expected);
+}
+
 class Drain : public testing::Test {
 protected:
     void SetUp() override { GTEST_FLAG_SET(death_test_style, "threadsafe"); }
@@ -118,6 +128,10 @@ TEST_F(Drain, ASlowCallIsGivenUpAndItsClientGets1001) {
 
 TEST_F(Drain, AClientThatDoesNotReadIsCut) {
     EXPECT_EXIT(client_that_does_not_read(), testing::ExitedWithCode(as_expected), "");
+}
+
+TEST_F(Drain, AClientThatDoesNotCloseIsCut) {
+    EXPECT_EXIT(client_that_does_not_close(), testing::ExitedWithCode(as_expected), "");
 }
 
 TEST_F(Drain, TakesASecondWhereNothingElseWasSaid) { EXPECT_EQ(session::Limits().drain_seconds, 1U); }
