@@ -3,7 +3,8 @@
 #include "ciel/loop.hpp"
 
 #include <algorithm>
-#include <functional>
+#include <numeric>
+#include <utility>
 
 namespace ciel {
 
@@ -18,16 +19,60 @@ void BlockLoops::gather(Index from, Index to) {
     find_edges();
 }
 
+// A copy of what the block's own faces have, which lie side by side, then without repeats where there are any.
+void BlockLoops::copy_own(Index face_begin, Index face_end) {
+    const auto offsets = mesh.face_offset.unchecked().subspan(face_begin, std::size_t{face_end} - face_begin + 1);
+    own_offset_.assign(offsets.begin(), offsets.end());
+    const std::uint64_t first = own_offset_.front(), last = own_offset_.back();
+    if (!std::ranges::is_sorted(own_offset_) || last > mesh.face_vertex.size() || last - first >= none)
+        mesh.face_offset.refuse();
+    const auto ids = mesh.face_vertex.unchecked().subspan(first, last - first);
+    vertex.assign(ids.begin(), ids.end());
+    begin.resize(own_offset_.size());
+    std::ranges::transform(own_offset_, begin.begin(),
+                           [=](std::uint64_t at) { return static_cast<Index>(at - first); });
+    mesh_face.resize(face_end - face_begin);
+    std::iota(mesh_face.begin(), mesh_face.end(), face_begin);
+    mesh_cell.resize(mesh_face.size());
+    for (Index i = 0; i < mesh_cell.size(); ++i)
+        mesh_cell[i] = {mesh.owner[face_begin + i], mesh.neighbour[face_begin + i]};
+    if (has_repeats()) remove_repeats();
+}
+
+bool BlockLoops::has_repeats() const {
+    for (Index loop = 0; loop < loop_count(); ++loop) {
+        const Index end = begin[loop + 1];
+        if (begin[loop] == end) continue;
+        Index last = vertex[end - 1];
+        for (Index k = begin[loop]; k < end; ++k) {
+            if (vertex[k] == last) return true;
+            last = vertex[k];
+        }
+    }
+    return false;
+}
+
+void BlockLoops::remove_repeats() {
+    const std::vector<Index> whole = std::exchange(vertex, {}), whole_begin = std::exchange(begin, {0});
+    for (std::size_t loop = 0; loop + 1 < whole_begin.size(); ++loop)
+        append_loop(std::span(whole).subspan(whole_begin[loop], whole_begin[loop + 1] - whole_begin[loop]));
+}
+
 // Returns false when the loop collapsed to a point.
-bool BlockLoops::append(Index face) {
-    const Ids loop = mesh.loop(face);
-    if (loop.size() >= none - vertex.size()) mesh.face_offset.refuse(); // loops of one mesh do not overlap
-    const bool any = append_without_repeats(loop, vertex) > 0;
-    if (!any && !loop.empty()) collapsed_.push_back(loop.front());
-    mesh_face.push_back(face);
-    mesh_cell.push_back({mesh.owner[face], mesh.neighbour[face]});
+bool BlockLoops::append_loop(std::span<const Index> ids) {
+    const bool any = append_without_repeats(ids, vertex) > 0;
+    if (!any && !ids.empty()) collapsed_.push_back(ids.front());
     begin.push_back(static_cast<Index>(vertex.size()));
     return any;
+}
+
+bool BlockLoops::append(Index face) {
+    const auto ids = mesh.loop(face).unchecked();
+    if (ids.size() >= none - vertex.size()) mesh.face_offset.refuse(); // loops of one mesh do not overlap
+    loop_.assign(ids.begin(), ids.end());
+    mesh_face.push_back(face);
+    mesh_cell.push_back({mesh.owner[face], mesh.neighbour[face]});
+    return append_loop(loop_);
 }
 
 void BlockLoops::list_faces() {
@@ -35,16 +80,15 @@ void BlockLoops::list_faces() {
         return static_cast<Index>(std::ranges::lower_bound(mesh.owner, cell) - mesh.owner.begin());
     };
     const Index face_begin = first_owned(cell_begin), face_end = std::max(face_begin, first_owned(cell_end));
-    mesh_face.clear();
-    mesh_cell.clear();
-    begin.assign(1, 0);
-    vertex.clear();
     collapsed_.clear();
-    for (Index face = face_begin; face < face_end; ++face) append(face);
+    copy_own(face_begin, face_end);
     cell_loop_begin.assign(1, 0);
     cell_loop.clear();
     for (Index cell = cell_begin; cell < cell_end; ++cell) {
+        Index next = 0; // faces of a cell ascend, so that none is in its list twice
         for (const Index face : faces_.of(cell)) {
+            if (face < next) mesh.owner.refuse();
+            next = face + 1;
             const bool is_listed = face >= face_begin && face < face_end;
             const Index loop = is_listed ? face - face_begin : loop_count();
             const bool any = is_listed ? begin[loop] != begin[loop + 1] : append(face);
@@ -56,33 +100,24 @@ void BlockLoops::list_faces() {
     }
 }
 
-// Each side of a loop that is a cell of this block is in that cell's list, once.
+// Each side of a loop that is a cell of this block is in that cell's list.
 void BlockLoops::check_sides() const {
     std::size_t sides = 0;
     for (Index loop = 0; loop < loop_count(); ++loop)
         if (begin[loop] != begin[loop + 1])
             sides += (cell_on(loop, 0) != none ? 1 : 0) + (cell_on(loop, 1) != none ? 1 : 0);
-    bool rises = sides == cell_loop.size();
-    for (Index cell = 0; cell < cell_end - cell_begin; ++cell) {
-        const auto faces = faces_.of(cell_begin + cell);
-        rises = rises && std::ranges::adjacent_find(faces, std::ranges::greater_equal()) == faces.end();
-    }
-    if (!rises) mesh.owner.refuse();
+    if (sides != cell_loop.size()) mesh.owner.refuse();
 }
 
 void BlockLoops::number_vertices() {
     Index highest = 0;
     for (const auto* ids : {&vertex, &collapsed_})
         for (const Index v : *ids) highest = std::max(highest, v);
+    if (highest >= mesh.vertex_count()) mesh.face_vertex.refuse();
     local_vertex_.begin(highest, vertex.size() + collapsed_.size());
-    vertices.clear();
-    const auto note = [&](Index v) {
-        if (local_vertex_.add(v)) vertices.push_back(v);
-    };
-    for (const Index v : collapsed_) note(v);
-    for (const Index v : vertex) note(v);
-    std::ranges::sort(vertices);
-    for (Index local = 0; local < vertices.size(); ++local) local_vertex_[vertices[local]] = local;
+    for (const auto* ids : {&vertex, &collapsed_})
+        for (const Index v : *ids) local_vertex_.add(v);
+    local_vertex_.number(vertices);
     for (Index& v : vertex) v = local_vertex_[v];
 }
 

@@ -55,13 +55,19 @@ public:
 
 private:
     void list_faces();
+    void copy_own(Index face_begin, Index face_end);
+    [[nodiscard]] bool has_repeats() const;
+    void remove_repeats();
     bool append(Index face);
+    bool append_loop(std::span<const Index> ids);
     void check_sides() const;
     void number_vertices();
     void find_edges();
     Index edge_between(Index low, Index high); // a new one where there is none
 
     const CellFaces& faces_;
+    std::vector<std::uint64_t> own_offset_;
+    std::vector<Index> loop_;
     std::vector<Index> collapsed_;                          // vertices of loops that collapsed to a point
     LocalNumbers local_vertex_;                             // mesh vertex -> local
     std::vector<Index> edge_head_, edge_next_;              // edges by their lower vertex: the first ones of each

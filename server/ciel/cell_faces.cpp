@@ -7,9 +7,10 @@ namespace ciel {
 CellFaces cell_faces(const FaceMeshView& mesh) {
     CellFaces out;
     out.begin.assign(std::size_t{mesh.cell_count()} + 1, 0);
-    const auto for_cells_of = [&](Index f, auto&& visit) {
-        visit(mesh.owner[f]);
-        if (const Index neighbour = mesh.neighbour[f]; neighbour != none) visit(neighbour);
+    // Copies: their limits stay in registers while the tables are written.
+    const auto for_cells_of = [owner = mesh.owner, neighbours = mesh.neighbour](Index f, auto&& visit) {
+        visit(owner[f]);
+        if (const Index neighbour = neighbours[f]; neighbour != none) visit(neighbour);
     };
     for (Index f = 0; f < mesh.face_count(); ++f)
         for_cells_of(f, [&](Index cell) { ++out.begin[std::size_t{cell} + 1]; });

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <utility>
 
 namespace ciel {
 
@@ -17,19 +16,27 @@ void LocalNumbers::begin(Index highest, std::size_t most) {
     window_begin_ = static_cast<Index>(std::size_t{highest} + 1 - window);
     window_.assign(window, none);
     hashed_.assign(std::max(fewest_slots, hashed_.size()), {});
-    used_ = 0;
+    added_.clear();
 }
 
-bool LocalNumbers::add(Index id) {
-    if (id >= window_begin_) {
-        Index& number = window_[id - window_begin_];
-        return std::exchange(number, number == none ? 0 : number) == none;
-    }
+void LocalNumbers::add_hashed(Index id) {
     Slot& slot = hashed_[slot_of(id)];
-    if (slot.id == id) return false;
+    if (slot.id == id) return;
     slot.id = id;
-    if (2 * ++used_ > hashed_.size()) grow();
-    return true;
+    added_.push_back(id);
+    if (2 * added_.size() > hashed_.size()) grow();
+}
+
+// No id outside of the window is above one inside, and the window is in order as it is.
+void LocalNumbers::number(std::vector<Index>& ids) {
+    std::ranges::sort(added_);
+    ids = added_;
+    for (Index local = 0; local < ids.size(); ++local) hashed_[slot_of(ids[local])].number = local;
+    for (std::size_t i = 0; i < window_.size(); ++i) {
+        if (window_[i] == none) continue;
+        window_[i] = static_cast<Index>(ids.size());
+        ids.push_back(window_begin_ + static_cast<Index>(i));
+    }
 }
 
 // Fibonacci hashing (Knuth, The Art of Computer Programming 6.4): spreads the runs that ids come in.

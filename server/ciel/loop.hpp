@@ -13,15 +13,18 @@ namespace ciel {
 // each id once, so that what it appends has no repeats even when the loop changes meanwhile.
 template <class Loop>
 std::size_t append_without_repeats(const Loop& loop, std::vector<Index>& out) {
-    const std::size_t before = out.size();
-    out.insert(out.end(), loop.begin(), loop.end());
-    if (out.size() == before) return 0;
-    const Index first = out[before];
-    std::size_t kept = before;
-    for (std::size_t i = before; i < out.size(); ++i)
-        if (out[i] != (i + 1 == out.size() ? first : out[i + 1])) out[kept++] = out[i];
-    out.resize(kept);
-    return kept - before;
+    const std::size_t before = out.size(), size = loop.size();
+    if (size == 0) return 0;
+    const Index first = loop[0];
+    Index last = first;
+    out.push_back(first);
+    for (std::size_t i = 1; i < size; ++i) {
+        const Index id = loop[i];
+        if (id != last) out.push_back(id);
+        last = id;
+    }
+    if (last == first) out.pop_back(); // the only one, or the loop's end
+    return out.size() - before;
 }
 
 } // namespace ciel

@@ -45,10 +45,12 @@ std::uint64_t count_components(const FaceMeshView& mesh) {
         return c;
     };
     std::uint64_t components = parent.size();
-    for (Index f = 0; f < mesh.face_count(); ++f) {
-        const Index neighbour = mesh.neighbour[f];
+    const Ids owners = mesh.owner; // copies: their limits stay in registers while `parent` is written
+    const OptionalIds neighbours = mesh.neighbour;
+    for (std::size_t f = 0; f < owners.size(); ++f) {
+        const Index neighbour = neighbours[f];
         if (neighbour == none) continue;
-        const Index a = root(mesh.owner[f]), b = root(neighbour);
+        const Index a = root(owners[f]), b = root(neighbour);
         if (a == b) continue;
         parent[std::max(a, b)] = std::min(a, b);
         --components;
@@ -100,7 +102,7 @@ Topology::Topology(const FaceMeshView& mesh, Options options) : blocks_(std::mak
     link_blocks(mesh, built, *blocks_);
     TopologyCounts& counts = blocks_->counts;
     counts.faces = mesh.face_count();
-    counts.boundary_faces = static_cast<std::uint64_t>(std::ranges::count(mesh.neighbour, none));
+    counts.boundary_faces = static_cast<std::uint64_t>(std::ranges::count(mesh.neighbour.unchecked(), none));
     counts.cells = mesh.cell_count();
     counts.components = count_components(mesh);
 }
