@@ -8,10 +8,11 @@ namespace {
 
 using std::chrono::seconds;
 
-constexpr double tolerance = 0.03;   // seconds: a browser's animation frame and its decoder come and go by as much
-constexpr double very_late = 0.2;    // seconds, which is no stumble of the browser; less counts twice in a row
-constexpr double longest_route = 1;  // seconds; what takes longer does so by its own length
-constexpr seconds soonest_lasts{10}; // a route may have become longer for good
+constexpr double tolerance = 0.03;    // seconds: a browser's animation frame and its decoder come and go by as much
+constexpr double very_late = 0.2;     // seconds, which is no stumble of the browser
+constexpr unsigned late_in_a_row = 5; // less than that counts then: a queue makes every frame late, a busy browser some
+constexpr double longest_route = 1;   // seconds; what takes longer does so by its own length
+constexpr seconds soonest_lasts{10};  // a route may have become longer for good
 constexpr seconds rate_lasts{30};
 constexpr seconds best_lasts{2}; // to 4
 constexpr double full = 0.9; // of the best rate: a late frame that was delivered more slowly waited for something else
@@ -66,16 +67,15 @@ void FrameWindow::learn(const Frame& frame, Time now) {
     const double delivered = static_cast<double>(frame.bytes_on_the_way) / took; // Little's law
     const double best = proven(delivered, now);
     late_frames_ = late > tolerance ? late_frames_ + 1 : 0;
-    if (late_frames_ > 1 || late > very_late)
+    if (late_frames_ >= late_in_a_row || late > very_late)
         shrink(frame, delivered, best, late, now);
     else if (late_frames_ == 0 && held_back_ && took < longest_route)
         grow(frame.bytes);
 }
 
 double FrameWindow::proven(double rate, Time now) {
-    if (now - best_since_ > best_lasts) {
-        best_before_ = now - best_since_ > 2 * best_lasts ? 0 : best_;
-        best_ = 0;
+    if (held_back_ && now - best_since_ > best_lasts) { // less than there was room for says nothing of the line
+        best_before_ = std::exchange(best_, 0);
         best_since_ = now;
     }
     best_ = std::max(best_, rate);

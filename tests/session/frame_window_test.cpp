@@ -2,6 +2,7 @@
 // swallow any number of them before.
 #include "session/frame_window.hpp"
 
+#include <cmath>
 #include <gtest/gtest.h>
 #include <map>
 #include <random>
@@ -15,6 +16,7 @@ struct Line {
     double present = 0.01; // seconds that the client takes to show a frame
     double jitter = 0;     // seconds that it takes longer, now and then
     double busy = 0;       // at most so many seconds longer, each time others
+    double swing = 0;      // seconds in which frames go from their whole size to a quarter of it and back
     bool acknowledges = true;
 };
 
@@ -57,9 +59,11 @@ Outcome run(const Line& line, double making, std::size_t bytes, double seconds =
             result.most_queued = std::max(result.most_queued, queued);
             ++result.frames;
         }
-        window.sent(++frame, bytes, false, at(now));
+        const double part = line.swing > 0 ? std::abs(2 * std::fmod(now / line.swing, 1) - 1) : 1;
+        const auto size = static_cast<std::size_t>((0.25 + 0.75 * part) * static_cast<double>(bytes));
+        window.sent(++frame, size, false, at(now));
         result.most_on_the_way = std::max(result.most_on_the_way, window.frames_on_the_way());
-        free = std::max(free, now) + static_cast<double>(bytes) / line.rate;
+        free = std::max(free, now) + static_cast<double>(size) / line.rate;
         shown = std::max(shown, free + line.round_trip / 2 + line.present + (frame % 7 == 0 ? line.jitter : 0) +
                                     line.busy * static_cast<double>(random()) / std::minstd_rand::max());
         if (line.acknowledges) acknowledgements[shown + line.round_trip / 2] = frame;
@@ -108,6 +112,14 @@ TEST(FrameWindow, ABusyBrowserIsNoFullLine) {
             EXPECT_GE(far.rate, 0.9 * 30'000 / 0.066) << round_trip << ' ' << busy << ": quality would go";
         }
     }
+}
+
+TEST(FrameWindow, FramesThatGrowForABusyBrowserAreNoFullLine) {
+    for (const double round_trip : {0.05, 0.2})
+        for (const double busy : {0.03, 0.06, 0.09}) {
+            const Outcome far = run({round_trip, 10 * mbit, 0.01, 0, busy, 4}, 0.05, 45'000, 60);
+            EXPECT_GE(static_cast<double>(far.frames), 0.85 * 60 / 0.05) << round_trip << ' ' << busy;
+        }
 }
 
 TEST(FrameWindow, FramesThatNeedSecondsGoOneByOne) {
