@@ -56,11 +56,13 @@ private:
         (void)extract(nu, false);
         const auto edges = static_cast<double>(surface_.points.size());
         const double span = static_cast<double>(high_) - static_cast<double>(low_);
-        for (double step = span / 100; step > span * 1e-7; step /= 2) {
+        double step = span / 100;
+        while (step > span * 1e-7) {
             const auto passed =
                 std::ranges::count_if(*data_.values, [&](float value) { return value >= nu && value < nu + step; });
             // A vertex that is passed toggles the edges around it: a dozen, give or take.
             if (12 * static_cast<double>(passed) <= edges / 100) return step;
+            step /= 2;
         }
         return span * 1e-7;
     }

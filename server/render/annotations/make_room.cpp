@@ -80,13 +80,17 @@ Camera stepped_aside(const Frame& frame, double to_left, double down) {
 // In a narrow picture the legends reach so far that nothing in the middle is clear of them: left of them, or below.
 std::optional<Camera> clear_aside(Frame frame, const std::vector<glm::dvec3>& points, const Page& page) {
     constexpr double large_step = 1.1, furthest_aside = 3;
-    for (double away = 1; away < furthest_aside; away *= large_step, step_back(frame.camera, large_step))
+    double away = 1;
+    while (away < furthest_aside) {
         for (int i = 1; i <= most_aside; ++i)
             for (const auto& [to_left, down] : {std::pair(1, 0), {0, 1}, {0, 2}}) { // narrow pictures are high
                 Frame moved = frame;
                 moved.camera = stepped_aside(frame, i * to_left * aside, i * down * aside);
                 if (is_clear(moved, points, page)) return moved.camera;
             }
+        away *= large_step;
+        step_back(frame.camera, large_step);
+    }
     return {};
 }
 
@@ -108,8 +112,12 @@ Camera clear_of_annotations(const Frame& frame) {
     lay_legends(page, judged.annotations);
     if (judged.annotations.triad) lay_triad(page, judged);
     const std::vector<glm::dvec3> points = points_of_edges(judged);
-    for (double away = 1; away < furthest; away *= step, step_back(judged.camera))
+    double away = 1;
+    while (away < furthest) {
         if (is_clear(judged, points, page)) return judged.camera;
+        away *= step;
+        step_back(judged.camera);
+    }
     judged.camera = frame.camera;
     return clear_aside(judged, points, page).value_or(frame.camera);
 }

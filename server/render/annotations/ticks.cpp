@@ -119,8 +119,11 @@ Scale nice_scale(double low, double high, int most) {
     const Step step = nice_step(low, high, most);
     const Multiples found = multiples(low, high, step.size);
     const double unit = std::pow(10.0, -scale.exponent);
-    for (double k = found.first; k <= found.last; ++k)
-        scale.ticks.push_back({k * step.size, with_decimals(k * step.size * unit, scale.exponent - step.power)});
+    const auto count = static_cast<int>(found.last - found.first);
+    for (int i = 0; i <= count; ++i) {
+        const double value = (found.first + i) * step.size;
+        scale.ticks.push_back({value, with_decimals(value * unit, scale.exponent - step.power)});
+    }
     return scale;
 }
 
