@@ -29,11 +29,22 @@ BuiltBlock BlockBuilder::build(Index cell_begin, Index cell_end) {
     return built;
 }
 
+CellType BlockBuilder::type_of(Index local_cell) const {
+    const auto refs = loops_.of_cell(local_cell);
+    std::size_t half_edges = 0, largest = 0;
+    for (const LoopRef ref : refs) {
+        const std::size_t size = loops_.size(ref);
+        half_edges += size;
+        largest = std::max(largest, size);
+    }
+    return type_of_faces(refs.size(), half_edges, largest);
+}
+
 void BlockBuilder::sort_cells() {
     for (auto& cells : standard_) cells.clear();
     polyhedra_.clear();
     for (Index cell = 0; cell < loops_.cell_end - loops_.cell_begin; ++cell) {
-        const auto type = static_cast<CellType>(loops_.mesh.cell_types[loops_.cell_begin + cell]);
+        const CellType type = type_of(cell);
         StandardCell found;
         bool fits = false;
         with_shape(type, [&]<const StandardShape & shape>() { fits = recognise<shape>(loops_, cell, found); });

@@ -36,6 +36,7 @@ private:
         StandardCell found;
     };
 
+    [[nodiscard]] CellType type_of(Index local_cell) const;
     void sort_cells();
     [[nodiscard]] bool fits_16_bits() const;
     template <class Local>

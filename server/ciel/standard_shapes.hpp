@@ -86,6 +86,15 @@ inline constexpr StandardShape wedge_shape =
 inline constexpr StandardShape pyramid_shape =
     make_shape(CellType::pyramid, 5, 5, {{{0, 3, 2, 1}, {0, 1, 4, -1}, {1, 2, 4, -1}, {2, 3, 4, -1}, {3, 0, 4, -1}}});
 
+// What a cell may be by its faces, whatever its file calls it: the type with so many faces and half-edges, where no
+// face has more than `largest` corners; else a polyhedron.
+constexpr CellType type_of_faces(std::size_t faces, std::size_t half_edges, std::size_t largest) {
+    if (largest > 4) return CellType::polyhedron;
+    for (const StandardShape* shape : {&tetrahedron_shape, &hexahedron_shape, &wedge_shape, &pyramid_shape})
+        if (faces == shape->faces && half_edges == shape->half_edges) return shape->type;
+    return CellType::polyhedron;
+}
+
 // Calls f.template operator()<shape>() for a standard type; false for polyhedra.
 template <class F>
 bool with_shape(CellType type, F&& f) {

@@ -2,6 +2,7 @@
 
 #include "ciel/block_links.hpp"
 #include "ciel/parallel.hpp"
+#include "ciel/standard_shapes.hpp"
 
 #include <algorithm>
 
@@ -16,13 +17,15 @@ std::vector<Index> divide(const FaceMeshView& mesh, const CellFaces& faces, Inde
     std::vector<Index> begin{0};
     std::uint64_t used = 0, corners = 0; // corners: of each face once
     for (Index cell = 0; cell < mesh.cell_count(); ++cell) {
-        const bool standard = static_cast<CellType>(mesh.cell_types[cell]) != CellType::polyhedron;
         std::uint64_t of_cell = 0, new_corners = 0;
+        std::size_t largest = 0;
         for (const Index f : faces.of(cell)) {
             const std::size_t size = mesh.loop(f).size();
             of_cell += size;
+            largest = std::max(largest, size);
             if (mesh.owner[f] == cell || mesh.owner[f] < begin.back()) new_corners += size;
         }
+        const bool standard = type_of_faces(faces.of(cell).size(), of_cell, largest) != CellType::polyhedron;
         const std::uint64_t room_of_cell = standard ? 2 * of_cell : of_cell;
         used += room_of_cell;
         corners += new_corners;
