@@ -63,14 +63,19 @@ void report_bad_cells(const Judged& judged, AssembleReport& report) {
     }
 }
 
-void report_turned(const PolyhedraView& input, const Judged& judged, AssembleReport& report) {
+void report_faces(const PolyhedraView& input, const Judged& judged, AssembleReport& report) {
     for (std::size_t c = 0; c < judged.verdict.size(); ++c) {
         if (judged.verdict[c].bad) continue;
-        const std::uint64_t begin = input.cell_offset[c], end = input.cell_offset[c + 1];
-        const auto turned = static_cast<std::uint64_t>(
-            std::count(judged.turn.begin() + static_cast<std::ptrdiff_t>(begin),
-                       judged.turn.begin() + static_cast<std::ptrdiff_t>(end), std::uint8_t{1}));
-        if (turned == end - begin)
+        std::uint64_t faces = 0, turned = 0, short_faces = 0;
+        for (std::uint64_t f = input.cell_offset[c]; f < input.cell_offset[c + 1]; ++f) {
+            const bool is_face = input.is_face(f);
+            faces += is_face ? 1 : 0;
+            turned += is_face && judged.turn[f] ? 1 : 0;
+            short_faces += is_face ? 0 : 1;
+        }
+        report.short_faces += short_faces;
+        if (short_faces > 0 && report.first_short.size() < 10) report.first_short.push_back(static_cast<Index>(c));
+        if (turned == faces)
             ++report.reversed_cells;
         else
             report.reversed_faces += turned;
@@ -150,7 +155,7 @@ private:
             faces.clear();
             const Index source = order_[cell];
             for (std::uint64_t f = input_.cell_offset[source]; f < input_.cell_offset[source + 1]; ++f)
-                if (neighbour(f) > cell) faces.emplace_back(neighbour(f), f);
+                if (input_.is_face(f) && neighbour(f) > cell) faces.emplace_back(neighbour(f), f);
             std::ranges::sort(faces);
             for (const auto& [other, face] : faces) {
                 out.mesh.owner.push_back(cell);
@@ -216,7 +221,7 @@ Assembled assemble(const PolyhedraView& input) {
     out.report.first_inverted.assign(matched.inverted_cells.begin(),
                                      matched.inverted_cells.begin() + static_cast<std::ptrdiff_t>(std::min<std::size_t>(
                                                                           10, out.report.inverted_cells)));
-    report_turned(input, judged, out.report);
+    report_faces(input, judged, out.report);
 
     out.original_cell = curve_order(judged);
     for (const Index cell : out.original_cell)

@@ -13,7 +13,8 @@ namespace ciel {
 
 // Borrowed. Faces belong to one cell each (a face between two cells appears twice, once per cell), in any winding.
 // Collapsed cells are welcome: vertex ids may repeat in a loop, faces may have collapsed to a line or a point. A cell
-// is closed when its half-edges between distinct vertices pair up.
+// is closed when its half-edges between distinct vertices pair up. A face that lists fewer than three vertices is none:
+// the cell is judged by its others.
 struct PolyhedraView {
     Vec3d origin{};
     std::span<const float> positions;           // 3 V
@@ -21,6 +22,8 @@ struct PolyhedraView {
     std::span<const std::uint64_t> cell_offset; // C + 1, into faces
     std::span<const std::uint64_t> face_offset; // faces + 1, into face_vertex
     std::span<const Index> face_vertex;
+
+    [[nodiscard]] bool is_face(std::uint64_t f) const { return face_offset[f + 1] - face_offset[f] >= 3; }
 };
 
 // Cells that cannot be handled are left out and their neighbours' faces become boundary (but for those of a cell that
@@ -44,6 +47,8 @@ struct AssembleReport {
     std::uint64_t reversed_cells = 0;      // wound inwards in the input, turned
     std::uint64_t reversed_faces = 0;      // single faces turned to agree with their cell
     std::uint64_t internal_boundaries = 0; // faces three or more cells claim: left unmatched
+    std::uint64_t short_faces = 0;         // with fewer than three vertices, of cells that are kept: left out
+    std::vector<Index> first_short;        // at most 10 ids in the input of cells that had them
     // Kept, and wound like their neighbours, although that makes their volume negative (folded curvilinear grids).
     std::uint64_t inverted_cells = 0;
     std::vector<Index> first_inverted; // at most 10, ids in the input

@@ -19,6 +19,7 @@ bool CellWinding::gather(Index cell) {
     face_of_.clear();
     vertices_.clear();
     for (std::uint64_t f = input_.cell_offset[cell]; f < input_.cell_offset[cell + 1]; ++f) {
+        if (!input_.is_face(f)) continue;
         const auto loop =
             input_.face_vertex.subspan(input_.face_offset[f], input_.face_offset[f + 1] - input_.face_offset[f]);
         if (std::ranges::any_of(loop, [&](Index v) { return v >= local_of_.size(); })) return false;
@@ -151,7 +152,8 @@ std::vector<Index> CellWinding::lobes(Index cell) {
         const Index count = spread_winding();
         if (count > 1) {
             join_open_lobes(count);
-            std::ranges::transform(lobe_, out.begin(), [this](Index lobe) { return joined(lobe); });
+            for (Index face = 0; face < faces_.size(); ++face)
+                out[faces_[face].id - input_.cell_offset[cell]] = joined(lobe_[face]);
         }
     }
     forget();

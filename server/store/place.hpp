@@ -21,6 +21,7 @@ public:
     Place(const Place&) = delete;
     Place& operator=(const Place&) = delete;
 
+    [[nodiscard]] const std::filesystem::path& target() const { return target_; }
     [[nodiscard]] const std::filesystem::path& temporary() const { return temporary_; }
     // Flushes everything to the disk, then renames. A dataset that stood there is exchanged in one step and deleted;
     // what has it mapped keeps it.

@@ -178,6 +178,23 @@ struct Writer::State {
     }
 };
 
+namespace {
+
+// What cannot be opened is not put in place. The folder that it is in goes away, so that its name would help nobody.
+void read_again(const Place& place) {
+    try {
+        (void)Dataset::open(place.temporary());
+    } catch (const Error& error) {
+        std::string what = error.what();
+        const std::string folder = place.temporary().string();
+        for (std::size_t at = 0; (at = what.find(folder, at)) != std::string::npos;)
+            what.replace(at, folder.size(), place.target().string());
+        throw Error("what was written cannot be read again, so nothing was kept: " + what);
+    }
+}
+
+} // namespace
+
 Writer::Writer(std::unique_ptr<State> state) : state_(std::move(state)) {}
 Writer::Writer(Writer&&) noexcept = default;
 Writer::~Writer() = default;
@@ -357,7 +374,7 @@ void Writer::finish() {
         for (std::size_t m = 0; m < state.meshes.size(); ++m) state.put_mesh(m);
         state.put_root();
         state.put_marker();
-        (void)Dataset::open(state.directory);
+        read_again(*state.place);
         state.place->commit();
     }
     state.finished = true;

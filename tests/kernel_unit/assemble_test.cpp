@@ -184,6 +184,22 @@ TEST(Assemble, LeavesBadCellsOutAndNamesThem) {
     }
 }
 
+TEST(Assemble, LeavesOutFacesOfFewerThanThreeVerticesAndKeepsTheCellThatOthersClose) {
+    Polyhedra mesh = hexahedra(2, 1, 1);
+    const Index top = mesh.vertex(0.5, 0.5, 2);
+    mesh.polyhedron({{4, 5}, {4, 5, 7, 6}, {4, top, 5}, {}, {5, top, 7}, {7, top, 6}, {99}, {6, top, 4}});
+    mesh.polyhedron({{0, 1, 3, 2}, {0, 1, 5, 4}, {0, 1}, {4, 5, 7, 6}, {0, 2, 6, 4}});
+    const Assembled out = mesh.assembled();
+    EXPECT_EQ(out.report.short_faces, 3U);
+    EXPECT_THAT(out.report.first_short, testing::ElementsAre(2));
+    ASSERT_EQ(out.report.bad_cells.size(), 1U);
+    EXPECT_EQ(out.report.bad_cells[0].reason, Reason::open);
+    EXPECT_THAT(out.report.bad_cells[0].first_ids, testing::ElementsAre(3));
+    EXPECT_EQ(out.mesh.cell_types.size(), 3U);
+    for (Index f = 0; f < out.mesh.view().face_count(); ++f) EXPECT_GE(out.mesh.view().loop(f).size(), 3U);
+    expect_sound(out.mesh);
+}
+
 TEST(Assemble, RefusesArraysThatDoNotFitTogether) {
     Polyhedra mesh = hexahedra(1, 1, 1);
     mesh.positions.pop_back();

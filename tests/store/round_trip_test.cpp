@@ -36,6 +36,23 @@ TEST(RoundTrip, TopologyIsTheSame) {
     EXPECT_THAT(dataset->original_vertex(0), ElementsAreArray(identity(36)));
 }
 
+TEST(RoundTrip, WhatCannotBeReadAgainIsRefusedUnderTheNameThatItWasToHave) {
+    const Folder scratch;
+    FaceMesh mesh = box(1, 1, 1);
+    mesh.face_vertex.insert(mesh.face_vertex.end(), {0, 1}); // a face that assemble would have left out
+    mesh.face_offset.push_back(mesh.face_vertex.size());
+    mesh.owner.push_back(0);
+    mesh.neighbour.push_back(none);
+    try {
+        test::write_box(scratch / "box.ciel", mesh);
+        ADD_FAILURE() << "it was written";
+    } catch (const Error& error) {
+        EXPECT_THAT(error.what(), testing::HasSubstr((scratch / "box.ciel/meshes/0/face_offset").string()));
+        EXPECT_THAT(error.what(), testing::HasSubstr("nothing was kept"));
+    }
+    EXPECT_TRUE(std::filesystem::is_empty(scratch.path()));
+}
+
 TEST(RoundTrip, InfoCountsTheMesh) {
     const Folder scratch;
     const auto dataset = written_box(scratch, box(3, 2, 2));
