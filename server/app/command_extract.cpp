@@ -20,7 +20,7 @@ namespace {
 struct ExtractCommand {
     SceneOptions scene;
     std::vector<std::string> colors;
-    bool triangles = false;
+    bool triangles = false, from_origin = false;
     std::string output;
 };
 
@@ -89,12 +89,16 @@ int run_command(const ExtractCommand& extract) {
         joined.add(surface, values_of(surface, extract.colors, *loaded, geometry->step));
     }
     std::ostringstream bytes;
-    const wire::ExportedCounts written =
-        wire::write_surface(format, {joined.surface(), geometry->origin, joined.values(), extract.triangles}, bytes);
+    const bool is_moved = extract.from_origin || wire::has_floats(format);
+    const Vec3d origin = is_moved ? geometry->file_origin : Vec3d{};
+    const wire::ExportedCounts written = wire::write_surface(
+        format, {joined.surface(), geometry->origin, joined.values(), extract.triangles, origin}, bytes);
     const std::string text = std::move(bytes).str();
     store::replace_file(std::filesystem::absolute(extract.output), store::bytes_of(text));
     if (written.polygons == 0) std::cerr << "ciel: " << why_empty(scene, *geometry, *loaded) << '\n';
     std::printf("wrote %s: %zu polygons, %zu vertices\n", extract.output.c_str(), written.polygons, written.vertices);
+    if (origin != Vec3d{} || extract.from_origin)
+        std::printf("its coordinates are relative to the origin %s\n", wire::origin_text(origin).c_str());
     return 0;
 }
 
@@ -110,6 +114,9 @@ void add_extract(CLI::App& app, Run& run) {
     command->add_option("--color", extract->colors, "Point scalars to interpolate onto the surface.")
         ->type_name("ARRAY");
     command->add_flag("--triangles", extract->triangles, "Triangles instead of polygons (STL always has them).");
+    command->add_flag("--origin", extract->from_origin,
+                      "Coordinates relative to an origin that is the same for all surfaces of the dataset. STL is so "
+                      "by itself where its floats would lose digits.");
     command->add_option("-o,--output", extract->output, "The file, .ply, .stl or .vtp.")->required()->type_name("FILE");
     command->callback([&run, extract] { run = [extract] { return run_command(*extract); }; });
 }

@@ -5,6 +5,8 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <iomanip>
 #include <iostream>
 #include <memory>
@@ -159,6 +161,12 @@ std::string describe(const json& array) {
     return text.str();
 }
 
+// The shortest text that is this number again.
+std::string all_digits(double value) {
+    std::array<char, 32> text{};
+    return {text.data(), std::to_chars(text.data(), text.data() + text.size(), value).ptr};
+}
+
 void print(const json& info) {
     std::cout << info["name"].get<std::string>() << '\n';
     line("source", info["source"]);
@@ -171,8 +179,8 @@ void print(const json& info) {
         print_counts(info["meshes"][m]);
     }
     for (std::size_t axis = 0; axis < 3; ++axis)
-        line(std::string(1, "xyz"[axis]), "[" + number(info["bounds"][2 * axis]) + ", " +
-                                              number(info["bounds"][2 * axis + 1]) + "] " +
+        line(std::string(1, "xyz"[axis]), "[" + all_digits(info["bounds"][2 * axis]) + ", " +
+                                              all_digits(info["bounds"][2 * axis + 1]) + "] " +
                                               info["length_units"].get<std::string>());
     if (!info["groups"].empty()) std::cout << "groups\n";
     for (const json& group : info["groups"])

@@ -62,6 +62,7 @@ constexpr std::size_t copies_of_a_file = 6;
 struct File {
     std::string bytes;
     wire::ExportedCounts counts;
+    Vec3d origin{};
 };
 
 File file_of(const Context& context, SceneSource& source, session::Memory::Charge& charge,
@@ -72,10 +73,11 @@ File file_of(const Context& context, SceneSource& source, session::Memory::Charg
     const wire::JoinedSurface surface = joined(context, *geometry, params.layer, format, params.triangles);
     charge.change(copies_of_a_file *
                   wire::body_bytes(format, {surface.surface(), geometry->origin, surface.values(), params.triangles}));
+    const Vec3d origin = params.origin || wire::has_floats(format) ? geometry->file_origin : Vec3d{};
     std::ostringstream out;
-    const wire::ExportedCounts counts =
-        wire::write_surface(format, {surface.surface(), geometry->origin, surface.values(), params.triangles}, out);
-    return {std::move(out).str(), counts};
+    const wire::ExportedCounts counts = wire::write_surface(
+        format, {surface.surface(), geometry->origin, surface.values(), params.triangles, origin}, out);
+    return {std::move(out).str(), counts, origin};
 }
 
 const char* mime_of(wire::SurfaceFormat format) {
@@ -106,9 +108,12 @@ protocol::SurfaceExportResult surface_export(Context& context, const protocol::S
     session::Memory::Charge charge(context.server.memory(), session::Held::answers);
     const File file = file_of(context, source, charge, params);
     context.check_wanted();
-    return {mime_of(wire::surface_format("." + params.format)), params.layer + "." + params.format,
+    return {mime_of(wire::surface_format("." + params.format)),
+            params.layer + "." + params.format,
             base64({reinterpret_cast<const std::uint8_t*>(file.bytes.data()), file.bytes.size()}),
-            static_cast<std::int64_t>(file.counts.polygons), static_cast<std::int64_t>(file.counts.vertices)};
+            static_cast<std::int64_t>(file.counts.polygons),
+            static_cast<std::int64_t>(file.counts.vertices),
+            file.origin};
 }
 
 } // namespace ciel::methods

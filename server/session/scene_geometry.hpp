@@ -83,7 +83,8 @@ struct Geometry {
     std::vector<VolumeDrawable> volumes; // likewise
     std::vector<HalfSpace> clip;         // cut all volumes, and all drawables, which are whole (clip.hpp); of offsets
     Vec3d origin{}, bounds_min{}, bounds_max{};
-    double time = 0; // of the step shown
+    Vec3d file_origin{}; // of surfaces in files (wire/surface_files.hpp): the first mesh's, whatever is shown
+    double time = 0;     // of the step shown
     std::size_t step = 0;
     std::string length_units; // empty where not known
     std::size_t triangles = 0, bytes = 0;

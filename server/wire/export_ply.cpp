@@ -16,6 +16,7 @@ std::string property_name(std::string name) {
 
 void write_ply_header(const ExportSurface& surface, const ExportedPolygons& polygons, std::ostream& out) {
     out << "ply\nformat binary_little_endian 1.0\ncomment CIEL\n";
+    if (surface.file_origin != Vec3d{}) out << "comment origin " << origin_text(surface.file_origin) << '\n';
     out << "element vertex " << polygons.vertices.size() << '\n';
     for (const char axis : {'x', 'y', 'z'}) out << "property double " << axis << '\n';
     if (!surface.surface.normals.empty())
@@ -32,7 +33,7 @@ ExportedCounts write_ply(const ExportSurface& surface, std::ostream& out) {
     write_ply_header(surface, polygons, out);
     for (const Index vertex : polygons.vertices) {
         for (std::size_t k = 0; k < 3; ++k)
-            write_raw(out, surface.origin[k] + double{surface.surface.positions[vertex][k]});
+            write_raw(out, surface.origin[k] - surface.file_origin[k] + double{surface.surface.positions[vertex][k]});
         if (!surface.surface.normals.empty()) write_raw(out, surface.surface.normals[vertex]);
         for (const NamedValues& values : surface.values) write_raw(out, values.values[vertex]);
     }

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string_view>
+#include <string>
 
 namespace ciel::wire {
 namespace {
@@ -26,8 +26,9 @@ Vec3f facet_normal(const std::array<Vec3f, 3>& corners) {
 ExportedCounts write_stl(const ExportSurface& surface, std::ostream& out) {
     const ExportedPolygons triangles = exported_polygons(surface.surface, true);
     std::array<char, 80> title{};
-    constexpr std::string_view text = "CIEL surface"; // must not begin with "solid": that marks the text form
-    std::copy(text.begin(), text.end(), title.begin());
+    std::string text = "CIEL surface"; // must not begin with "solid": that marks the text form
+    if (surface.file_origin != Vec3d{}) text += ", origin " + origin_text(surface.file_origin);
+    std::copy_n(text.begin(), std::min(text.size(), title.size()), title.begin());
     out.write(title.data(), title.size());
     write_raw(out, static_cast<std::uint32_t>(triangles.offset.size() - 1));
     for (std::size_t c = 0; c + 3 <= triangles.corner.size(); c += 3) {
@@ -36,7 +37,7 @@ ExportedCounts write_stl(const ExportSurface& surface, std::ostream& out) {
         for (std::size_t i = 0; i < 3; ++i) {
             local[i] = surface.surface.positions[triangles.vertices[triangles.corner[c + i]]];
             for (std::size_t k = 0; k < 3; ++k)
-                world[i][k] = static_cast<float>(surface.origin[k] + double{local[i][k]});
+                world[i][k] = static_cast<float>(surface.origin[k] - surface.file_origin[k] + double{local[i][k]});
         }
         write_raw(out, facet_normal(local));
         write_raw(out, world);

@@ -82,7 +82,8 @@ void declare_geometry(const ExportSurface& surface, const ExportedPolygons& poly
     arrays.declare(out, "Float64", "Points", 3, 24 * polygons.vertices.size(), [&](std::ostream& to) {
         for (const Index vertex : polygons.vertices)
             for (std::size_t k = 0; k < 3; ++k)
-                write_raw(to, surface.origin[k] + double{surface.surface.positions[vertex][k]});
+                write_raw(to,
+                          surface.origin[k] - surface.file_origin[k] + double{surface.surface.positions[vertex][k]});
     });
     out << "</Points>\n<Polys>\n";
     arrays.declare(out, "Int64", "connectivity", 1, 8 * polygons.corner.size(), [&](std::ostream& to) {
@@ -101,8 +102,12 @@ ExportedCounts write_vtp(const ExportSurface& surface, std::ostream& out) {
     const ExportedPolygons polygons = exported_polygons(surface.surface, surface.triangles);
     AppendedArrays arrays;
     out << "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"LittleEndian\" "
-           "header_type=\"UInt64\">\n<PolyData>\n<Piece NumberOfPoints=\""
-        << polygons.vertices.size()
+           "header_type=\"UInt64\">\n<PolyData>\n";
+    if (surface.file_origin != Vec3d{})
+        out << "<FieldData>\n<DataArray type=\"Float64\" Name=\"origin\" NumberOfComponents=\"3\" NumberOfTuples=\"1\" "
+               "format=\"ascii\">"
+            << origin_text(surface.file_origin) << "</DataArray>\n</FieldData>\n";
+    out << "<Piece NumberOfPoints=\"" << polygons.vertices.size()
         << "\" NumberOfVerts=\"0\" NumberOfLines=\"0\" NumberOfStrips=\"0\" NumberOfPolys=\""
         << polygons.offset.size() - 1 << "\">\n";
     declare_point_data(surface, polygons, arrays, out);

@@ -3,10 +3,15 @@
 #include "ciel/types.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <cstdio>
 #include <span>
 
 namespace ciel::wire {
 namespace {
+
+// Farther away neighbouring floats are more than a millionth of the mesh's diagonal apart.
+constexpr double most_diagonals_away = 8;
 
 double squared(const Vec3d& v) { return v[0] * v[0] + v[1] * v[1] + v[2] * v[2]; }
 
@@ -59,6 +64,26 @@ private:
 };
 
 } // namespace
+
+Vec3d file_origin(const std::array<double, 6>& bounds, Vec3d centre) {
+    double farthest = 0;
+    Vec3d extent{};
+    for (std::size_t k = 0; k < 3; ++k) {
+        farthest = std::max({farthest, std::abs(bounds[2 * k]), std::abs(bounds[2 * k + 1])});
+        extent[k] = bounds[2 * k + 1] - bounds[2 * k];
+    }
+    if (farthest <= most_diagonals_away * std::sqrt(squared(extent))) return {};
+    for (double& c : centre) c = std::round(c);
+    return centre;
+}
+
+std::string origin_text(Vec3d origin) {
+    std::array<char, 96> text{};
+    std::snprintf(text.data(), text.size(), "%.17g %.17g %.17g", origin[0], origin[1], origin[2]);
+    return text.data();
+}
+
+bool has_floats(SurfaceFormat format) { return format == SurfaceFormat::stl; }
 
 SurfaceFormat surface_format(const std::string& extension) {
     if (extension == ".ply") return SurfaceFormat::ply;

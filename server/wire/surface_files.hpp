@@ -3,6 +3,7 @@
 
 #include "ciel/extract.hpp"
 
+#include <array>
 #include <cstdint>
 #include <ostream>
 #include <string>
@@ -20,14 +21,25 @@ struct ExportSurface {
     Vec3d origin{}; // added in double, so files far from the origin keep their digits where the format can
     std::vector<NamedValues> values;
     bool triangles = false; // else polygons as they are (STL always has triangles)
+    Vec3d file_origin{};    // coordinates in the file are relative to it, which the file says where it is not zero
 };
 
+// What surfaces of a mesh are moved to in a format of floats, and in others on request: the same for all of them, so
+// that files fit together. Zero where floats are fine enough for the mesh's box (as Dataset has it); else `centre` in
+// whole numbers.
+[[nodiscard]] Vec3d file_origin(const std::array<double, 6>& bounds, Vec3d centre);
+
 enum class SurfaceFormat { ply, stl, vtp };
+// STL has floats only.
+[[nodiscard]] bool has_floats(SurfaceFormat format);
 [[nodiscard]] SurfaceFormat surface_format(const std::string& extension); // ".ply"; throws Error with the known ones
 
 struct ExportedCounts {
     std::size_t polygons = 0, vertices = 0;
 };
+
+// "X Y Z", with all digits.
+[[nodiscard]] std::string origin_text(Vec3d origin);
 
 // Polygons without area (a value that hits vertices exactly makes them) and vertices that no polygon uses are left out.
 // What was written is returned; a failed stream is the caller's to check.

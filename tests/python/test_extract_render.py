@@ -2,6 +2,7 @@
 
 import json
 import os
+import shutil
 
 import numpy as np
 import pytest
@@ -75,6 +76,58 @@ def test_time_chooses_the_nearest_step(box, tmp_path):
     works("extract", box, "--iso", "r=0.5", "--time", 0.6, "-o", tmp_path / "s.vtp")
     bounds = read(tmp_path / "s.vtp").GetBounds()
     assert (bounds[0] + bounds[1]) / 2 == pytest.approx(0.15, abs=0.01)
+
+
+FAR = (500_000.25, 4_000_000.25, 100.0)
+
+
+@pytest.fixture(scope="module")
+def far_box(box, tmp_path_factory):
+    """The box as a survey's coordinates have it."""
+    far = shutil.copytree(box, tmp_path_factory.mktemp("far") / "far.ciel")
+    attributes = far / "meshes/0/.zattrs"
+    mesh = json.loads(attributes.read_text())
+    mesh["ciel"]["origin"] = FAR
+    mesh["ciel"]["bounds"] = [c + d for c in FAR for d in (-1, 1)]
+    attributes.write_text(json.dumps(mesh))
+    return far
+
+
+def test_stl_far_from_the_origin_has_the_area_of_ply_and_says_where_it_is(far_box, tmp_path):
+    """Floats are 0.25 apart at 4,000,000: on a sphere of radius 0.75 that leaves nothing of its shape."""
+    works("extract", far_box, "--iso", "r=0.75", "-o", tmp_path / "s.ply")
+    said = works("extract", far_box, "--iso", "r=0.75", "-o", tmp_path / "s.stl")
+    ply, stl = read(tmp_path / "s.ply"), read(tmp_path / "s.stl")
+    assert area(stl) == pytest.approx(4 * np.pi * 0.75**2, rel=0.01)
+    assert "relative to the origin 500000 4000000 100" in said
+    assert (tmp_path / "s.stl").read_bytes()[:80].rstrip(b"\0") == b"CIEL surface, origin 500000 4000000 100"
+    assert np.allclose(np.reshape(stl.GetBounds(), (3, 2)).mean(axis=1), [0.25, 0.25, 0], atol=0.02)
+    assert ply.GetNumberOfPoints() > 0
+
+
+def test_surfaces_of_a_dataset_are_relative_to_one_origin(far_box, tmp_path):
+    for name, options in {"iso": ["--iso", "r=0.75"], "slice": ["--slice", f"x={FAR[0]}"]}.items():
+        works("extract", far_box, *options, "-o", tmp_path / f"{name}.stl")
+        works("extract", far_box, *options, "--origin", "-o", tmp_path / f"{name}.ply")
+        works("extract", far_box, *options, "--origin", "-o", tmp_path / f"{name}.vtp")
+        assert b"\ncomment origin 500000 4000000 100\n" in (tmp_path / f"{name}.ply").read_bytes()[:400]
+        vtp = read(tmp_path / f"{name}.vtp")
+        assert vtk_to_numpy(vtp.GetFieldData().GetArray("origin")).ravel().tolist() == [500000, 4000000, 100]
+        bounds = [read(tmp_path / f"{name}{extension}").GetBounds() for extension in (".stl", ".ply", ".vtp")]
+        assert np.allclose(bounds[0], bounds[1], atol=1e-5) and np.allclose(bounds[0], bounds[2], atol=1e-5)
+        assert np.allclose(np.reshape(bounds[0], (3, 2)).mean(axis=1), [0.25, 0.25, 0], atol=0.02)
+
+
+def test_info_prints_bounds_with_all_digits(far_box):
+    said = works("info", far_box)
+    assert "[499999.25, 500001.25]" in said and "[3999999.25, 4000001.25]" in said
+
+
+def test_a_dataset_near_the_origin_is_not_moved(box, tmp_path):
+    said = works("extract", box, "--iso", "r=0.75", "-o", tmp_path / "s.stl")
+    assert "relative" not in said and (tmp_path / "s.stl").read_bytes()[:80].rstrip(b"\0") == b"CIEL surface"
+    said = works("extract", box, "--iso", "r=0.75", "--origin", "-o", tmp_path / "s.vtp")
+    assert "relative to the origin 0 0 0" in said
 
 
 @pytest.mark.parametrize("extension", [".ply", ".stl", ".vtp"])

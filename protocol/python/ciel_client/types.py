@@ -620,6 +620,7 @@ class SurfaceExportParams(TypedDict):
     session: NotRequired[str]  # without it, `scene` is used and nothing is kept
     scene: NotRequired[Scene]  # the scene to be used in place of a session's; nothing is kept of it
     triangles: NotRequired[bool]  # true: polygons are cut into triangles; STL has triangles in any case
+    origin: NotRequired[bool]  # true: coordinates are relative to an origin that is the same for all surfaces of the dataset; STL is so in any case where its floats would lose digits
 
 
 class SurfaceExportResult(TypedDict):
@@ -628,6 +629,7 @@ class SurfaceExportResult(TypedDict):
     data: str  # base64 (RFC 4648)
     polygons: int
     vertices: int
+    origin: Vec3  # what the file's coordinates are relative to; the file says it too
 
 
 class AppendBeginParams(TypedDict):

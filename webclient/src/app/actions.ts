@@ -291,7 +291,8 @@ export class Actions {
     await this.whileBusy("Writing the surface", "The surface cannot be exported", async () => {
       const file = await app.session.call("surface.export", { session: app.tab.id, layer, format, triangles });
       download(file.name, file.mime, file.data);
-      app.toasts.show(`${file.name}: ${file.polygons} polygons, ${file.vertices} vertices`);
+      const origin = file.origin.some((c) => c !== 0) ? `; relative to the origin ${file.origin.join(" ")}` : "";
+      app.toasts.show(`${file.name}: ${file.polygons} polygons, ${file.vertices} vertices${origin}`);
     });
   }
 
