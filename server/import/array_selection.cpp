@@ -8,7 +8,8 @@ namespace ciel::importer {
 
 std::string stored_name(const std::string& name) {
     std::string stored = name;
-    std::replace(stored.begin(), stored.end(), ':', '_');
+    std::replace_if(
+        stored.begin(), stored.end(), [](unsigned char c) { return c == ':' || c < ' ' || c == 0x7F; }, '_');
     return stored;
 }
 

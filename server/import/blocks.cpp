@@ -37,6 +37,8 @@ struct Leaf {
     std::vector<std::string> path;
     vtkSmartPointer<vtkDataSet> data;
     int dimension = 0;
+    int whole = -1;
+    bool has_name = true; // of its own
 };
 
 int dimension_of(vtkUnstructuredGrid* grid) {
@@ -72,6 +74,7 @@ int dimension_of(vtkDataSet* data) {
 }
 
 void walk(vtkDataObject* data, std::vector<std::string>& path, std::vector<Leaf>& leaves);
+void walk_pieces(vtkPartitionedDataSet* pieces, std::vector<std::string>& path, std::vector<Leaf>& leaves);
 
 const char* name_in(vtkInformation* information) {
     const bool named = information != nullptr && information->Has(vtkCompositeDataSet::NAME()) != 0;
@@ -99,14 +102,26 @@ void walk(vtkDataObject* data, std::vector<std::string>& path, std::vector<Leaf>
             walk_child(collection->GetPartitionedDataSet(i),
                        collection->HasMetaData(i) != 0 ? collection->GetMetaData(i) : nullptr, i, path, leaves);
     } else if (auto* pieces = vtkPartitionedDataSet::SafeDownCast(data)) { // multi-piece data sets too
-        for (unsigned i = 0; i < pieces->GetNumberOfPartitions(); ++i) {
-            vtkInformation* information = pieces->HasMetaData(i) != 0 ? pieces->GetMetaData(i) : nullptr;
-            if (pieces->GetNumberOfPartitions() == 1 && name_in(information) == nullptr && !path.empty())
-                walk(pieces->GetPartitionAsDataObject(i), path, leaves); // the whole has the name
-            else
-                walk_child(pieces->GetPartitionAsDataObject(i), information, i, path, leaves);
+        walk_pieces(pieces, path, leaves);
+    }
+}
+
+// A piece without a name is called as the whole.
+void walk_pieces(vtkPartitionedDataSet* pieces, std::vector<std::string>& path, std::vector<Leaf>& leaves) {
+    const auto first = static_cast<std::ptrdiff_t>(leaves.size());
+    for (unsigned i = 0; i < pieces->GetNumberOfPartitions(); ++i) {
+        vtkDataObject* piece = pieces->GetPartitionAsDataObject(i);
+        vtkInformation* information = pieces->HasMetaData(i) != 0 ? pieces->GetMetaData(i) : nullptr;
+        const std::size_t before = leaves.size();
+        if (name_in(information) != nullptr) {
+            walk_child(piece, information, i, path, leaves);
+        } else if (piece != nullptr) {
+            walk(piece, path, leaves);
+            for (std::size_t k = before; k < leaves.size(); ++k) leaves[k].has_name = false;
         }
     }
+    if (pieces->GetNumberOfPartitions() < 2) return;
+    for (auto leaf = leaves.begin() + first; leaf != leaves.end(); ++leaf) leaf->whole = static_cast<int>(first);
 }
 
 bool is_under(const Leaf& leaf, std::string_view parent) {
@@ -142,6 +157,11 @@ std::string joined(const std::vector<std::string>& names, std::size_t depth) {
     return name;
 }
 
+// Pieces of one whole that have no names of their own.
+bool share_a_name(const Leaf& a, const Leaf& b) {
+    return a.whole >= 0 && a.whole == b.whole && !a.has_name && !b.has_name;
+}
+
 std::vector<Block> named(const std::vector<const Leaf*>& leaves) {
     std::size_t deepest = 1;
     std::vector<std::vector<std::string>> names;
@@ -155,13 +175,18 @@ std::vector<Block> named(const std::vector<const Leaf*>& leaves) {
         std::size_t depth = 1;
         const auto taken = [&] {
             const std::string name = joined(names[i], depth);
-            return std::count_if(names.begin(), names.end(),
-                                 [&](const auto& other) { return joined(other, depth) == name; }) > 1;
+            for (std::size_t other = 0; other < names.size(); ++other)
+                if (other != i && joined(names[other], depth) == name && !share_a_name(*leaves[i], *leaves[other]))
+                    return true;
+            return false;
         };
         while (depth < deepest && leaves.size() < 1000 && taken()) ++depth;
         std::string name = joined(names[i], depth);
-        if (const int earlier = used[name]++; earlier > 0) name.append(" ").append(std::to_string(earlier + 1));
-        blocks.push_back({std::move(name), leaves[i]->data, !is_under(*leaves[i], face_zones)});
+        if (i > 0 && share_a_name(*leaves[i - 1], *leaves[i]))
+            name = blocks.back().name;
+        else if (const int earlier = used[name]++; earlier > 0)
+            name.append(" ").append(std::to_string(earlier + 1));
+        blocks.push_back({std::move(name), leaves[i]->data, !is_under(*leaves[i], face_zones), leaves[i]->whole});
     }
     return blocks;
 }

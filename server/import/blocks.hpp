@@ -13,6 +13,7 @@ struct Block {
     std::string name;
     vtkSmartPointer<vtkDataSet> data;
     bool own_values = true; // of a surface: its arrays say more than the cells behind it
+    int whole = -1;         // pieces of one mesh have the same one; -1: a mesh of its own
 };
 
 struct Blocks {
@@ -22,7 +23,7 @@ struct Blocks {
 };
 
 // Empty data sets and those of points and lines are left out. Names are unique: a data set's own name, with its
-// parents' where that is not enough.
+// parents' where that is not enough; but pieces without a name of their own have that of their whole.
 [[nodiscard]] Blocks collect_blocks(vtkDataObject* data);
 // Throws Error where there is nothing to cut.
 void require_volumes(const Blocks& blocks);

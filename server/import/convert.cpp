@@ -24,7 +24,9 @@ public:
         const std::vector<double>& times = source_.times();
         check_listing();
         for (step_ = 0; step_ < times.size(); ++step_) add_step(times[step_]);
+        if (!writer_) throw Error(first_reason_);
         selection_.check();
+        for (const std::string& sentence : arrays_.notes()) note(sentence);
         tell(1.0, "finishing");
         writer_->finish();
         return std::move(result_);
@@ -47,7 +49,12 @@ private:
     // A misspelt name is told before hours of reading, where the reader lists what is there.
     void check_listing() {
         for (std::size_t step = 0; step < source_.times().size() && !selection_.complete(); ++step) {
-            const auto listed = source_.listed_arrays(step);
+            std::optional<std::vector<ArrayName>> listed;
+            try {
+                listed = source_.listed_arrays(step);
+            } catch (const Error&) { // told when the step is read
+                return;
+            }
             if (!listed) return;
             for (const ArrayName& array : *listed) selection_.saw(array);
         }
@@ -68,14 +75,19 @@ private:
             return;
         }
         last_time_ = time;
-        const auto data = source_.read(step_, [this](double share) { tell(0.5 * share, "reading"); });
-        const Blocks blocks = collect_blocks(data);
+        Blocks blocks;
+        try {
+            blocks = collect_blocks(source_.read(step_, [this](double share) { tell(0.5 * share, "reading"); }));
+            require_volumes(blocks);
+        } catch (const Error& error) {
+            return lose_step(time, error.what());
+        }
+        for (const std::string& sentence : source_.lost()) lose(sentence);
         check_only_step(blocks);
         const Fingerprint print = fingerprint(blocks);
-        if (!writer_ || print.cells != print_.cells)
-            new_mesh(blocks);
-        else
-            same_mesh(blocks, print.positions != print_.positions, time);
+        const bool is_same =
+            writer_ && print.cells == print_.cells && same_mesh(blocks, print.positions != print_.positions, time);
+        if (!is_same && !new_mesh(blocks, time)) return;
         print_ = print;
         tell(0.8, "making arrays");
         const auto& arrays = arrays_.make(mesh_, blocks, point_maker_);
@@ -83,10 +95,16 @@ private:
         writer_->add_step(time, mesh_index_, coordinates_index_, arrays);
     }
 
-    void new_mesh(const Blocks& blocks) {
+    // False when the step's mesh cannot be built: the step is lost, and the mesh before stays.
+    bool new_mesh(const Blocks& blocks, double time) {
         tell(0.5, "building the mesh");
+        try {
+            mesh_ = build_step_mesh(blocks, options_.weld, source_.cut_into_pieces());
+        } catch (const Error& error) {
+            lose_step(time, error.what());
+            return false;
+        }
         point_maker_.reset();
-        mesh_ = build_step_mesh(blocks, options_.weld, source_.cut_into_pieces());
         result_.cells += mesh_.input_cells;
         result_.bad_cells += mesh_.bad_cells;
         if (!writer_) make_writer();
@@ -94,20 +112,44 @@ private:
         tell(0.7, "writing the mesh");
         mesh_index_ = writer_->add_mesh(mesh_.assembled.mesh, mesh_.point_of_vertex, mesh_.cell_of_cell, mesh_.groups);
         coordinates_index_ = 0;
+        return true;
     }
 
-    void same_mesh(const Blocks& blocks, bool moved, double time) {
+    // False where it is another mesh in spite of its cells.
+    bool same_mesh(const Blocks& blocks, bool moved, double time) {
         update_step_mesh(mesh_, blocks, moved);
         if (const std::string what = difference_across(mesh_.seams, mesh_.parts); !what.empty()) {
             std::ostringstream sentence;
             sentence << "From time " << time << " on " << what
                      << " differs across a seam that was welded until then: the mesh is another one from there.";
             note(sentence.str());
-            return new_mesh(blocks);
+            print_ = {}; // mesh_ has other positions than it was written with
+            return false;
         }
-        if (!moved) return;
+        if (!still_the_same(mesh_.joined_pieces, mesh_.parts)) {
+            std::ostringstream sentence;
+            sentence << "From time " << time
+                     << " on points of two pieces differ that were one until then: the mesh is another one from there.";
+            note(sentence.str());
+            print_ = {};
+            return false;
+        }
+        if (!moved) return true;
         point_maker_.reset();
         coordinates_index_ = writer_->add_coordinates(mesh_index_, mesh_.assembled.mesh.positions);
+        return true;
+    }
+
+    void lose_step(double time, const std::string& reason) {
+        if (first_reason_.empty()) first_reason_ = reason;
+        std::ostringstream sentence;
+        sentence << "The step at time " << time << " could not be read and was left out: " << reason;
+        lose(sentence.str());
+    }
+
+    void lose(const std::string& sentence) {
+        result_.lost.push_back(sentence);
+        note(sentence);
     }
 
     void make_writer() {
@@ -123,6 +165,7 @@ private:
         header.input_edges = mesh_.input_edges;
         header.input_cells = mesh_.input_cells;
         writer_.emplace(options_.output, header, options_.force);
+        for (const std::string& sentence : result_.notes) writer_->add_note(sentence); // of steps that were lost before
         for (const std::string& sentence : source_.notes()) note(sentence);
     }
 
@@ -142,6 +185,7 @@ private:
     Fingerprint print_;
     std::size_t step_ = 0, mesh_index_ = 0, coordinates_index_ = 0;
     std::optional<double> last_time_;
+    std::string first_reason_; // for which a step was lost
     std::set<std::string> noted_;
     ConvertResult result_;
 };

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <set>
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
 #include <vtkFloatArray.h>
@@ -23,32 +25,85 @@ vtkDataSetAttributes* attributes(vtkDataSet* data, FieldOf of) {
     return data->GetCellData();
 }
 
-void collect(const JoinedMesh::Part& part, FieldOf of, std::map<std::string, std::vector<FieldName>>& found) {
+bool is_bookkeeping(const std::string& name) {
+    return std::find(std::begin(bookkeeping), std::end(bookkeeping), name) != std::end(bookkeeping);
+}
+
+std::string name_of(const vtkAbstractArray* array) {
+    const char* name = const_cast<vtkAbstractArray*>(array)->GetName(); // NOLINT(cppcoreguidelines-pro-type-const-cast)
+    return name == nullptr ? "" : name;
+}
+
+using Found = std::map<std::string, std::vector<FieldName>>; // by name, one for each part that has it
+
+void collect(const JoinedMesh::Part& part, FieldOf of, Found& found) {
     vtkDataSetAttributes* data = attributes(part.data, of);
     for (int i = 0; i < data->GetNumberOfArrays(); ++i) {
         vtkDataArray* array = data->GetArray(i); // null for text
-        if (array == nullptr || array->GetName() == nullptr || *array->GetName() == '\0') continue;
-        const std::string name = array->GetName();
-        const bool skip = std::find(std::begin(bookkeeping), std::end(bookkeeping), name) != std::end(bookkeeping);
-        if (!skip) found[name].push_back({{of, name}, array->GetNumberOfComponents()});
+        if (array == nullptr) continue;
+        const std::string name = name_of(array);
+        if (!name.empty() && !is_bookkeeping(name)) found[name].push_back({{of, name}, array->GetNumberOfComponents()});
     }
+}
+
+bool have_equal_components(const std::vector<FieldName>& fields) {
+    const int components = fields.front().components;
+    return std::all_of(fields.begin(), fields.end(),
+                       [components](const FieldName& field) { return field.components == components; });
+}
+
+Found found_in(const std::vector<JoinedMesh::Part>& parts, FieldOf of) {
+    Found found;
+    for (const JoinedMesh::Part& part : parts) collect(part, of, found);
+    return found;
+}
+
+std::string listed(const std::set<std::string>& names) {
+    std::string text;
+    for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
+    return text;
 }
 
 } // namespace
 
 std::vector<FieldName> field_names(const std::vector<JoinedMesh::Part>& parts) {
     std::vector<FieldName> names;
-    for (const FieldOf of : {FieldOf::points, FieldOf::cells}) {
-        std::map<std::string, std::vector<FieldName>> found;
-        for (const JoinedMesh::Part& part : parts) collect(part, of, found);
-        for (const auto& [name, fields] : found) {
-            const int components = fields.front().components;
-            if (std::all_of(fields.begin(), fields.end(),
-                            [components](const FieldName& field) { return field.components == components; }))
-                names.push_back(fields.front());
-        }
-    }
+    for (const FieldOf of : {FieldOf::points, FieldOf::cells})
+        for (const auto& [name, fields] : found_in(parts, of))
+            if (have_equal_components(fields)) names.push_back(fields.front());
     return names;
+}
+
+std::vector<std::string> left_out_arrays(const std::vector<JoinedMesh::Part>& parts) {
+    std::set<std::string> flags, texts, field_data, differing;
+    bool nameless = false;
+    for (const JoinedMesh::Part& part : parts) {
+        for (const FieldOf of : {FieldOf::points, FieldOf::cells}) {
+            vtkDataSetAttributes* data = attributes(part.data, of);
+            for (int i = 0; i < data->GetNumberOfArrays(); ++i) {
+                const std::string name = name_of(data->GetAbstractArray(i));
+                nameless = nameless || name.empty();
+                if (is_bookkeeping(name))
+                    flags.insert(name);
+                else if (data->GetArray(i) == nullptr && !name.empty())
+                    texts.insert(name);
+            }
+        }
+        vtkFieldData* data = part.data->GetFieldData();
+        for (int i = 0; i < data->GetNumberOfArrays(); ++i) field_data.insert(name_of(data->GetAbstractArray(i)));
+    }
+    for (const FieldOf of : {FieldOf::points, FieldOf::cells})
+        for (const auto& [name, fields] : found_in(parts, of))
+            if (!have_equal_components(fields)) differing.insert(name);
+    std::vector<std::string> notes;
+    if (!flags.empty()) notes.push_back("Flags and ids were left out: " + listed(flags) + ".");
+    if (!texts.empty()) notes.push_back("Arrays of text were left out: " + listed(texts) + ".");
+    if (!field_data.empty()) notes.push_back("Field data was left out: " + listed(field_data) + ".");
+    if (!differing.empty())
+        notes.push_back("Arrays whose numbers of components differ between blocks were left out: " + listed(differing) +
+                        ".");
+    if (nameless) notes.emplace_back("An array without a name was left out.");
+    return notes;
 }
 
 std::vector<FieldName> field_names(const Blocks& blocks) {

@@ -16,6 +16,9 @@ struct FieldName : ArrayName {
 [[nodiscard]] std::vector<FieldName> field_names(const std::vector<JoinedMesh::Part>& parts);
 [[nodiscard]] std::vector<FieldName> field_names(const Blocks& blocks); // of the volumes
 
+// Sentences on what the blocks have and field_names leaves out.
+[[nodiscard]] std::vector<std::string> left_out_arrays(const std::vector<JoinedMesh::Part>& parts);
+
 // components values per running point or cell. Blocks that lack the array give NaN: "no value here".
 [[nodiscard]] std::vector<float> gather_field(const std::vector<JoinedMesh::Part>& parts, const FieldName& field);
 

@@ -2,6 +2,7 @@
 #include "ciel/types.hpp"
 #include "import/formats.hpp"
 #include "import/reader_source.hpp"
+#include "import/regular_file.hpp"
 
 #include <vtkFLUENTReader.h>
 #include <vtkNew.h>
@@ -20,6 +21,7 @@ bool is_fluent_cff(const Head& head) {
 }
 
 std::unique_ptr<Source> open_fluent(const Inputs& inputs, const SourceOptions&) {
+    require_regular(std::filesystem::path(inputs.front()).replace_extension(".dat"));
     vtkNew<vtkFLUENTReader> reader;
     reader->SetFileName(inputs.front().c_str());
     return std::make_unique<ReaderSource>("Fluent", inputs.front(), reader.Get());

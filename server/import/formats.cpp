@@ -2,6 +2,7 @@
 
 #include "ciel/types.hpp"
 #include "import/reader_source.hpp"
+#include "import/regular_file.hpp"
 
 #include <algorithm>
 #include <fstream>
@@ -34,9 +35,7 @@ bool is_cgns(const Head& head) { return has_extension(head, {".cgns"}) && (is_hd
 bool is_exodus(const Head& head) {
     return has_extension(head, {".e", ".ex2", ".exo", ".exoii", ".g", ".gen"}) && (is_netcdf(head) || is_hdf5(head));
 }
-bool is_ensight(const Head& head) {
-    return has_extension(head, {".case", ".encas"}) && contains(head, "FORMAT") && contains(head, "GEOMETRY");
-}
+bool is_ensight(const Head& head) { return has_extension(head, {".case", ".encas"}) && contains(head, "FORMAT"); }
 bool is_tecplot(const Head& head) {
     return has_extension(head, {".tec", ".dat"}) && (contains(head, "ZONE") || contains(head, "zone"));
 }
@@ -61,6 +60,12 @@ std::unique_ptr<Source> open_vtkhdf(const Inputs& inputs, const SourceOptions&) 
 }
 
 std::unique_ptr<Source> open_ensight(const Inputs& inputs, const SourceOptions&) {
+    std::ifstream file(inputs.front(), std::ios::binary);
+    std::string line;
+    bool has_geometry = false;
+    while (!has_geometry && std::getline(file, line)) has_geometry = line.find("GEOMETRY") != std::string::npos;
+    if (!has_geometry)
+        throw Error(inputs.front() + ": has no section GEOMETRY, so it names no mesh; EnSight's case files have one");
     vtkNew<vtkGenericEnSightReader> reader;
     reader->SetCaseFileName(inputs.front().c_str());
     reader->ReadAllVariablesOn();
@@ -100,6 +105,13 @@ const std::vector<Format>& table() {
     return rows;
 }
 
+bool is_zarr_folder(const Head& head) {
+    std::error_code error;
+    for (const char* document : {".zgroup", ".zarray", "zarr.json"})
+        if (head.directory && std::filesystem::exists(head.path / document, error)) return true;
+    return false;
+}
+
 Head read_head(const std::string& input) {
     Head head;
     head.path = input;
@@ -110,7 +122,7 @@ Head read_head(const std::string& input) {
     std::transform(head.extension.begin(), head.extension.end(), head.extension.begin(),
                    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
     if (head.directory) return head;
-    if (!std::filesystem::is_regular_file(head.path, error)) throw Error(input + ": is not a regular file");
+    require_regular(head.path);
     head.size = std::filesystem::file_size(head.path, error);
     std::ifstream file(head.path, std::ios::binary);
     if (!file) throw Error(input + ": cannot be opened; check its permissions");
@@ -141,6 +153,10 @@ const Format& find_format(const std::string& input) {
     if (!head.directory && head.bytes.empty() && !foam_marker) throw Error(input + ": is empty");
     for (const Format& format : table())
         if (format.probe(head)) return format;
+    if (head.extension == ".bp")
+        throw Error(input + ": is of ADIOS2 (BP), which is not read; write VTKHDF, VTU or Exodus");
+    if (is_zarr_folder(head))
+        throw Error(input + ": is a Zarr folder of another program; a CIEL dataset is called NAME.ciel");
     if (head.directory)
         throw Error(input + ": is a directory but not an OpenFOAM case (it has no constant/polyMesh); name a file");
     for (const Format& format : table())

@@ -2,13 +2,10 @@
 #include "ciel/types.hpp"
 #include "import/formats.hpp"
 #include "import/parsers/index_entry.hpp"
+#include "import/piece_reading.hpp"
 
 #include <fstream>
 #include <iterator>
-#include <vtkCompositeDataSet.h>
-#include <vtkInformation.h>
-#include <vtkMultiBlockDataSet.h>
-#include <vtkNew.h>
 
 namespace ciel::importer {
 
@@ -23,7 +20,6 @@ public:
         const auto directory = std::filesystem::path(file_).parent_path();
         for (IndexEntry& entry : entries) {
             entry.file = (directory / entry.file).string(); // an absolute name replaces the directory
-            check(entry.file);
             if (times_.empty() || times_.back() != entry.time) {
                 times_.push_back(entry.time);
                 steps_.emplace_back();
@@ -38,7 +34,7 @@ public:
     [[nodiscard]] std::optional<std::vector<ArrayName>> listed_arrays(std::size_t step) const override {
         std::vector<ArrayName> all;
         for (const IndexEntry& part : steps_[step]) {
-            const auto listed = open_source({part.file}, options_)->listed_arrays(0);
+            const auto listed = opened(part.file)->listed_arrays(0);
             if (!listed) return std::nullopt;
             all.insert(all.end(), listed->begin(), listed->end());
         }
@@ -47,33 +43,35 @@ public:
 
     [[nodiscard]] vtkSmartPointer<vtkDataObject> read(std::size_t step, const ReadProgress& progress) override {
         const std::vector<IndexEntry>& parts = steps_[step];
+        lost_.clear();
         if (parts.size() == 1) return read_part(parts.front(), progress);
-        vtkNew<vtkMultiBlockDataSet> joined;
-        for (std::size_t i = 0; i < parts.size(); ++i) {
-            const auto data = read_part(parts[i], [&](double share) {
-                progress((static_cast<double>(i) + share) / static_cast<double>(parts.size()));
-            });
-            joined->SetBlock(static_cast<unsigned>(i), data);
-            const std::string name = parts[i].part.empty() ? "part " + std::to_string(i) : parts[i].part;
-            joined->GetMetaData(static_cast<unsigned>(i))->Set(vtkCompositeDataSet::NAME(), name.c_str());
-        }
-        return joined.Get();
+        return read_pieces(
+            parts.size(), [&](std::size_t i, const ReadProgress& of_part) { return read_part(parts[i], of_part); },
+            [&](std::size_t i) { return parts[i].part.empty() ? "part " + std::to_string(i) : parts[i].part; }, lost_,
+            progress);
     }
 
+    [[nodiscard]] std::vector<std::string> lost() const override { return lost_; }
+
 private:
-    void check(const std::string& file) const {
+    // When its step is read, for a file that is damaged or missing costs no more than that step.
+    std::unique_ptr<Source> opened(const std::string& file) const {
         if (!std::filesystem::exists(file)) throw Error(file_ + ": names " + file + ", which does not exist");
         if (find_format(file).open == open_index)
             throw Error(file_ + ": names " + file + ", which is an index itself; name the data files directly");
+        return open_source({file}, options_);
     }
 
-    vtkSmartPointer<vtkDataObject> read_part(const IndexEntry& entry, const ReadProgress& progress) const {
-        const auto source = open_source({entry.file}, options_);
-        return source->read(0, progress);
+    vtkSmartPointer<vtkDataObject> read_part(const IndexEntry& entry, const ReadProgress& progress) {
+        const auto source = opened(entry.file);
+        auto data = source->read(0, progress);
+        for (const std::string& sentence : source->lost()) lost_.push_back(sentence);
+        return data;
     }
 
     std::string file_;
     std::string format_;
+    std::vector<std::string> lost_;
     SourceOptions options_;
     std::vector<double> times_;
     std::vector<std::vector<IndexEntry>> steps_;

@@ -126,7 +126,9 @@ private:
         for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell) {
             const int type = grid->GetCellType(cell);
             const Dimension dimension = cell_dimension(type);
-            if (dimension == Dimension::none) {
+            if (type == VTK_CONVEX_POINT_SET) {
+                ++mesh_.convex_point_sets;
+            } else if (dimension == Dimension::none) {
                 ++mesh_.ignored_cells;
             } else if (dimension == Dimension::surface) {
                 surface.cells.push_back(cell);
@@ -210,7 +212,8 @@ void number_parts(JoinedMesh& mesh, const std::vector<Block>& volumes) {
     std::uint64_t points = 0;
     std::uint64_t cells = 0;
     for (const Block& block : volumes) {
-        JoinedMesh::Part part{block.name, block.data, static_cast<Index>(points), static_cast<Index>(cells), 0, 0};
+        JoinedMesh::Part part{block.name, block.data, static_cast<Index>(points), static_cast<Index>(cells), 0,
+                              0,          block.whole};
         auto* set = vtkPointSet::SafeDownCast(block.data);
         vtkPoints* own = set != nullptr ? set->GetPoints() : nullptr;
         const auto known = own != nullptr ? shared.find(own) : shared.end();

@@ -17,6 +17,7 @@ struct JoinedMesh {
         Index first_point = 0;
         Index first_cell = 0;                         // running
         Index mesh_cell_begin = 0, mesh_cell_end = 0; // joined cells
+        int whole = -1;                               // as the block's
     };
     struct Surface { // cells of dimension 2 inside a volume block
         std::size_t part = 0;
@@ -28,7 +29,8 @@ struct JoinedMesh {
     Index point_count = 0; // running
     std::uint64_t blanked_cells = 0;
     std::map<std::string, std::uint64_t> reduced_cells; // "quadratic tetrahedra": n
-    std::uint64_t ignored_cells = 0;                    // points, lines, convex point sets
+    std::uint64_t ignored_cells = 0;                    // points and lines
+    std::uint64_t convex_point_sets = 0;                // volumes without faces: left out
 
     Vec3d origin{};
     std::vector<float> positions;

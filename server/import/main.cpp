@@ -24,7 +24,7 @@ enum ExitCode : int {
     done = 0,
     failed = 1,
     wrong_usage = 2,
-    cells_left_out = 3,
+    something_lost = 3,
     out_of_memory = ciel::store::import_out_of_memory,
 };
 constexpr double most_bad_cells = 0.001; // of all
@@ -86,12 +86,16 @@ int run(const Options& options) {
     ignore_cancelling();
     for (const std::string& note : result.notes) std::printf("note %s\n", note.c_str());
     progress(1.0, "done");
-    const bool many_bad = static_cast<double>(result.bad_cells) > most_bad_cells * static_cast<double>(result.cells);
-    if (!many_bad || options.allow_bad) return done;
-    return fail(options.inputs.front() + ": " + std::to_string(result.bad_cells) + " of " +
-                    std::to_string(result.cells) +
-                    " cells were left out; the dataset was written without them (--allow-bad accepts that)",
-                cells_left_out);
+    std::vector<std::string> lost = result.lost;
+    if (static_cast<double>(result.bad_cells) > most_bad_cells * static_cast<double>(result.cells))
+        lost.push_back(std::to_string(result.bad_cells) + " of " + std::to_string(result.cells) +
+                       " cells were left out");
+    if (lost.empty() || options.allow_bad) return done;
+    const std::string others =
+        lost.size() > 1 ? " (" + std::to_string(lost.size() - 1) + " more are in the notes)" : "";
+    return fail(options.inputs.front() + ": the dataset was written without all that the input has: " + lost.front() +
+                    others + "; --allow-bad accepts that",
+                something_lost);
 }
 
 // An error of the mesh does not know the file it came from; one of the store is about the output.

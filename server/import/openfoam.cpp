@@ -4,6 +4,7 @@
 #include "import/formats.hpp"
 #include "import/parsers/openfoam_units.hpp"
 #include "import/reader_source.hpp"
+#include "import/regular_file.hpp"
 
 #include <algorithm>
 #include <cstdlib>
@@ -47,11 +48,18 @@ std::string read_start(const fs::path& file) {
     return head;
 }
 
+std::vector<fs::path> time_directories(const fs::path& directory) {
+    std::vector<fs::path> times;
+    for (const auto& entry : fs::directory_iterator(directory))
+        if (entry.is_directory() && is_time(entry.path().filename().string())) times.push_back(entry.path());
+    return times;
+}
+
+double time_of(const fs::path& directory) { return std::strtod(directory.filename().c_str(), nullptr); }
+
 double latest_time(const fs::path& directory) {
     double latest = -std::numeric_limits<double>::infinity();
-    for (const auto& entry : fs::directory_iterator(directory))
-        if (const std::string name = entry.path().filename().string(); entry.is_directory() && is_time(name))
-            latest = std::max(latest, std::strtod(name.c_str(), nullptr));
+    for (const fs::path& time : time_directories(directory)) latest = std::max(latest, time_of(time));
     return latest;
 }
 
@@ -85,6 +93,15 @@ struct Layout {
                    " (collated files) were not read; reconstructPar makes them readable.";
     }
 
+    // The case, or its processors' directories.
+    [[nodiscard]] std::vector<fs::path> parts() const {
+        if (!decomposed) return {directory};
+        std::vector<fs::path> all;
+        for (int i = 0; fs::is_directory(directory / ("processor" + std::to_string(i))); ++i)
+            all.push_back(directory / ("processor" + std::to_string(i)));
+        return all;
+    }
+
     fs::path directory;
     fs::path results; // has the times
     bool decomposed = false;
@@ -98,6 +115,13 @@ public:
           layout_(std::move(layout)) {
         reader->EnableAllPatchArrays();
         reader->EnableAllCellArrays();
+    }
+
+    [[nodiscard]] vtkSmartPointer<vtkDataObject> read(std::size_t step, const ReadProgress& progress) override {
+        for (const fs::path& part : layout_.parts())
+            for (const fs::path& time : time_directories(part))
+                if (time_of(time) == times()[step]) require_regular_files(time);
+        return ReaderSource::read(step, progress);
     }
 
     [[nodiscard]] std::map<std::string, std::string> units() const override {
@@ -124,8 +148,7 @@ private:
     // How the first file of each name begins, over all times and regions.
     [[nodiscard]] std::map<std::string, std::string> field_heads() const {
         std::map<std::string, std::string> heads;
-        for (const auto& time : fs::directory_iterator(layout_.results))
-            if (time.is_directory() && is_time(time.path().filename().string())) add_heads(time.path(), heads);
+        for (const fs::path& time : time_directories(layout_.results)) add_heads(time, heads);
         return heads;
     }
 
@@ -155,6 +178,10 @@ bool is_openfoam(const Head& head) {
 
 std::unique_ptr<Source> open_openfoam(const Inputs& inputs, const SourceOptions&) {
     Layout layout(inputs.front());
+    // What the reader opens to learn what there is.
+    require_regular(layout.directory / "system/controlDict");
+    for (const fs::path& part : layout.parts()) require_regular_files(part / "constant/polyMesh");
+    for (const fs::path& time : time_directories(layout.results)) require_regular_files(time);
     vtkNew<vtkPOpenFOAMReader> reader;
     // The reader looks at the directory of this name alone: the file need not exist.
     reader->SetFileName((layout.directory / "case.foam").c_str());

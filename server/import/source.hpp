@@ -39,6 +39,8 @@ public:
     // One mesh, read as pieces with points of their own, cut along faces that no surface names.
     [[nodiscard]] virtual bool cut_into_pieces() const { return false; }
     [[nodiscard]] virtual std::vector<std::string> notes() const { return {}; }
+    // Sentences on what the step read last should hold and does not: a piece that cannot be read.
+    [[nodiscard]] virtual std::vector<std::string> lost() const { return {}; }
 };
 
 // Finds the reader (formats.cpp has the table). One input, or several: parts of one mesh, except for PLOT3D where they

@@ -60,6 +60,12 @@ void StepArrays::add_cell_field(const StepMesh& mesh, const Blocks& blocks, cons
     add(field, "cell:" + name, store::Association::cell, std::move(cells));
 }
 
+std::vector<std::string> StepArrays::notes() const {
+    std::vector<std::string> notes(notes_.begin(), notes_.end());
+    for (std::string& sentence : loss_.notes()) notes.push_back(std::move(sentence));
+    return notes;
+}
+
 const std::vector<store::ArrayValues>& StepArrays::make(const StepMesh& mesh, const Blocks& blocks,
                                                         std::unique_ptr<PointMaker>& maker) {
     arrays_.clear();
@@ -71,12 +77,18 @@ const std::vector<store::ArrayValues>& StepArrays::make(const StepMesh& mesh, co
             return field.of == FieldOf::points && stored_name(field.name) == name;
         });
     };
-    std::set<std::string> taken; // two names of the file may become one here: the first is kept
+    for (std::string& sentence : left_out_arrays(mesh.parts)) notes_.insert(std::move(sentence));
+    std::set<std::string> taken;
     for (const FieldName& field : fields) {
         const std::string name = stored_name(field.name);
         const bool cell = field.of == FieldOf::cells;
         selection_.saw(field);
-        if (!selection_.wants(name, cell) || !taken.insert((cell ? "cell:" : "") + name).second) continue;
+        if (!selection_.wants(name, cell)) continue;
+        if (!taken.insert((cell ? "cell:" : "") + name).second) {
+            notes_.insert("Two arrays are both called " + name + " here; the first was kept.");
+            continue;
+        }
+        loss_.look_at(mesh.parts, field);
         if (cell)
             add_cell_field(mesh, blocks, field, has_points(name), maker);
         else

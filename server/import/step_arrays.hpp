@@ -4,6 +4,7 @@
 
 #include "ciel/point_interpolation.hpp"
 #include "import/fields.hpp"
+#include "import/float_loss.hpp"
 #include "import/step_mesh.hpp"
 #include "import/wall_values.hpp"
 
@@ -29,6 +30,9 @@ public:
     [[nodiscard]] const std::vector<store::ArrayValues>& make(const StepMesh& mesh, const Blocks& blocks,
                                                               std::unique_ptr<PointMaker>& maker);
 
+    // Sentences on what is left out of all steps so far, and on what floats have lost.
+    [[nodiscard]] std::vector<std::string> notes() const;
+
 private:
     void add(const FieldName& field, const std::string& name, store::Association association,
              std::vector<float> values);
@@ -37,6 +41,8 @@ private:
 
     ArraySelection& selection_;
     std::map<std::string, std::string> units_;
+    ValueLoss loss_;
+    std::set<std::string> notes_;
     std::vector<bool> no_slip_;
     std::deque<std::vector<float>> values_;
     std::vector<store::ArrayValues> arrays_;

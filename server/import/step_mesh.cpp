@@ -1,9 +1,11 @@
 #include "import/step_mesh.hpp"
 
 #include "import/face_pyramids.hpp"
+#include "import/float_loss.hpp"
 #include "import/zones.hpp"
 
 #include <algorithm>
+#include <map>
 
 namespace ciel::importer {
 
@@ -32,12 +34,21 @@ std::string id_list(const std::vector<Index>& ids, const std::vector<Index>& sou
     return text;
 }
 
+bool has_pieces(const JoinedMesh& joined) {
+    return std::any_of(joined.parts.begin(), joined.parts.end(), [](const auto& part) { return part.whole >= 0; });
+}
+
 void describe_assembly(const JoinedMesh& joined, const AssembleReport& report, StepMesh& mesh) {
     for (const BadCells& bad : report.bad_cells) {
-        mesh.bad_cells += bad.count;
+        const bool is_in_two_pieces = bad.reason == BadCells::Reason::repeated && has_pieces(joined);
+        mesh.bad_cells += is_in_two_pieces ? 0 : bad.count; // a ghost without a flag is not lost
         mesh.notes.push_back(plural(bad.count, "cell was", "cells were") + " left out: " + reason_text(bad.reason) +
                              " (first ids: " + id_list(bad.first_ids, joined.source_cell) + ").");
     }
+    if (report.short_faces > 0)
+        mesh.notes.push_back(plural(report.short_faces, "face", "faces") + " of fewer than three corners " +
+                             (report.short_faces == 1 ? "was" : "were") +
+                             " left out (first cells: " + id_list(report.first_short, joined.source_cell) + ").");
     if (report.reversed_cells > 0)
         mesh.notes.push_back(plural(report.reversed_cells, "cell was", "cells were") + " wound inwards and turned.");
     if (report.reversed_faces > 0)
@@ -56,13 +67,16 @@ void describe_assembly(const JoinedMesh& joined, const AssembleReport& report, S
 void describe_joining(const JoinedMesh& joined, StepMesh& mesh) {
     if (joined.parts.size() > 1)
         mesh.notes.push_back(std::to_string(joined.parts.size()) +
-                             " blocks were joined; vertex and cell ids run through "
-                             "them in order.");
+                             (has_pieces(joined) ? " pieces or blocks were put together" : " blocks were joined") +
+                             "; vertex and cell ids run through them in order.");
     for (const auto& [what, count] : joined.reduced_cells)
         mesh.notes.push_back(std::to_string(count) + " " + what + " keep their corners; mid-side nodes were dropped.");
     if (joined.blanked_cells > 0)
         mesh.notes.push_back(plural(joined.blanked_cells, "cell is", "cells are") +
                              " blanked or a ghost, and left out.");
+    if (joined.convex_point_sets > 0)
+        mesh.notes.push_back(plural(joined.convex_point_sets, "convex point set was", "convex point sets were") +
+                             " left out: such cells have no faces; write them as polyhedra.");
     if (joined.ignored_cells > 0)
         mesh.notes.push_back(plural(joined.ignored_cells, "cell", "cells") +
                              " without volume or surface were ignored.");
@@ -94,18 +108,23 @@ void name_patches(const std::vector<Patch>& patches, StepMesh& mesh) {
     }
 }
 
-// Blocks become zones when there are several.
+// Blocks become zones when there are several names; pieces without names of their own are one.
 void name_blocks(const JoinedMesh& joined, StepMesh& mesh) {
-    if (joined.parts.size() < 2) return;
+    std::map<std::string, std::vector<Index>> ids;
+    std::vector<std::string> names; // in order
     const std::vector<Index>& original = mesh.assembled.original_cell;
     std::vector<Index> stored(joined.cell_types.size(), none);
     for (Index cell = 0; cell < original.size(); ++cell) stored[original[cell]] = cell;
     for (const JoinedMesh::Part& part : joined.parts) {
-        store::NamedGroup zone{store::Group::Of::cells, part.name, {}};
+        const auto [zone, is_new] = ids.try_emplace(part.name);
+        if (is_new) names.push_back(part.name);
         for (Index cell = part.mesh_cell_begin; cell < part.mesh_cell_end; ++cell)
-            if (stored[cell] != none) zone.ids.push_back(stored[cell]);
-        std::sort(zone.ids.begin(), zone.ids.end());
-        if (!zone.ids.empty()) mesh.groups.push_back(std::move(zone));
+            if (stored[cell] != none) zone->second.push_back(stored[cell]);
+    }
+    if (names.size() < 2) return;
+    for (const std::string& name : names) {
+        std::sort(ids[name].begin(), ids[name].end());
+        if (!ids[name].empty()) mesh.groups.push_back({store::Group::Of::cells, name, std::move(ids[name])});
     }
 }
 
@@ -118,8 +137,10 @@ void name_zones(const std::vector<Zone>& zones, StepMesh& mesh) {
     }
 }
 
-Cut find_cut_of(const JoinedMesh& joined, const Blocks& blocks) {
+Cut find_cuts(const JoinedMesh& joined, const Blocks& blocks, bool in_pieces) {
+    if (!in_pieces && !has_pieces(joined)) return {};
     const Assembled pieces = assemble(joined.view());
+    if (!in_pieces) return find_cut_between_parts(pieces, joined);
     return find_cut(pieces, match_patches(pieces.mesh.view(), joined, blocks.surfaces));
 }
 
@@ -128,17 +149,24 @@ Cut find_cut_of(const JoinedMesh& joined, const Blocks& blocks) {
 StepMesh build_step_mesh(const Blocks& blocks, Weld weld, bool in_pieces) {
     require_volumes(blocks);
     JoinedMesh joined = join_blocks(blocks.volumes);
+    if (joined.cell_types.empty() && joined.convex_point_sets > 0)
+        throw Error("holds only convex point sets, cells without faces; write them as polyhedra");
     if (joined.cell_types.empty()) throw Error("holds no volume cells");
 
     StepMesh mesh;
     mesh.input_vertices = joined.point_count;
-    mesh.input_cells = joined.cell_types.size();
+    mesh.input_cells = joined.cell_types.size() + joined.convex_point_sets;
+    mesh.bad_cells = joined.convex_point_sets;
     mesh.input_edges = count_edges(joined);
     mesh.point_count = joined.point_count;
     describe_joining(joined, mesh);
+    for (std::string& sentence : mesh_loss(joined)) mesh.notes.push_back(std::move(sentence));
 
-    const bool rejoin = in_pieces && weld == Weld::seams;
-    Welds welds = find_welds(joined, weld, rejoin ? find_cut_of(joined, blocks) : Cut{});
+    const Cut cut = weld == Weld::seams ? find_cuts(joined, blocks, in_pieces) : Cut{};
+    Welds welds = find_welds(joined, weld, cut);
+    if (!in_pieces) mesh.joined_pieces = cut.points;
+    if (weld == Weld::none && (in_pieces || has_pieces(joined)))
+        mesh.notes.emplace_back("The pieces of the mesh were left apart (--no-weld).");
     mesh.seams = std::move(welds.seams);
     mesh.notes.insert(mesh.notes.end(), welds.notes.begin(), welds.notes.end());
     if (!welds.representative.empty())

@@ -16,7 +16,8 @@ struct StepMesh {
     std::vector<Index> point_of_vertex; // stored vertex -> running point
     std::vector<Index> cell_of_cell;    // stored cell -> running cell
     std::vector<Patch> patches;
-    std::vector<Seam> seams; // welded
+    std::vector<Seam> seams;  // welded
+    PointPairs joined_pieces; // points of pieces that are one
     std::vector<store::NamedGroup> groups;
     std::uint64_t input_vertices = 0, input_edges = 0, input_cells = 0; // as the file has them
     std::uint64_t bad_cells = 0;

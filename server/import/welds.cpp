@@ -184,7 +184,10 @@ void weld_seams(const JoinedMesh& mesh, DisjointSets& sets, Welds& welds) {
 void join_cut(const Cut& cut, DisjointSets& sets, Welds& welds) {
     for (const auto& [a, b] : cut.points) sets.join(a, b);
     if (cut.faces > 0)
-        welds.notes.push_back("The pieces of the case were joined along " + count_text(cut.faces, "faces."));
+        welds.notes.push_back("The pieces of the mesh were joined along " + count_text(cut.faces, "faces."));
+    if (cut.apart > 0)
+        welds.notes.push_back(count_text(cut.apart, "faces of pieces") +
+                              " lie on those of another piece, where ids or values differ, and stay boundary.");
     if (cut.single > 0)
         welds.notes.push_back(count_text(cut.single, "faces of no patch") +
                               " have no counterpart on another piece and stay boundary.");

@@ -29,7 +29,7 @@ inline constexpr ImportOption import_options[] = {
     {"no-weld", "--no-weld", "", false, false,
      "Weld nothing, not even the seam of a structured block closed onto itself."},
     {"allow-bad", "--allow-bad", "", false, false,
-     "Succeed even when more than 0.1 % of the cells had to be left out."},
+     "Succeed even when steps, or more than 0.1 % of the cells, had to be left out."},
     {"force", "--force", "", false, false, "Replace the dataset when it exists."},
     {"plot3d", "--plot3d", "WORDS", false, false,
      "How PLOT3D files are laid out where that cannot be told from their size, separated by commas: big, little, "

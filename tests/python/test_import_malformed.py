@@ -4,6 +4,7 @@ nothing beside the target."""
 import os
 import pathlib
 import re
+import shutil
 import signal
 import struct
 import subprocess
@@ -12,7 +13,8 @@ import zipfile
 import numpy as np
 import pytest
 import vtk
-from import_support import run_import
+from import_support import Dataset, run_import
+from openfoam_files import write_case
 from program import CIEL
 from test_import_plot3d import write_pair
 from vtk_files import CUBE, CUBE_FACES, add_array, image, mixed, structured, unstructured, with_fields, write
@@ -50,6 +52,12 @@ def text(folder, name, content):
 def binary(folder, name, content):
     (folder / name).write_bytes(content)
     return folder / name
+
+
+def folder(parent, name, document):
+    (parent / name).mkdir()
+    (parent / name / document).write_text("{}")
+    return parent / name
 
 
 def open_box(folder):
@@ -168,7 +176,7 @@ MALFORMED = [
     ("pvd naming nothing", lambda f: pvd(f), "names no files"),
     ("pvd naming a missing file", lambda f: pvd(f, "gone.vtu"), "does not exist"),
     ("pvd naming itself", lambda f: pvd(f, "a.pvd"), "index itself"),
-    ("pvd with a damaged second step", lambda f: (cut(vtu(f)).rename(f / "b.vtu"), vtu(f), pvd(f, "a.vtu", "b.vtu"))[-1], "b.vtu"),
+    ("pvd whose steps are all damaged", lambda f: (cut(vtu(f)), pvd(f, "a.vtu", "gone.vtu"))[-1], "a.vtu"),
     ("pvd with a bad time", lambda f: (vtu(f), edit(pvd(f, "a.vtu"), 'timestep="0"', 'timestep="soon"'))[-1], "not a finite number"),
     ("series not JSON", lambda f: text(f, "a.series", '{"file-series-version": "1.0", "files": ['), "not well-formed JSON"),
     ("series without files", lambda f: text(f, "a.series", '{"file-series-version": "1.0", "files": {}}'), "file series"),
@@ -183,6 +191,11 @@ MALFORMED = [
     ("HDF5 signature and nothing else", lambda f: binary(f, "a.hdf", b"\x89HDF\r\n\x1a\n" + bytes(100)), ""),
     ("CGNS signature and nothing else", lambda f: binary(f, "a.cgns", b"\x89HDF\r\n\x1a\n" + bytes(100)), ""),
     ("Exodus signature and nothing else", lambda f: binary(f, "a.ex2", b"CDF\x01" + bytes(50)), ""),
+    ("EnSight without geometry", lambda f: text(f, "a.case", "FORMAT\ntype: ensight gold\nVARIABLE\n"), "has no section GEOMETRY"),
+    ("an ADIOS2 folder", lambda f: folder(f, "a.bp", "md.0"), "is of ADIOS2"),
+    ("an ADIOS2 file", lambda f: binary(f, "a.bp", b"ADIOS-BP v2"), "is of ADIOS2"),
+    ("a Zarr folder", lambda f: folder(f, "a.zarr", ".zgroup"), "is a Zarr folder of another program"),
+    ("convex point sets", lambda f: vtu(f, unstructured([(vtk.VTK_CONVEX_POINT_SET, list(range(8)))], CUBE)), "only convex point sets"),
     ("EnSight naming a missing model", lambda f: text(f, "a.case", "FORMAT\ntype: ensight gold\nGEOMETRY\nmodel: gone.geo\n"), ""),
     ("LS-DYNA garbage", lambda f: binary(f, "d3plot", bytes(range(256)) * 8), ""),
     ("Fluent garbage", lambda f: text(f, "a.cas", "(10 (1 1 ffffffff 1 3)(\n"), ""),
@@ -265,6 +278,87 @@ def test_cells_that_cannot_be_used_are_named_and_counted(tmp_path):
     few = vtu(tmp_path, boxes(bad=1, good=1200))
     done = run_import(few, "-o", tmp_path / "c.ciel")
     assert done.returncode == 0 and "1 cell was left out" in done.stdout
+
+
+def a_gone_file(folder):
+    (folder / "b.vtu").unlink()
+
+
+def half_a_file(folder):
+    cut(folder / "b.vtu")
+
+
+def a_mesh_without_closed_cells(folder):
+    write(GOOD(), folder / "b.vtu", boxes(bad=1, good=0))
+
+
+@pytest.mark.parametrize("place", [0, 1, 2])
+@pytest.mark.parametrize("damage", [a_gone_file, half_a_file, a_mesh_without_closed_cells])
+def test_a_bad_step_costs_that_step(tmp_path, damage, place):
+    vtu(tmp_path)
+    shutil.copy(tmp_path / "a.vtu", tmp_path / "b.vtu")
+    damage(tmp_path)
+    names = ["a.vtu", "a.vtu"]
+    names.insert(place, "b.vtu")
+    file = pvd(tmp_path, *names)
+    done = run_import(file, "-o", tmp_path / "out.ciel")
+    assert done.returncode == 3, done.stdout + done.stderr
+    (line,) = done.stderr.splitlines()
+    sentence = f"The step at time {place} could not be read and was left out: "
+    assert str(file) in line and sentence in line and "--allow-bad accepts that" in line
+    dataset = Dataset(tmp_path / "out.ciel")
+    assert dataset.times == [time for time in (0, 1, 2) if time != place] and sentence in dataset.notes
+    assert run_import(file, "-o", tmp_path / "out.ciel", "--force", "--allow-bad").returncode == 0
+
+
+def pipe(path):
+    path.unlink(missing_ok=True)
+    os.mkfifo(path)
+    return path
+
+
+def pvtu_naming_a_pipe(folder):
+    pipe(folder / "p.vtu")
+    pieces = '<PPoints><PDataArray type="Float32" NumberOfComponents="3"/></PPoints><Piece Source="p.vtu"/>'
+    return text(folder, "a.pvtu", f'<VTKFile type="PUnstructuredGrid"><PUnstructuredGrid GhostLevel="0">{pieces}</PUnstructuredGrid></VTKFile>')
+
+
+def vtm_naming_a_pvtu(folder):
+    pvtu_naming_a_pipe(folder)
+    return text(folder, "a.vtm", '<VTKFile type="vtkMultiBlockDataSet" version="1.0"><vtkMultiBlockDataSet>'
+                '<DataSet index="0" file="a.pvtu"/></vtkMultiBlockDataSet></VTKFile>')
+
+
+def case_with(name):
+    def make(folder):
+        case = write_case(folder / "case")
+        pipe(case / name)
+        return case
+
+    return make
+
+
+def plot3d_with_a_pipe(folder):
+    grid, solution = write_pair(folder)
+    return grid, pipe(solution)
+
+
+def fluent_with_a_pipe(folder):
+    pipe(folder / "a.dat")
+    return text(folder, "a.cas", "(2 3)\n")
+
+
+@pytest.mark.parametrize("make", [
+    lambda f: pipe(f / "a.vtu"), lambda f: (pipe(f / "p.vtu"), pvd(f, "p.vtu"))[1], pvtu_naming_a_pipe, vtm_naming_a_pvtu,
+    case_with("constant/polyMesh/points"), case_with("1/p"), case_with("2/U"), case_with("system/controlDict"),
+    plot3d_with_a_pipe, fluent_with_a_pipe,
+], ids=["itself", "pvd", "pvtu", "vtm", "points", "first step", "last step", "controlDict", "PLOT3D", "Fluent"])
+def test_a_pipe_is_refused_and_not_waited_for(tmp_path, make):
+    made = make(tmp_path)
+    inputs = made if isinstance(made, tuple) else (made,)
+    done = run_import(*inputs, "-o", tmp_path / "out.ciel", "--time-limit", "20")
+    (line,) = done.stderr.splitlines()
+    assert done.returncode == 1 and "is not a regular file but a pipe, a socket or a device" in line, line
 
 
 MEMORY_WORDS = "GB was reached; raise it with --memory-limit"

@@ -72,7 +72,6 @@ def test_damaged_cases_end_in_a_sentence(tmp_path):
         ("no points", lambda c: (c / "constant/polyMesh/points").unlink()),
         ("beyond", lambda c: (c / "constant/polyMesh/faces").write_text(
             re.sub(r"\n4\(\d+", "\n4(999999", (c / "constant/polyMesh/faces").read_text(), count=1))),
-        ("short field", lambda c: (c / "1/p").write_text((c / "1/p").read_text().replace("64\n(", "9999\n("))),
     ]:
         case = write_case(tmp_path / name)
         damage(case)
@@ -80,6 +79,13 @@ def test_damaged_cases_end_in_a_sentence(tmp_path):
         assert done.returncode == 1, name
         assert len(done.stderr.strip().splitlines()) == 1 and done.stderr.startswith("ciel: "), done.stderr
         assert not list(tmp_path.glob("*.ciel*")) and not list(tmp_path.glob(".*"))
+
+
+def test_a_field_that_is_cut_short_costs_its_step(tmp_path):
+    case = write_case(tmp_path / "case")
+    (case / "1/p").write_text((case / "1/p").read_text().replace("64\n(", "9999\n("))
+    dataset = imported(tmp_path, case, code=3)
+    assert dataset.times == [2] and "The step at time 1 could not be read" in dataset.notes
 
 
 ZONES = {"front": [c for c in range(N**3) if c % N < N // 2], "lid": list(range(N**3 - N * N, N**3))}

@@ -1,0 +1,21 @@
+#include "import/regular_file.hpp"
+
+#include "ciel/types.hpp"
+
+namespace ciel::importer {
+
+namespace fs = std::filesystem;
+
+void require_regular(const fs::path& file) {
+    std::error_code ignored;
+    const fs::file_status status = fs::status(file, ignored);
+    if (fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status))
+        throw Error(file.string() + ": is not a regular file but a pipe, a socket or a device");
+}
+
+void require_regular_files(const fs::path& directory) {
+    std::error_code missing;
+    for (const auto& entry : fs::directory_iterator(directory, missing)) require_regular(entry.path());
+}
+
+} // namespace ciel::importer
