@@ -156,47 +156,6 @@ def test_voxels_and_prisms(tmp_path):
     assert dataset.cells() == {"polyhedron": 1} and dataset.volume() == pytest.approx(3 * np.sqrt(3) / 2, rel=1e-5)
 
 
-def test_a_face_of_one_or_two_corners_goes_and_its_cell_stays_where_the_others_close_it(tmp_path):
-    faces = [[0, 3, 2, 1], [4, 5, 6, 7], [0, 1, 5, 4], [1, 2, 6, 5], [2, 3, 7, 6], [3, 0, 4, 7]]
-    beside = [[n + 8 for n in face] for face in faces]
-    points = CUBE + [(x + 2, y, z) for x, y, z in CUBE]
-    grid = with_fields(unstructured([(vtk.VTK_POLYHEDRON, [*faces, [0, 1], [3]]),
-                                     (vtk.VTK_POLYHEDRON, [*beside[:5], [8, 11]])], points))
-    dataset = imported(tmp_path, write(vtk.vtkXMLUnstructuredGridWriter(), tmp_path / "a.vtu", grid), code=3)
-    assert dataset.cells() == {"polyhedron": 1} and dataset.volume() == pytest.approx(1)
-    assert "2 faces of fewer than three corners were left out (first cells: 0)." in dataset.notes
-    assert "1 cell was left out: not closed (first ids: 1)." in dataset.notes
-
-
-def test_what_floats_lose_is_said(tmp_path):
-    """Two hexahedra 10,000 km apart, one of which is 0.1 mm thick, and values that floats cannot tell apart."""
-    thin = [(x, y, z * 1e-4) for x, y, z in CUBE]
-    far = [(x + 1e7, y, z) for x, y, z in CUBE]
-    grid = unstructured([(vtk.VTK_HEXAHEDRON, list(range(8))), (vtk.VTK_HEXAHEDRON, list(range(8, 16)))], thin + far)
-    add_array(grid.GetPointData(), "p", 101325 + 1e-5 * np.arange(16.0))
-    add_array(grid.GetPointData(), "q", np.arange(16.0))
-    ids = vtk.vtkIdTypeArray()
-    ids.SetName("id")
-    for value in (2**24 + 1, 2**24 + 2):
-        ids.InsertNextValue(value)
-    grid.GetCellData().AddArray(ids)
-    path = write(vtk.vtkXMLUnstructuredGridWriter(), tmp_path / "a.vtu", grid)
-    notes = imported(tmp_path, path).notes
-    assert "15 of 16 values of \"p\" differ from the one before in the input and are equal to it here" in notes
-    assert "1 of 2 values of \"cell:id\" are integers beyond 16,777,216" in notes
-    assert "\"q\"" not in notes and "The volume of" not in notes
-
-
-def test_positions_that_floats_cannot_tell_apart_are_counted(tmp_path):
-    """The corners of the small cube are 0.1 apart, 5,000 km from the middle of the mesh, where floats are 0.5 apart."""
-    small = [(0.1 * x, 0.1 * y, 0.1 * z) for x, y, z in CUBE]
-    far = [(x + 1e7, y, z) for x, y, z in CUBE]
-    grid = unstructured([(vtk.VTK_HEXAHEDRON, list(range(8))), (vtk.VTK_HEXAHEDRON, list(range(8, 16)))], small + far)
-    notes = imported(tmp_path, write(vtk.vtkXMLUnstructuredGridWriter(), tmp_path / "a.vtu", grid)).notes
-    assert "1 cell has corners that are apart in the input and one point here" in notes
-    assert "The volume of 1 cell changes by more than 1 %" in notes
-
-
 def test_surface_cells_become_a_group_of_boundary_faces(tmp_path):
     grid = unstructured([(vtk.VTK_HEXAHEDRON, list(range(8))), (vtk.VTK_QUAD, [0, 1, 2, 3]), (vtk.VTK_LINE, [0, 1])], CUBE)
     dataset = imported(tmp_path, write(vtk.vtkXMLUnstructuredGridWriter(), tmp_path / "a.vtu", grid))

@@ -1,0 +1,97 @@
+"""What of an input is not in its dataset is said: faces, arrays, digits."""
+
+import numpy as np
+import pytest
+import vtk
+from import_support import imported
+from vtk_files import CUBE, add_array, multi_block, unstructured, with_fields, write
+
+HEXAHEDRON = [(vtk.VTK_HEXAHEDRON, list(range(8)))]
+
+
+def test_arrays_that_are_left_out_are_named(tmp_path):
+    grid = with_fields(unstructured(HEXAHEDRON, CUBE))
+    text, field = vtk.vtkStringArray(), vtk.vtkFloatArray()
+    text.SetName("material")
+    text.InsertNextValue("steel")
+    grid.GetCellData().AddArray(text)
+    field.SetName("gravity")
+    field.InsertNextValue(9.81)
+    grid.GetFieldData().AddArray(field)
+    ids = vtk.vtkIdTypeArray()
+    ids.SetName("GlobalNodeId")
+    for i in range(8):
+        ids.InsertNextValue(i)
+    grid.GetPointData().AddArray(ids)
+    notes = imported(tmp_path, write(vtk.vtkXMLUnstructuredGridWriter(), tmp_path / "a.vtu", grid)).notes
+    assert "Arrays of text were left out: material." in notes
+    assert "Field data was left out: gravity." in notes
+    assert "Flags and ids were left out: GlobalNodeId." in notes
+
+
+def test_arrays_that_differ_between_blocks_are_named(tmp_path):
+    blocks = []
+    for i, values in enumerate((np.zeros(8), np.zeros((8, 3)))):
+        grid = unstructured(HEXAHEDRON, [(x + 2 * i, y, z) for x, y, z in CUBE])
+        add_array(grid.GetPointData(), "stress", values)
+        add_array(grid.GetPointData(), "f", np.arange(8.0))
+        blocks.append((f"b{i}", grid))
+    dataset = imported(tmp_path, write(vtk.vtkXMLMultiBlockDataWriter(), tmp_path / "a.vtm", multi_block(*blocks)))
+    assert dataset.array_names() == ["f"]
+    assert "Arrays whose numbers of components differ between blocks were left out: stress." in dataset.notes
+
+
+def test_the_second_array_of_one_name_is_named(tmp_path):
+    grid = unstructured(HEXAHEDRON, CUBE)
+    for name in ("a_b", "a:b"):
+        add_array(grid.GetPointData(), name, np.arange(8.0))
+    dataset = imported(tmp_path, write(vtk.vtkXMLUnstructuredGridWriter(), tmp_path / "a.vtu", grid))
+    assert dataset.array_names() == ["a_b"]
+    assert "Two arrays are both called a_b here; the first was kept." in dataset.notes
+
+
+def test_convex_point_sets_are_cells_that_are_lost(tmp_path):
+    grid = unstructured([*HEXAHEDRON, (vtk.VTK_CONVEX_POINT_SET, list(range(8, 16)))], CUBE + [(x + 2, y, z) for x, y, z in CUBE])
+    dataset = imported(tmp_path, write(vtk.vtkXMLUnstructuredGridWriter(), tmp_path / "a.vtu", grid), code=3)
+    assert "1 convex point set was left out: such cells have no faces" in dataset.notes and dataset.input["cells"] == 2
+
+
+def test_a_face_of_one_or_two_corners_goes_and_its_cell_stays_where_the_others_close_it(tmp_path):
+    faces = [[0, 3, 2, 1], [4, 5, 6, 7], [0, 1, 5, 4], [1, 2, 6, 5], [2, 3, 7, 6], [3, 0, 4, 7]]
+    beside = [[n + 8 for n in face] for face in faces]
+    points = CUBE + [(x + 2, y, z) for x, y, z in CUBE]
+    grid = with_fields(unstructured([(vtk.VTK_POLYHEDRON, [*faces, [0, 1], [3]]),
+                                     (vtk.VTK_POLYHEDRON, [*beside[:5], [8, 11]])], points))
+    dataset = imported(tmp_path, write(vtk.vtkXMLUnstructuredGridWriter(), tmp_path / "a.vtu", grid), code=3)
+    assert dataset.cells() == {"polyhedron": 1} and dataset.volume() == pytest.approx(1)
+    assert "2 faces of fewer than three corners were left out (first cells: 0)." in dataset.notes
+    assert "1 cell was left out: not closed (first ids: 1)." in dataset.notes
+
+
+def test_what_floats_lose_is_said(tmp_path):
+    """Two hexahedra 10,000 km apart, one of which is 0.1 mm thick, and values that floats cannot tell apart."""
+    thin = [(x, y, z * 1e-4) for x, y, z in CUBE]
+    far = [(x + 1e7, y, z) for x, y, z in CUBE]
+    grid = unstructured([(vtk.VTK_HEXAHEDRON, list(range(8))), (vtk.VTK_HEXAHEDRON, list(range(8, 16)))], thin + far)
+    add_array(grid.GetPointData(), "p", 101325 + 1e-5 * np.arange(16.0))
+    add_array(grid.GetPointData(), "q", np.arange(16.0))
+    ids = vtk.vtkIdTypeArray()
+    ids.SetName("id")
+    for value in (2**24 + 1, 2**24 + 2):
+        ids.InsertNextValue(value)
+    grid.GetCellData().AddArray(ids)
+    path = write(vtk.vtkXMLUnstructuredGridWriter(), tmp_path / "a.vtu", grid)
+    notes = imported(tmp_path, path).notes
+    assert "15 of 16 values of \"p\" differ from the one before in the input and are equal to it here" in notes
+    assert "1 of 2 values of \"cell:id\" are integers beyond 16,777,216" in notes
+    assert "\"q\"" not in notes and "The volume of" not in notes
+
+
+def test_positions_that_floats_cannot_tell_apart_are_counted(tmp_path):
+    """The corners of the small cube are 0.1 apart, 5,000 km from the middle of the mesh, where floats are 0.5 apart."""
+    small = [(0.1 * x, 0.1 * y, 0.1 * z) for x, y, z in CUBE]
+    far = [(x + 1e7, y, z) for x, y, z in CUBE]
+    grid = unstructured([(vtk.VTK_HEXAHEDRON, list(range(8))), (vtk.VTK_HEXAHEDRON, list(range(8, 16)))], small + far)
+    notes = imported(tmp_path, write(vtk.vtkXMLUnstructuredGridWriter(), tmp_path / "a.vtu", grid)).notes
+    assert "1 cell has corners that are apart in the input and one point here" in notes
+    assert "The volume of 1 cell changes by more than 1 %" in notes
