@@ -21,11 +21,21 @@ void print_steps(const std::vector<double>& times) {
     std::printf("\n");
 }
 
+// Pieces that share a name are one line.
 void print_blocks(const char* title, const std::vector<Block>& blocks) {
-    for (const Block& block : blocks)
-        std::printf("%s %s: %lld points, %lld cells\n", title, block.name.c_str(),
-                    static_cast<long long>(block.data->GetNumberOfPoints()),
-                    static_cast<long long>(block.data->GetNumberOfCells()));
+    for (std::size_t first = 0, end; first < blocks.size(); first = end) {
+        const Block& block = blocks[first];
+        long long points = 0, cells = 0;
+        for (end = first; end < blocks.size(); ++end) {
+            const bool is_piece =
+                block.whole >= 0 && blocks[end].whole == block.whole && blocks[end].name == block.name;
+            if (end > first && !is_piece) break;
+            points += blocks[end].data->GetNumberOfPoints();
+            cells += blocks[end].data->GetNumberOfCells();
+        }
+        const std::string pieces = end - first > 1 ? " in " + std::to_string(end - first) + " pieces" : "";
+        std::printf("%s %s: %lld points, %lld cells%s\n", title, block.name.c_str(), points, cells, pieces.c_str());
+    }
 }
 
 } // namespace

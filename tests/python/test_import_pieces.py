@@ -165,6 +165,11 @@ def test_node_ids_tell_a_crack_where_values_are_equal(tmp_path):
     assert imported(tmp_path, pvtu(tmp_path / "in", [left, right])).counts()["components"] == 2
 
 
+def test_the_listing_has_one_line_for_all_pieces(tmp_path):
+    listed = run_import(pvtu(tmp_path / "in", pieces_of()), "--list").stdout
+    assert listed.count("block ") == 1 and f"{N**3} cells in 4 pieces" in listed
+
+
 def test_no_weld_leaves_pieces_apart_and_says_so(tmp_path):
     dataset = imported(tmp_path, pvtu(tmp_path / "in", pieces_of()), "--no-weld")
     assert dataset.counts()["components"] == 4 and "left apart (--no-weld)" in dataset.notes
