@@ -75,10 +75,6 @@ void require_regular_references(const std::filesystem::path& file, const std::st
     }
 }
 
-} // namespace
-
-namespace {
-
 // A mesh in several files. VTK's own reader puts them into one grid, in which nobody can tell the pieces.
 class PiecesSource : public ReaderSource {
 public:

@@ -56,7 +56,7 @@ std::shared_ptr<const Geometry> SceneGeometry::update(const scene::Scene& scene,
     remark_on_time(scene.time, *geometry);
     geometry->length_units = dataset->info().length_units;
     geometry->origin = dataset->mesh(step.mesh, step.coordinates).origin;
-    geometry->file_origin = wire::file_origin(dataset->info().meshes.at(0).bounds, dataset->mesh(0, 0).origin);
+    geometry->file_origin = wire::file_origin(dataset->info().meshes.at(0).bounds);
     geometry->bounds_min = low(dataset->info().meshes[step.mesh]);
     geometry->bounds_max = high(dataset->info().meshes[step.mesh]);
 

@@ -65,15 +65,15 @@ private:
 
 } // namespace
 
-Vec3d file_origin(const std::array<double, 6>& bounds, Vec3d centre) {
+Vec3d file_origin(const std::array<double, 6>& bounds) {
     double farthest = 0;
-    Vec3d extent{};
+    Vec3d extent{}, centre{};
     for (std::size_t k = 0; k < 3; ++k) {
         farthest = std::max({farthest, std::abs(bounds[2 * k]), std::abs(bounds[2 * k + 1])});
         extent[k] = bounds[2 * k + 1] - bounds[2 * k];
+        centre[k] = std::round(bounds[2 * k] + extent[k] / 2);
     }
     if (farthest <= most_diagonals_away * std::sqrt(squared(extent))) return {};
-    for (double& c : centre) c = std::round(c);
     return centre;
 }
 

@@ -25,9 +25,9 @@ struct ExportSurface {
 };
 
 // What surfaces of a mesh are moved to in a format of floats, and in others on request: the same for all of them, so
-// that files fit together. Zero where floats are fine enough for the mesh's box (as Dataset has it); else `centre` in
-// whole numbers.
-[[nodiscard]] Vec3d file_origin(const std::array<double, 6>& bounds, Vec3d centre);
+// that files fit together. Zero where floats are fine enough for the mesh's box (as Dataset has it); else the box's
+// centre in whole numbers.
+[[nodiscard]] Vec3d file_origin(const std::array<double, 6>& bounds);
 
 enum class SurfaceFormat { ply, stl, vtp };
 // STL has floats only.

@@ -189,8 +189,8 @@ TEST_F(Methods, surfaces_are_exported) {
     const json stl = client.call("surface.export", params);
     const std::string triangles = decoded(stl["data"]);
     EXPECT_GE(stl["polygons"], other["polygons"]) << "of triangles";
-    EXPECT_EQ(stl["origin"], json({1000, 0, -50})) << "the box is 1000 away and 6 long";
-    EXPECT_EQ(triangles.substr(0, 32), std::string("CIEL surface, origin 1000 0 -50\0", 32));
+    EXPECT_EQ(stl["origin"], json({1003, 3, -47})) << "the box is 1000 away and 6 long";
+    EXPECT_EQ(triangles.substr(0, 32), std::string("CIEL surface, origin 1003 3 -47\0", 32));
     ASSERT_EQ(triangles.size(), 84 + 50 * stl["polygons"].get<std::size_t>());
     std::uint32_t count = 0;
     std::memcpy(&count, &triangles[80], sizeof count);
