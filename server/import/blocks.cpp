@@ -204,7 +204,11 @@ Blocks collect_blocks(vtkDataObject* data) {
         if (leaf.dimension == 3) (is_zone(leaf) ? zones : volumes).push_back(&leaf);
         if (leaf.dimension == 2) surfaces.push_back(&leaf);
     }
-    return {named(volumes), named(surfaces), named(zones)};
+    Blocks blocks;
+    blocks.volumes = named(volumes);
+    blocks.surfaces = named(surfaces);
+    blocks.zones = named(zones);
+    return blocks;
 }
 
 void require_volumes(const Blocks& blocks) {

@@ -78,6 +78,7 @@ private:
         Blocks blocks;
         try {
             blocks = collect_blocks(source_.read(step_, [this](double share) { tell(0.5 * share, "reading"); }));
+            source_.add_known(blocks, {});
             require_volumes(blocks);
         } catch (const Error& error) {
             return lose_step(time, error.what());
@@ -99,7 +100,7 @@ private:
     bool new_mesh(const Blocks& blocks, double time) {
         tell(0.5, "building the mesh");
         try {
-            mesh_ = build_step_mesh(blocks, options_.weld, source_.cut_into_pieces());
+            mesh_ = build_step_mesh(blocks, options_.weld);
         } catch (const Error& error) {
             lose_step(time, error.what());
             return false;
@@ -148,7 +149,7 @@ private:
     }
 
     void lose(const std::string& sentence) {
-        result_.lost.push_back(sentence);
+        if (!noted_.contains(sentence)) result_.lost.push_back(sentence);
         note(sentence);
     }
 

@@ -17,13 +17,13 @@ std::size_t mix(const Words& words) {
     return hash;
 }
 
+} // namespace
+
 Corners normalised(Corners corners) {
     std::sort(corners.begin(), corners.end());
     corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
     return corners;
 }
-
-} // namespace
 
 std::size_t CornersHash::operator()(const Corners& corners) const { return mix(corners); }
 std::size_t CornerIndex::PlaceHash::operator()(const Place& place) const { return mix(place); }

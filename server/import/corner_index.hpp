@@ -14,6 +14,8 @@ namespace ciel::importer {
 
 using Corners = std::vector<Index>; // one vertex for each place, sorted, distinct
 
+[[nodiscard]] Corners normalised(Corners corners); // sorted, distinct
+
 struct CornersHash {
     std::size_t operator()(const Corners& corners) const;
 };

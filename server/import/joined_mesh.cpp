@@ -1,5 +1,6 @@
 #include "import/joined_mesh.hpp"
 
+#include "ciel/standard_shapes.hpp"
 #include "import/cell_shapes.hpp"
 
 #include <algorithm>
@@ -25,6 +26,12 @@ namespace ciel::importer {
 namespace {
 
 constexpr std::uint64_t max_count = none - 1ULL;
+
+std::ptrdiff_t corners_of(CellType type) {
+    std::ptrdiff_t corners = 0;
+    with_shape(type, [&corners]<const StandardShape & shape>() { corners = shape.corners; });
+    return corners;
+}
 
 // Appends the cells of one block; every id that comes from the file is checked here and nowhere later.
 class BlockJoiner {
@@ -95,7 +102,23 @@ private:
             mesh_.face_offset.push_back(mesh_.face_vertex.size());
             at += 1 + corners.size();
         }
-        close_cell(CellType::polyhedron, cell);
+        close_cell(type_of_last_faces(static_cast<std::size_t>(stream[0])), cell);
+    }
+
+    // A hexahedron is one whatever its file calls it.
+    [[nodiscard]] CellType type_of_last_faces(std::size_t faces) const {
+        const std::size_t first = mesh_.face_offset.size() - 1 - faces;
+        const std::uint64_t begin = mesh_.face_offset[first];
+        std::size_t largest = 0;
+        for (std::size_t face = first; face < first + faces; ++face)
+            largest = std::max<std::size_t>(largest, mesh_.face_offset[face + 1] - mesh_.face_offset[face]);
+        const CellType type = type_of_faces(faces, mesh_.face_vertex.size() - begin, largest);
+        if (type == CellType::polyhedron) return type;
+        std::vector<Index> corners(mesh_.face_vertex.begin() + static_cast<std::ptrdiff_t>(begin),
+                                   mesh_.face_vertex.end());
+        std::sort(corners.begin(), corners.end());
+        const auto distinct = std::unique(corners.begin(), corners.end()) - corners.begin();
+        return distinct == corners_of(type) ? type : CellType::polyhedron;
     }
 
     // Ghosts are another piece's cells; hidden cells are blanked.
@@ -239,6 +262,14 @@ void check_finite(const JoinedMesh& mesh) {
 }
 
 } // namespace
+
+RunningCounts count_running(const std::vector<Block>& volumes) {
+    JoinedMesh mesh;
+    number_parts(mesh, volumes);
+    if (volumes.empty()) return {};
+    const auto last = static_cast<Index>(volumes.back().data->GetNumberOfCells());
+    return {mesh.point_count, mesh.parts.back().first_cell + last};
+}
 
 Vec3d bounds_centre(const JoinedMesh& mesh) {
     Vec3d low;

@@ -45,6 +45,9 @@ struct JoinedMesh {
     }
 };
 
+// What join_blocks numbers through. Throws Error where there are more than 2^32 - 2 points or cells.
+[[nodiscard]] RunningCounts count_running(const std::vector<Block>& volumes);
+
 // Throws Error naming the block when an index is out of range, an offset table is damaged, a vertex that a cell uses is
 // not finite, or there are more than 2^32 - 2 vertices or cells.
 [[nodiscard]] JoinedMesh join_blocks(const std::vector<Block>& volumes);

@@ -1,198 +1,160 @@
-// OpenFOAM cases: a directory, its controlDict, or the empty .foam file beside them. Polyhedra stay polyhedra, cell
-// data stays cell data, every patch comes with its own values, and zones are named.
+// OpenFOAM cases: a directory, its controlDict, or the empty .foam file beside them. Cells are polyhedra whose points
+// have all digits of the file, every patch has its own values, zones have names, and processors are joined again.
 #include "ciel/types.hpp"
 #include "import/formats.hpp"
-#include "import/parsers/openfoam_units.hpp"
-#include "import/reader_source.hpp"
-#include "import/regular_file.hpp"
+#include "import/openfoam_fields.hpp"
+#include "import/openfoam_mesh.hpp"
 
 #include <algorithm>
-#include <cstdlib>
-#include <fstream>
-#include <limits>
-#include <regex>
-#include <vtkDummyController.h>
+#include <set>
+#include <vtkCellData.h>
+#include <vtkCompositeDataSet.h>
+#include <vtkInformation.h>
+#include <vtkMultiBlockDataSet.h>
 #include <vtkNew.h>
-#include <vtkPOpenFOAMReader.h>
+#include <vtkPolyData.h>
 
 namespace ciel::importer {
 
 namespace {
 
-namespace fs = std::filesystem;
-constexpr std::string_view gzip_signature = "\x1f\x8b";
-
-fs::path case_directory(const fs::path& input) {
-    if (fs::is_directory(input)) return input;
-    if (input.filename() == "controlDict") return fs::absolute(input).parent_path().parent_path();
-    return fs::absolute(input).parent_path();
+void add_block(vtkMultiBlockDataSet* blocks, vtkDataObject* block, const std::string& name) {
+    const unsigned at = blocks->GetNumberOfBlocks();
+    blocks->SetBlock(at, block);
+    blocks->GetMetaData(at)->Set(vtkCompositeDataSet::NAME(), name.c_str());
 }
 
-bool is_time(const std::string& name) {
-    char* end = nullptr;
-    std::strtod(name.c_str(), &end);
-    return !name.empty() && *end == '\0';
+vtkSmartPointer<vtkPolyData> as_polygons(const FoamSurface& surface, vtkPoints* points) {
+    auto polygons = vtkSmartPointer<vtkPolyData>::New();
+    polygons->SetPoints(points);
+    polygons->SetPolys(surface.faces);
+    return polygons;
 }
 
-// "class volScalarField;": what the reader makes cell data of.
-bool is_cell_field(const std::string& head) {
-    static const std::regex entry(R"(\bclass\s+vol\w+Field)");
-    return std::regex_search(head, entry);
-}
-
-std::string read_start(const fs::path& file) {
-    std::ifstream stream(file, std::ios::binary);
-    std::string head(4096, '\0');
-    stream.read(head.data(), static_cast<std::streamsize>(head.size()));
-    head.resize(static_cast<std::size_t>(stream.gcount()));
-    return head;
-}
-
-std::vector<fs::path> time_directories(const fs::path& directory) {
-    std::vector<fs::path> times;
-    for (const auto& entry : fs::directory_iterator(directory))
-        if (entry.is_directory() && is_time(entry.path().filename().string())) times.push_back(entry.path());
-    return times;
-}
-
-double time_of(const fs::path& directory) { return std::strtod(directory.filename().c_str(), nullptr); }
-
-double latest_time(const fs::path& directory) {
-    double latest = -std::numeric_limits<double>::infinity();
-    for (const fs::path& time : time_directories(directory)) latest = std::max(latest, time_of(time));
-    return latest;
-}
-
-// "processors4": all pieces in one file.
-std::string collated_directory(const fs::path& directory) {
-    for (const auto& entry : fs::directory_iterator(directory)) {
-        std::string name = entry.path().filename().string();
-        if (entry.is_directory() && name.starts_with("processors") && name.size() > 10) return name;
-    }
-    return "";
-}
-
-bool has_mesh(const fs::path& directory) {
-    return fs::exists(directory / "constant/polyMesh") || fs::exists(directory / "constant/regionProperties");
-}
-
-// Where the results are. decomposePar leaves the whole mesh in place, and so do the solvers that write into its pieces.
-struct Layout {
-    explicit Layout(const fs::path& input) : directory(case_directory(input)), results(directory) {
-        const fs::path first = directory / "processor0";
-        const std::string collated = collated_directory(directory);
-        if (!has_mesh(directory) && !fs::exists(first))
-            throw Error(input.string() + ": is decomposed into collated files (" + collated +
-                        "), which cannot be read; reconstructPar makes one case of them");
-        decomposed = fs::exists(first) && (!has_mesh(directory) || latest_time(first) > latest_time(directory));
-        if (decomposed) results = first;
-        if (decomposed && has_mesh(directory))
-            note = "The processor directories were read: they have later times than the whole case.";
-        if (!decomposed && !collated.empty() && latest_time(directory / collated) > latest_time(directory))
-            note = "The later times in " + collated +
-                   " (collated files) were not read; reconstructPar makes them readable.";
-    }
-
-    // The case, or its processors' directories.
-    [[nodiscard]] std::vector<fs::path> parts() const {
-        if (!decomposed) return {directory};
-        std::vector<fs::path> all;
-        for (int i = 0; fs::is_directory(directory / ("processor" + std::to_string(i))); ++i)
-            all.push_back(directory / ("processor" + std::to_string(i)));
-        return all;
-    }
-
-    fs::path directory;
-    fs::path results; // has the times
-    bool decomposed = false;
-    std::string note;
-};
-
-class OpenFoamSource : public ReaderSource {
+class OpenFoamSource : public Source {
 public:
-    OpenFoamSource(const std::string& input, Layout layout, const vtkSmartPointer<vtkPOpenFOAMReader>& reader)
-        : ReaderSource(layout.decomposed ? "OpenFOAM case (decomposed)" : "OpenFOAM case", input, reader),
-          layout_(std::move(layout)) {
-        reader->EnableAllPatchArrays();
-        reader->EnableAllCellArrays();
+    explicit OpenFoamSource(const std::string& input) : foam_(input), infos_(list_foam_fields(foam_)) {}
+
+    [[nodiscard]] std::string format() const override {
+        return foam_.is_decomposed ? "OpenFOAM case (decomposed)" : "OpenFOAM case";
     }
+    [[nodiscard]] const std::vector<double>& times() const override { return foam_.times; }
 
     [[nodiscard]] vtkSmartPointer<vtkDataObject> read(std::size_t step, const ReadProgress& progress) override {
-        for (const fs::path& part : layout_.parts())
-            for (const fs::path& time : time_directories(part))
-                if (time_of(time) == times()[step]) require_regular_files(time);
-        return ReaderSource::read(step, progress);
+        auto tree = vtkSmartPointer<vtkMultiBlockDataSet>::New();
+        const double time = foam_.times[step];
+        lost_ = foam_.lost;
+        for (std::size_t i = 0; i < foam_.regions.size(); ++i) {
+            const std::string& region = foam_.regions[i];
+            const auto share = [&](double done) {
+                progress((static_cast<double>(i) + done) / static_cast<double>(foam_.regions.size()));
+            };
+            share(0);
+            const FoamMesh& mesh = mesh_at(region, time);
+            share(0.5);
+            auto blocks = region_blocks(region, time, mesh);
+            if (foam_.regions.size() == 1)
+                tree = blocks;
+            else
+                add_block(tree, blocks, shown(region));
+        }
+        return tree;
     }
 
-    [[nodiscard]] std::map<std::string, std::string> units() const override {
-        std::map<std::string, std::string> found;
-        for (const auto& [name, head] : field_heads()) found[name] = openfoam_units(head);
-        return found;
-    }
-
-    // Of all times: the reader itself lists those of the first.
-    [[nodiscard]] std::optional<std::vector<ArrayName>> listed_arrays(std::size_t) const override {
-        std::vector<ArrayName> listed;
-        for (const auto& [name, head] : field_heads())
-            if (is_cell_field(head) || head.starts_with(gzip_signature)) listed.push_back({FieldOf::cells, name});
-        return listed;
-    }
-
-    [[nodiscard]] bool cut_into_pieces() const override { return layout_.decomposed; }
-    [[nodiscard]] std::vector<std::string> notes() const override {
-        return layout_.note.empty() ? std::vector<std::string>{} : std::vector{layout_.note};
-    }
-    [[nodiscard]] std::string length_units() const override { return "m"; } // OpenFOAM is SI throughout
-
-private:
-    // How the first file of each name begins, over all times and regions.
-    [[nodiscard]] std::map<std::string, std::string> field_heads() const {
-        std::map<std::string, std::string> heads;
-        for (const fs::path& time : time_directories(layout_.results)) add_heads(time, heads);
-        return heads;
-    }
-
-    void add_heads(const fs::path& directory, std::map<std::string, std::string>& heads) const {
-        for (const auto& entry : fs::directory_iterator(directory)) {
-            const bool compressed = entry.path().extension() == ".gz";
-            const std::string name = (compressed ? entry.path().stem() : entry.path().filename()).string();
-            const bool region = entry.is_directory() && fs::exists(layout_.results / "constant" / name / "polyMesh");
-            if (region)
-                add_heads(entry.path(), heads);
-            else if (entry.is_regular_file() && !heads.contains(name))
-                heads[name] = read_start(entry.path());
+    void add_known(Blocks& blocks, const RunningCounts& first) const override {
+        Index first_point = first.points, first_cell = first.cells; // region after region
+        for (const std::string& region : foam_.regions) {
+            const FoamMesh& mesh = meshes_.at(region).mesh;
+            for (const auto& [a, b] : mesh.same_points)
+                blocks.same_points.emplace_back(first_point + a, first_point + b);
+            blocks.joined_faces += mesh.joined_faces;
+            blocks.single_faces += mesh.single_faces;
+            for (const auto& [name, cells] : mesh.cell_zones) {
+                NamedCells& zone = blocks.named_cells.emplace_back(NamedCells{zone_name(region, name), {}});
+                for (const Index cell : cells) zone.cells.push_back(first_cell + cell);
+            }
+            first_point += static_cast<Index>(mesh.points->GetNumberOfPoints());
+            first_cell += static_cast<Index>(mesh.grid->GetNumberOfCells());
         }
     }
 
-    Layout layout_;
+    [[nodiscard]] std::map<std::string, std::string> units() const override {
+        std::map<std::string, std::string> units;
+        for (const auto& [name, info] : infos_) units[name] = info.units;
+        return units;
+    }
+
+    [[nodiscard]] std::optional<std::vector<ArrayName>> listed_arrays(std::size_t) const override {
+        std::vector<ArrayName> listed;
+        for (const auto& [name, info] : infos_) listed.push_back({FieldOf::cells, name});
+        return listed;
+    }
+
+    [[nodiscard]] std::vector<std::string> notes() const override { return foam_.notes; }
+    [[nodiscard]] std::vector<std::string> lost() const override { return {lost_.begin(), lost_.end()}; }
+    [[nodiscard]] std::string length_units() const override { return "m"; } // OpenFOAM is SI throughout
+
+private:
+    struct Known {
+        std::vector<std::filesystem::path> files;
+        FoamMesh mesh;
+    };
+
+    const FoamMesh& mesh_at(const std::string& region, double time) {
+        std::vector<std::filesystem::path> files = foam_mesh_files(foam_, region, time);
+        Known& known = meshes_[region];
+        if (known.files != files) {
+            known = {}; // one mesh in memory, not two
+            known.mesh = read_foam_mesh(foam_, region, time);
+            known.files = std::move(files);
+        }
+        lost_.insert(lost_.end(), known.mesh.lost.begin(), known.mesh.lost.end());
+        return known.mesh;
+    }
+
+    // With its region's where two regions have zones of that name.
+    [[nodiscard]] std::string zone_name(const std::string& region, const std::string& name) const {
+        const auto regions_with_it = std::count_if(meshes_.begin(), meshes_.end(), [&](const auto& known) {
+            return known.second.mesh.cell_zones.contains(name);
+        });
+        return regions_with_it > 1 ? shown(region) + "/" + name : name;
+    }
+    static std::string shown(const std::string& region) { return region.empty() ? "defaultRegion" : region; }
+
+    // internalMesh, boundary/PATCH, zones/faceZones/ZONE: blocks.cpp knows these names.
+    vtkSmartPointer<vtkMultiBlockDataSet> region_blocks(const std::string& region, double time, const FoamMesh& mesh) {
+        const auto fields = read_foam_fields(foam_, region, time, mesh, infos_, lost_);
+        vtkNew<vtkUnstructuredGrid> cells;
+        cells->ShallowCopy(mesh.grid);
+        vtkNew<vtkMultiBlockDataSet> boundary, face_zones;
+        for (const auto& [name, arrays] : fields) cells->GetCellData()->AddArray(arrays.cells);
+        for (std::size_t i = 0; i < mesh.patches.size(); ++i) {
+            const auto patch = as_polygons(mesh.patches[i], mesh.points);
+            for (const auto& [name, arrays] : fields)
+                if (arrays.patches[i] != nullptr) patch->GetCellData()->AddArray(arrays.patches[i]);
+            add_block(boundary, patch, mesh.patches[i].name);
+        }
+        for (const FoamSurface& zone : mesh.face_zones)
+            add_block(face_zones, as_polygons(zone, mesh.points), zone.name);
+        auto blocks = vtkSmartPointer<vtkMultiBlockDataSet>::New();
+        add_block(blocks, cells, "internalMesh");
+        add_block(blocks, boundary, "boundary");
+        add_block(blocks, face_zones, "faceZones");
+        return blocks;
+    }
+
+    FoamCase foam_;
+    FoamFieldInfos infos_;
+    std::map<std::string, Known> meshes_; // by region
+    std::vector<std::string> lost_;
 };
 
 } // namespace
 
-bool is_openfoam(const Head& head) {
-    if (!head.directory && head.extension != ".foam" && head.path.filename() != "controlDict") return false;
-    const fs::path directory = case_directory(head.path);
-    return has_mesh(directory) || fs::exists(directory / "processor0") ||
-           (fs::is_directory(directory) && !collated_directory(directory).empty());
-}
+bool is_openfoam(const Head& head) { return is_foam_case(head.path, head.directory, head.extension); }
 
 std::unique_ptr<Source> open_openfoam(const Inputs& inputs, const SourceOptions&) {
-    Layout layout(inputs.front());
-    // What the reader opens to learn what there is.
-    require_regular(layout.directory / "system/controlDict");
-    for (const fs::path& part : layout.parts()) require_regular_files(part / "constant/polyMesh");
-    for (const fs::path& time : time_directories(layout.results)) require_regular_files(time);
-    vtkNew<vtkPOpenFOAMReader> reader;
-    // The reader looks at the directory of this name alone: the file need not exist.
-    reader->SetFileName((layout.directory / "case.foam").c_str());
-    reader->SetCaseType(layout.decomposed ? vtkPOpenFOAMReader::DECOMPOSED_CASE
-                                          : vtkPOpenFOAMReader::RECONSTRUCTED_CASE);
-    reader->SetDecomposePolyhedra(0);
-    reader->SetCreateCellToPoint(0);
-    reader->SetCacheMesh(1);
-    reader->SetReadZones(1);
-    reader->SetController(vtkNew<vtkDummyController>()); // without one it dereferences null in a decomposed case
-    return std::make_unique<OpenFoamSource>(inputs.front(), std::move(layout), reader.Get());
+    return std::make_unique<OpenFoamSource>(inputs.front());
 }
 
 } // namespace ciel::importer

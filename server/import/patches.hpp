@@ -1,4 +1,5 @@
-// Named boundary faces: the surface blocks of the input found again on the mesh, by the coordinates of their corners.
+// Named boundary faces: the surface blocks of the input found again on the mesh, by the ids of their corners where they
+// share the points of a volume block, else by the coordinates.
 #pragma once
 
 #include "import/joined_mesh.hpp"
@@ -15,7 +16,9 @@ struct Patch {
 };
 
 // A cell matches a boundary face that has the same corners (welded or not). A surface claims each face once.
-[[nodiscard]] std::vector<Patch> match_patches(const FaceMeshView& mesh, const JoinedMesh& joined,
+// `representative`: as Welds has it.
+[[nodiscard]] std::vector<Patch> match_patches(const Assembled& assembled, const JoinedMesh& joined,
+                                               const std::vector<Index>& representative,
                                                const std::vector<Block>& surfaces);
 
 } // namespace ciel::importer

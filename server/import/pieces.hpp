@@ -1,16 +1,14 @@
-// A mesh that was read in pieces: the faces along which it was cut lie on each other in pairs. Of a decomposed OpenFOAM
-// case they belong to no surface of the input. Of a PVTU and its like they belong to two different pieces, and their
-// corners are the same points: by the ids that the file gives them (GlobalNodeId), else by equal coordinates and
-// values, to the bit. So a crack within a piece stays open, and one along a cut does where its sides differ.
+// A mesh that was read in pieces, as a PVTU is: the faces along which it was cut lie on each other in pairs, belong to
+// two different pieces, and their corners are the same points: by the ids that the file gives them (GlobalNodeId), else
+// by equal coordinates and values, to the bit. So a crack within a piece stays open, and one along a cut does where its
+// sides differ.
 #pragma once
 
-#include "import/patches.hpp"
+#include "import/joined_mesh.hpp"
 
 #include <utility>
 
 namespace ciel::importer {
-
-using PointPairs = std::vector<std::pair<Index, Index>>; // running points
 
 struct Cut {
     PointPairs points;        // to be one again
@@ -18,9 +16,6 @@ struct Cut {
     std::uint64_t single = 0; // faces of no surface that lie on no other
     std::uint64_t apart = 0;  // faces of different pieces that lie on another one, and whose points are not the same
 };
-
-// `patches` are those of `pieces`.
-[[nodiscard]] Cut find_cut(const Assembled& pieces, const std::vector<Patch>& patches);
 
 // Between the parts of `joined` that are pieces of one whole; `pieces` is what it was assembled to.
 [[nodiscard]] Cut find_cut_between_parts(const Assembled& pieces, const JoinedMesh& joined);

@@ -2,6 +2,7 @@
 
 #include "ciel/types.hpp"
 #include "import/formats.hpp"
+#include "import/joined_mesh.hpp"
 #include "import/regular_file.hpp"
 
 #include <algorithm>
@@ -29,10 +30,12 @@ public:
     [[nodiscard]] const std::vector<double>& times() const override { return parts_[0]->times(); }
     [[nodiscard]] vtkSmartPointer<vtkDataObject> read(std::size_t step, const ReadProgress& progress) override {
         vtkNew<vtkMultiBlockDataSet> joined;
+        counts_.clear();
         for (std::size_t i = 0; i < parts_.size(); ++i) {
             const auto data = parts_[i]->read(step, [&](double share) {
                 progress((static_cast<double>(i) + share) / static_cast<double>(parts_.size()));
             });
+            counts_.push_back(count_running(collect_blocks(data).volumes));
             joined->SetBlock(static_cast<unsigned>(i), data);
             const std::string name = std::filesystem::path(inputs_[i]).stem().string();
             joined->GetMetaData(static_cast<unsigned>(i))->Set(vtkCompositeDataSet::NAME(), name.c_str());
@@ -50,11 +53,31 @@ public:
     }
     [[nodiscard]] std::map<std::string, std::string> units() const override { return parts_[0]->units(); }
     [[nodiscard]] std::string length_units() const override { return parts_[0]->length_units(); }
-    [[nodiscard]] bool cut_into_pieces() const override {
-        return std::any_of(parts_.begin(), parts_.end(), [](const auto& part) { return part->cut_into_pieces(); });
+    [[nodiscard]] std::vector<std::string> notes() const override {
+        return of_all([](const Source& part) { return part.notes(); });
+    }
+    [[nodiscard]] std::vector<std::string> lost() const override {
+        return of_all([](const Source& part) { return part.lost(); });
+    }
+    void add_known(Blocks& blocks, const RunningCounts& first) const override {
+        RunningCounts begin = first;
+        for (std::size_t i = 0; i < parts_.size(); ++i) {
+            parts_[i]->add_known(blocks, begin);
+            begin.points += counts_[i].points;
+            begin.cells += counts_[i].cells;
+        }
     }
 
 private:
+    template <typename Sentences>
+    [[nodiscard]] std::vector<std::string> of_all(const Sentences& sentences_of) const {
+        std::vector<std::string> all;
+        for (const auto& part : parts_)
+            for (std::string& sentence : sentences_of(*part)) all.push_back(std::move(sentence));
+        return all;
+    }
+
+    std::vector<RunningCounts> counts_; // of the step read last
     std::vector<std::unique_ptr<Source>> parts_;
     std::vector<std::string> inputs_;
 };

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "import/array_selection.hpp"
+#include "import/blocks.hpp"
 
 #include <functional>
 #include <map>
@@ -30,14 +31,16 @@ public:
     // The data of one step; the caller keeps it as long as it likes. Throws Error naming the file.
     [[nodiscard]] virtual vtkSmartPointer<vtkDataObject> read(std::size_t step, const ReadProgress& progress) = 0;
 
+    // Adds what the source knows of the step read last besides its data: named cells and points that are one. `first`:
+    // where its running points and cells begin.
+    virtual void add_known(Blocks&, const RunningCounts& /*first*/) const {}
+
     // What a step is said to hold before its data is read, or more; nullopt where the reader cannot tell.
     [[nodiscard]] virtual std::optional<std::vector<ArrayName>> listed_arrays(std::size_t) const {
         return std::nullopt;
     }
     [[nodiscard]] virtual std::map<std::string, std::string> units() const { return {}; } // by array name
     [[nodiscard]] virtual std::string length_units() const { return ""; }
-    // One mesh, read as pieces with points of their own, cut along faces that no surface names.
-    [[nodiscard]] virtual bool cut_into_pieces() const { return false; }
     [[nodiscard]] virtual std::vector<std::string> notes() const { return {}; }
     // Sentences on what the step read last should hold and does not: a piece that cannot be read.
     [[nodiscard]] virtual std::vector<std::string> lost() const { return {}; }

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <map>
+#include <unordered_map>
 
 namespace ciel::importer {
 
@@ -137,16 +138,37 @@ void name_zones(const std::vector<Zone>& zones, StepMesh& mesh) {
     }
 }
 
-Cut find_cuts(const JoinedMesh& joined, const Blocks& blocks, bool in_pieces) {
-    if (!in_pieces && !has_pieces(joined)) return {};
-    const Assembled pieces = assemble(joined.view());
-    if (!in_pieces) return find_cut_between_parts(pieces, joined);
-    return find_cut(pieces, match_patches(pieces.mesh.view(), joined, blocks.surfaces));
+// Cells that are ghosts, blanked or bad are not in the mesh.
+void name_cells(const JoinedMesh& joined, const std::vector<NamedCells>& zones, StepMesh& mesh) {
+    if (zones.empty()) return;
+    std::vector<Zone> found;
+    std::unordered_map<Index, Index> stored; // running cell -> stored cell
+    for (Index cell = 0; cell < mesh.assembled.original_cell.size(); ++cell)
+        stored.emplace(joined.source_cell[mesh.assembled.original_cell[cell]], cell);
+    for (const NamedCells& named : zones) {
+        Zone zone{named.name, {}, 0};
+        for (const Index cell : named.cells) {
+            const auto at = stored.find(cell);
+            if (at == stored.end())
+                ++zone.unmatched;
+            else
+                zone.cells.push_back(at->second);
+        }
+        std::sort(zone.cells.begin(), zone.cells.end());
+        zone.cells.erase(std::unique(zone.cells.begin(), zone.cells.end()), zone.cells.end());
+        found.push_back(std::move(zone));
+    }
+    name_zones(found, mesh);
+}
+
+Cut find_cuts(const JoinedMesh& joined, const Blocks& blocks) {
+    if (has_pieces(joined)) return find_cut_between_parts(assemble(joined.view()), joined);
+    return {blocks.same_points, blocks.joined_faces, blocks.single_faces, 0};
 }
 
 } // namespace
 
-StepMesh build_step_mesh(const Blocks& blocks, Weld weld, bool in_pieces) {
+StepMesh build_step_mesh(const Blocks& blocks, Weld weld) {
     require_volumes(blocks);
     JoinedMesh joined = join_blocks(blocks.volumes);
     if (joined.cell_types.empty() && joined.convex_point_sets > 0)
@@ -162,10 +184,10 @@ StepMesh build_step_mesh(const Blocks& blocks, Weld weld, bool in_pieces) {
     describe_joining(joined, mesh);
     for (std::string& sentence : mesh_loss(joined)) mesh.notes.push_back(std::move(sentence));
 
-    const Cut cut = weld == Weld::seams ? find_cuts(joined, blocks, in_pieces) : Cut{};
+    const Cut cut = weld == Weld::seams ? find_cuts(joined, blocks) : Cut{};
     Welds welds = find_welds(joined, weld, cut);
-    if (!in_pieces) mesh.joined_pieces = cut.points;
-    if (weld == Weld::none && (in_pieces || has_pieces(joined)))
+    if (has_pieces(joined)) mesh.joined_pieces = cut.points;
+    if (weld == Weld::none && (!blocks.same_points.empty() || has_pieces(joined)))
         mesh.notes.emplace_back("The pieces of the mesh were left apart (--no-weld).");
     mesh.seams = std::move(welds.seams);
     mesh.notes.insert(mesh.notes.end(), welds.notes.begin(), welds.notes.end());
@@ -177,10 +199,11 @@ StepMesh build_step_mesh(const Blocks& blocks, Weld weld, bool in_pieces) {
     if (mesh.assembled.mesh.cell_types.empty())
         throw Error("none of its " + std::to_string(mesh.input_cells) +
                     " cells can be used: " + reason_text(mesh.assembled.report.bad_cells.at(0).reason));
-    mesh.patches = match_patches(mesh.view(), joined, blocks.surfaces);
+    mesh.patches = match_patches(mesh.assembled, joined, welds.representative, blocks.surfaces);
     name_patches(mesh.patches, mesh);
     name_blocks(joined, mesh);
     name_zones(match_zones(mesh.view(), blocks.zones), mesh);
+    name_cells(joined, blocks.named_cells, mesh);
     describe_shapes(joined, mesh);
 
     mesh.point_of_vertex = mesh.assembled.original_vertex;

@@ -26,8 +26,8 @@ struct StepMesh {
     [[nodiscard]] FaceMeshView view() const { return assembled.mesh.view(); }
 };
 
-// `in_pieces`: Source::cut_into_pieces(). Throws Error when there is no volume cell, or none that can be used.
-[[nodiscard]] StepMesh build_step_mesh(const Blocks& blocks, Weld weld, bool in_pieces);
+// Throws Error when there is no volume cell, or none that can be used.
+[[nodiscard]] StepMesh build_step_mesh(const Blocks& blocks, Weld weld);
 
 // The same cells at another time: takes the step's data, and its positions when they have moved.
 void update_step_mesh(StepMesh& mesh, const Blocks& blocks, bool moved);

@@ -1,7 +1,7 @@
 // The first byte chooses the parser: a PVD collection, a file series, or the dimensions of an OpenFOAM field.
 #include "ciel/types.hpp"
 #include "import/parsers/index_entry.hpp"
-#include "import/parsers/openfoam_units.hpp"
+#include "import/parsers/openfoam/units.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 #include "ciel/types.hpp"
-#include "import/parsers/openfoam_units.hpp"
+#include "import/parsers/openfoam/units.hpp"
 #include "import/parsers/plot3d_layout.hpp"
 
 #include <algorithm>

@@ -75,7 +75,8 @@ class Dataset:
 
     def volume(self, mesh=0):
         """By the divergence theorem over the boundary: right only when every face is matched and wound outwards."""
-        m, position = self.mesh(mesh), self.positions(mesh)
+        m = self.mesh(mesh)
+        position = np.asarray(m["positions"][0], float)  # from the origin: nothing cancels
         offset, vertex, neighbour = m["face_offset"][:], m["face_vertex"][:], m["neighbour"][:]
         total = 0.0
         for face in np.flatnonzero(neighbour == NO_NEIGHBOUR):

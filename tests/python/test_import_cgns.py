@@ -183,7 +183,7 @@ def test_polyhedra_their_boundary_and_times(tmp_path):
         writer.solution(f"Cells{step}", CELL_CENTER, c=linear_over(points, cells, step))
     writer.times([0.5, 1.5], ["Cells0", "Cells1"])
     dataset = imported(tmp_path, writer.close())
-    assert dataset.cells() == {"polyhedron": N**3} and dataset.volume() == pytest.approx(1)
+    assert dataset.cells() == {"hexahedron": N**3} and dataset.volume() == pytest.approx(1)
     assert dataset.counts()["faces"] == 3 * N * N * (N + 1) and dataset.counts()["components"] == 1
     assert dataset.times == [0.5, 1.5]
     original = dataset.mesh()["original_cell"][:]

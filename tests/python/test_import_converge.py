@@ -58,7 +58,7 @@ def test_polyhedra_boundaries_fields_and_times(tmp_path):
     first = write_converge(tmp_path / "post000001_+1.0e+00.h5", 1)
     write_converge(tmp_path / "post000002_+2.5e+00.h5", 2.5)
     dataset = imported(tmp_path, first)
-    assert dataset.cells() == {"polyhedron": N**3} and dataset.volume() == pytest.approx(1)
+    assert dataset.cells() == {"hexahedron": N**3} and dataset.volume() == pytest.approx(1)
     assert dataset.counts()["components"] == 1 and dataset.counts()["faces"] == 3 * N * N * (N + 1)
     assert dataset.times == [1, 2.5]
     assert {name: len(ids) for name, ids in dataset.groups().items()} == {"wall": 5 * N * N, "inlet": N * N}

@@ -81,11 +81,13 @@ def test_damaged_cases_end_in_a_sentence(tmp_path):
         assert not list(tmp_path.glob("*.ciel*")) and not list(tmp_path.glob(".*"))
 
 
-def test_a_field_that_is_cut_short_costs_its_step(tmp_path):
+def test_a_field_that_is_cut_short_costs_itself(tmp_path):
     case = write_case(tmp_path / "case")
     (case / "1/p").write_text((case / "1/p").read_text().replace("64\n(", "9999\n("))
     dataset = imported(tmp_path, case, code=3)
-    assert dataset.times == [2] and "The step at time 1 could not be read" in dataset.notes
+    assert dataset.times == [1, 2] and "p" not in dataset.steps[0]["arrays"] and "p" in dataset.steps[1]["arrays"]
+    assert "The field p at time 1 could not be read and has no values: " in dataset.notes
+    assert "1/p: has a list of 9999 items, where at most 64 fit," in dataset.notes
 
 
 ZONES = {"front": [c for c in range(N**3) if c % N < N // 2], "lid": list(range(N**3 - N * N, N**3))}

@@ -1,4 +1,4 @@
-#include "import/parsers/openfoam_units.hpp"
+#include "import/parsers/openfoam/units.hpp"
 
 #include <array>
 #include <cctype>

@@ -1,0 +1,17 @@
+// The patches of an OpenFOAM mesh.
+#include "ciel/types.hpp"
+#include "import/parsers/openfoam/poly_mesh.hpp"
+
+#include <cstdint>
+#include <cstdlib>
+
+using namespace ciel::importer;
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    const std::string_view text(reinterpret_cast<const char*>(data), size);
+    try {
+        if (parse_foam_boundary(text, "x").size() > size) std::abort();
+    } catch (const ciel::Error&) { // a refusal
+    }
+    return 0;
+}
