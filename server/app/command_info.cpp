@@ -89,7 +89,9 @@ json groups_json(const Dataset& dataset) {
     for (const store::Group& group : dataset.groups(0))
         groups.push_back({{"name", group.name},
                           {"of", group.of == store::Group::Of::faces ? "faces" : "cells"},
-                          {"count", group.ids.size()}});
+                          {"count", group.ids.size()},
+                          {"type", group.facts.type},
+                          {"conditions", group.facts.conditions}});
     return groups;
 }
 
@@ -124,6 +126,15 @@ json report(const Dataset& dataset) {
               {"verified", sums.verified},
               {"without_checksum", sums.absent},
               {"not_yet_extracted", sums.lazy}}}};
+}
+
+// ", wall: U noSlip, p zeroGradient"
+std::string facts_of(const json& group) {
+    std::string text;
+    for (const auto& [array, condition] : group["conditions"].items())
+        text += (text.empty() ? ": " : ", ") + array + " " + condition.get<std::string>();
+    const std::string type = group["type"];
+    return type.empty() ? "" : ", " + type + text;
 }
 
 std::string grouped(const json& number) {
@@ -184,7 +195,7 @@ void print(const json& info) {
                                               info["length_units"].get<std::string>());
     if (!info["groups"].empty()) std::cout << "groups\n";
     for (const json& group : info["groups"])
-        line(group["name"], grouped(group["count"]) + " " + group["of"].get<std::string>());
+        line(group["name"], grouped(group["count"]) + " " + group["of"].get<std::string>() + facts_of(group));
     std::cout << "arrays\n";
     for (const json& array : info["arrays"]) line(array["name"], describe(array));
     if (!info["times"].empty()) {

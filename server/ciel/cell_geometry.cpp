@@ -12,6 +12,8 @@ namespace {
 constexpr std::size_t grain = 4096;
 
 // A fan around the mean of the corners, each triangle weighted by its share of the area along the normal.
+} // namespace
+
 FaceShape face_shape(const FaceMeshView& mesh, std::span<const Index> loop) {
     Vec3d mean{};
     for (const Index vertex : loop) mean = mean + position(mesh, vertex);
@@ -35,8 +37,6 @@ FaceShape face_shape(const FaceMeshView& mesh, std::span<const Index> loop) {
     shape.centre = total > 0 ? (1 / total) * shape.centre : mean;
     return shape;
 }
-
-} // namespace
 
 void read_loop(const FaceMeshView& mesh, Index face, std::vector<Index>& loop) {
     const Ids stored = mesh.loop(face);

@@ -26,6 +26,8 @@ struct FaceShape {
     Vec3d area{};   // along the normal, out of the owner
 };
 
+// Of a face with this loop, whose indices have been checked.
+[[nodiscard]] FaceShape face_shape(const FaceMeshView& mesh, std::span<const Index> loop);
 [[nodiscard]] std::vector<FaceShape> face_shapes(const FaceMeshView& mesh);
 
 // Centroids of the cells, as offsets from the mesh's origin.

@@ -1,6 +1,7 @@
 #include "ciel/point_interpolation.hpp"
 
 #include "ciel/cell_geometry.hpp"
+#include "ciel/linear_weights.hpp"
 #include "ciel/parallel.hpp"
 #include "ciel/vector_operators.hpp"
 
@@ -14,26 +15,53 @@ namespace {
 
 constexpr std::size_t grain = 4096;
 
-// Solves the symmetric 3x3 system by Cramer's rule; false when it is too close to singular to be of use.
-bool solve(const std::array<double, 6>& m, Vec3d right, Vec3d& x) {
-    const Vec3d a{m[0], m[1], m[2]};
-    const Vec3d b{m[1], m[3], m[4]};
-    const Vec3d c{m[2], m[4], m[5]};
-    const double determinant = dot(a, cross(b, c));
-    const double scale = m[0] + m[3] + m[5];
-    if (!(std::abs(determinant) > 1e-9 * scale * scale * scale)) return false;
-    x = (1 / determinant) * Vec3d{dot(right, cross(b, c)), dot(a, cross(right, c)), dot(a, cross(b, right))};
-    return true;
-}
+// For each vertex of the boundary the normals of the faces around it.
+class BoundaryNormals {
+public:
+    BoundaryNormals(const FaceMeshView& mesh, const std::vector<FaceShape>& shapes) : at_(mesh.vertex_count(), none) {
+        std::vector<Index> loop;
+        for (Index face = 0; face < mesh.face_count(); ++face) {
+            if (read_cells(mesh, face).neighbour != none) continue;
+            read_loop(mesh, face, loop);
+            for (const Index vertex : loop) {
+                if (at_[vertex] == none) {
+                    at_[vertex] = static_cast<Index>(normals_.size());
+                    normals_.emplace_back();
+                }
+                normals_[at_[vertex]].add(shapes[face].area);
+            }
+        }
+    }
+    [[nodiscard]] std::vector<Vec3d> at(std::size_t vertex) const {
+        return at_[vertex] == none ? std::vector<Vec3d>{} : normals_[at_[vertex]].directions();
+    }
+
+private:
+    std::vector<Index> at_;
+    std::vector<LeftOutDirections> normals_;
+};
 
 } // namespace
 
 PointInterpolation::PointInterpolation(const FaceMeshView& mesh) {
     find_cells(mesh);
     weight_.assign(cell_.size(), 0.0F);
-    const std::vector<Vec3d> centres = cell_centres(mesh, face_shapes(mesh));
+    const std::vector<FaceShape> shapes = face_shapes(mesh);
+    const std::vector<Vec3d> centres = cell_centres(mesh, shapes);
+    const BoundaryNormals normals(mesh, shapes);
     parallel_for(mesh.vertex_count(), grain, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t vertex = begin; vertex < end; ++vertex) find_weights(mesh, centres, vertex);
+        std::vector<Vec3d> displacements;
+        std::vector<double> weights;
+        for (std::size_t vertex = begin; vertex < end; ++vertex) {
+            const std::span<const Index> cells(cell_.data() + offset_[vertex], offset_[vertex + 1] - offset_[vertex]);
+            const Vec3d at = position(mesh, static_cast<Index>(vertex));
+            displacements.clear();
+            for (const Index cell : cells) displacements.push_back(centres[cell] - at);
+            weights.resize(cells.size());
+            linear_weights(displacements, normals.at(vertex), weights);
+            for (std::size_t i = 0; i < weights.size(); ++i)
+                weight_[offset_[vertex] + i] = static_cast<float>(weights[i]);
+        }
     });
 }
 
@@ -68,37 +96,6 @@ void PointInterpolation::find_cells(const FaceMeshView& mesh) {
         cell_.insert(cell_.end(), first, std::unique(first, last));
         offset_.push_back(cell_.size());
     }
-}
-
-void PointInterpolation::find_weights(const FaceMeshView& mesh, std::span<const Vec3d> centres, std::size_t vertex) {
-    const std::uint64_t begin = offset_[vertex];
-    const std::uint64_t end = offset_[vertex + 1];
-    const Vec3d at = position(mesh, static_cast<Index>(vertex));
-    Vec3d sum{};
-    std::array<double, 6> moments{};
-    for (std::uint64_t i = begin; i < end; ++i) {
-        const Vec3d d = centres[cell_[i]] - at;
-        sum = sum + d;
-        moments[0] += d[0] * d[0];
-        moments[1] += d[0] * d[1];
-        moments[2] += d[0] * d[2];
-        moments[3] += d[1] * d[1];
-        moments[4] += d[1] * d[2];
-        moments[5] += d[2] * d[2];
-    }
-    // Weights 1 + lambda . d with sum(weight * d) = 0, clipped to [0, 2] so that none is negative.
-    Vec3d lambda{};
-    const bool solved = solve(moments, -1.0 * sum, lambda);
-    double total = 0;
-    const auto weight = [&](std::uint64_t i) {
-        const Vec3d d = centres[cell_[i]] - at;
-        if (solved) return std::clamp(1 + dot(lambda, d), 0.0, 2.0);
-        return 1 / (std::sqrt(dot(d, d)) + std::numeric_limits<float>::min());
-    };
-    for (std::uint64_t i = begin; i < end; ++i) total += weight(i);
-    const bool usable = total > 0 && std::isfinite(total);
-    for (std::uint64_t i = begin; i < end; ++i)
-        weight_[i] = static_cast<float>(usable ? weight(i) / total : 1.0 / static_cast<double>(end - begin));
 }
 
 std::vector<float> PointInterpolation::apply(std::span<const float> cell_values, int components) const {

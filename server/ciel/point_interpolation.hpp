@@ -1,7 +1,6 @@
-// Point data from cell data: a weighted mean of the cells around each vertex that is exact for linear fields wherever
-// their centres surround the vertex, and never leaves the range of their values. Not in the paper.
-// This work is based on: D. G. Holmes, S. D. Connell, Solution of the 2D Navier-Stokes equations on unstructured
-// adaptive grids, AIAA 89-1932, 1989 (the pseudo-Laplacian and its clipped weights).
+// Point data from cell data: a weighted mean of the cells around each vertex (linear_weights.hpp) that is exact for
+// linear fields wherever their centres surround the vertex, on the boundary along it, and never leaves the range of
+// their values. Not in the paper.
 #pragma once
 
 #include "ciel/face_mesh.hpp"
@@ -22,7 +21,6 @@ public:
 
 private:
     void find_cells(const FaceMeshView& mesh);
-    void find_weights(const FaceMeshView& mesh, std::span<const Vec3d> centres, std::size_t vertex);
 
     std::vector<std::uint64_t> offset_; // V + 1
     std::vector<Index> cell_;

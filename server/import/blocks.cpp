@@ -186,7 +186,7 @@ std::vector<Block> named(const std::vector<const Leaf*>& leaves) {
             name = blocks.back().name;
         else if (const int earlier = used[name]++; earlier > 0)
             name.append(" ").append(std::to_string(earlier + 1));
-        blocks.push_back({std::move(name), leaves[i]->data, !is_under(*leaves[i], face_zones), leaves[i]->whole});
+        blocks.push_back({std::move(name), leaves[i]->data, !is_under(*leaves[i], face_zones), leaves[i]->whole, {}});
     }
     return blocks;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "ciel/types.hpp"
+#include "store/dataset.hpp"
 
 #include <string>
 #include <utility>
@@ -17,6 +18,7 @@ struct Block {
     vtkSmartPointer<vtkDataSet> data;
     bool own_values = true; // of a surface: its arrays say more than the cells behind it
     int whole = -1;         // pieces of one mesh have the same one; -1: a mesh of its own
+    store::PatchFacts facts = {};
 };
 
 using PointPairs = std::vector<std::pair<Index, Index>>; // running points (joined_mesh.hpp)

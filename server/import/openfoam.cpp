@@ -33,7 +33,10 @@ vtkSmartPointer<vtkPolyData> as_polygons(const FoamSurface& surface, vtkPoints* 
 
 class OpenFoamSource : public Source {
 public:
-    explicit OpenFoamSource(const std::string& input) : foam_(input), infos_(list_foam_fields(foam_)) {}
+    explicit OpenFoamSource(const std::string& input) : foam_(input) {
+        require_regular_files_of(foam_);
+        infos_ = list_foam_fields(foam_);
+    }
 
     [[nodiscard]] std::string format() const override {
         return foam_.is_decomposed ? "OpenFOAM case (decomposed)" : "OpenFOAM case";
@@ -44,6 +47,7 @@ public:
         auto tree = vtkSmartPointer<vtkMultiBlockDataSet>::New();
         const double time = foam_.times[step];
         lost_ = foam_.lost;
+        facts_.clear();
         for (std::size_t i = 0; i < foam_.regions.size(); ++i) {
             const std::string& region = foam_.regions[i];
             const auto share = [&](double done) {
@@ -62,6 +66,8 @@ public:
     }
 
     void add_known(Blocks& blocks, const RunningCounts& first) const override {
+        for (Block& surface : blocks.surfaces)
+            if (const auto known = facts_.find(surface.data); known != facts_.end()) surface.facts = known->second;
         Index first_point = first.points, first_cell = first.cells; // region after region
         for (const std::string& region : foam_.regions) {
             const FoamMesh& mesh = meshes_.at(region).mesh;
@@ -130,8 +136,13 @@ private:
         for (const auto& [name, arrays] : fields) cells->GetCellData()->AddArray(arrays.cells);
         for (std::size_t i = 0; i < mesh.patches.size(); ++i) {
             const auto patch = as_polygons(mesh.patches[i], mesh.points);
-            for (const auto& [name, arrays] : fields)
+            store::PatchFacts& facts = facts_[patch];
+            facts.type = mesh.patches[i].type;
+            for (const auto& [name, arrays] : fields) {
                 if (arrays.patches[i] != nullptr) patch->GetCellData()->AddArray(arrays.patches[i]);
+                if (arrays.patches[i] != nullptr || !arrays.conditions[i].empty())
+                    facts.conditions[name] = arrays.conditions[i];
+            }
             add_block(boundary, patch, mesh.patches[i].name);
         }
         for (const FoamSurface& zone : mesh.face_zones)
@@ -147,6 +158,7 @@ private:
     FoamFieldInfos infos_;
     std::map<std::string, Known> meshes_; // by region
     std::vector<std::string> lost_;
+    std::map<vtkDataSet*, store::PatchFacts> facts_; // of the patches read last, which their reader keeps
 };
 
 } // namespace

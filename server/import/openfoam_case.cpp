@@ -177,6 +177,18 @@ FoamCase::FoamCase(const fs::path& input) : directory(case_directory(input, fs::
     if (times.empty()) times = {0};
 }
 
+void require_regular_files_of(const FoamCase& foam) {
+    require_regular(foam.directory / "system/controlDict");
+    for (const FoamPart& part : foam.parts)
+        for (const std::string& region : foam.regions) {
+            require_regular_files(part.directory / "constant" / region / "polyMesh");
+            for (const auto& [time, directory] : part.times) {
+                require_regular_files(directory / region);
+                require_regular_files(directory / region / "polyMesh");
+            }
+        }
+}
+
 bool is_foam_case(const fs::path& input, bool is_directory, const std::string& extension) {
     if (!is_directory && extension != ".foam" && input.filename() != "controlDict") return false;
     const fs::path directory = case_directory(input, is_directory);

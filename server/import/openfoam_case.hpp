@@ -39,6 +39,9 @@ struct FoamCase {
 // A sentence for FoamCase::lost.
 [[nodiscard]] std::string missing_processor(std::int64_t number);
 
+// Throws Error naming the file where a pipe or a device is among the files of the case's meshes and times.
+void require_regular_files_of(const FoamCase& foam);
+
 [[nodiscard]] bool is_foam_case(const std::filesystem::path& input, bool is_directory, const std::string& extension);
 
 // `file` itself or the same with .gz; empty where there is neither.

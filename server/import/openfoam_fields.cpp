@@ -130,10 +130,11 @@ private:
         const auto faces = static_cast<std::size_t>(patch.face_count);
         const std::size_t begin = values.size();
         values.resize(begin + faces * width_, no_value);
-        if (!fields_[i] || patch.type == "empty") return false;
+        if (!fields_[i]) return false;
         const FoamField& field = *fields_[i];
         const FoamCondition* condition = field.condition(patch.name, patch.groups);
         if (condition != nullptr) type = condition->type;
+        if (patch.type == "empty" || patch.type == "wedge") return false; // what the mesh is thin along
         if (condition != nullptr && condition->value) {
             const FoamValues& own = *condition->value;
             if (!own.is_uniform && own.numbers.size() != faces * width_)
@@ -175,7 +176,7 @@ class StepReader {
 public:
     StepReader(const FoamCase& foam, const std::string& region, double time, const FoamMesh& mesh,
                std::vector<std::string>& lost)
-        : foam_(foam), time_(time), mesh_(mesh), lost_(lost) {
+        : time_(time), mesh_(mesh), lost_(lost) {
         for (const FoamPiece& piece : mesh.pieces) {
             const FoamPart& part = foam.parts[piece.part];
             const auto at = part.times.find(time);
@@ -231,7 +232,6 @@ private:
         lost_.push_back("The field " + name + at_time(time_) + " could not be read and has no values: " + reason);
     }
 
-    const FoamCase& foam_;
     double time_;
     const FoamMesh& mesh_;
     std::vector<std::string>& lost_;

@@ -152,7 +152,7 @@ private:
         coordinates->SetNumberOfTuples(static_cast<vtkIdType>(point_count_));
         for (std::size_t piece = 0; piece < files_.size(); ++piece)
             std::copy(files_[piece].points.begin(), files_[piece].points.end(),
-                      coordinates->GetPointer(static_cast<vtkIdType>(3 * first_point_[piece])));
+                      coordinates->GetPointer(3 * static_cast<vtkIdType>(first_point_[piece])));
         mesh_.points = vtkSmartPointer<vtkPoints>::New();
         mesh_.points->SetData(coordinates);
     }
@@ -200,7 +200,7 @@ private:
                 add_face(piece, side[i] / 2, side[i] % 2 == 1, stream, ids);
             std::sort(ids.begin(), ids.end());
             ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
-            const auto running = static_cast<vtkIdType>(first_cell_[piece] + cell);
+            const auto running = static_cast<vtkIdType>(first_cell_[piece]) + static_cast<vtkIdType>(cell);
             locations->SetValue(running, streams->GetNumberOfValues());
             for (const vtkIdType value : stream) streams->InsertNextValue(value);
             for (const vtkIdType value : ids) corner_ids->InsertNextValue(value);

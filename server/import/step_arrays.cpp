@@ -1,10 +1,23 @@
 #include "import/step_arrays.hpp"
 
 #include <algorithm>
+#include <string_view>
 
 namespace ciel::importer {
 
 namespace {
+
+// By the patch's condition for the field, else by its type (OpenFOAM User Guide, "Boundary conditions").
+PatchRole role_of(const store::PatchFacts& facts, const std::string& field) {
+    constexpr std::string_view planes[] = {"slip", "symmetry", "symmetryPlane", "basicSymmetry", "partialSlip"};
+    constexpr std::string_view free[] = {"zeroGradient", "fixedGradient", "inletOutlet", "fixedFluxPressure",
+                                         "pressureInletOutletVelocity"};
+    const auto condition = facts.conditions.find(field);
+    const bool is_known = condition != facts.conditions.end() && !condition->second.empty();
+    const std::string& told = is_known ? condition->second : facts.type;
+    if (std::ranges::find(planes, told) != std::end(planes)) return PatchRole::plane;
+    return std::ranges::find(free, told) != std::end(free) ? PatchRole::free : PatchRole::other;
+}
 
 // Patches at rest in a flow that moves: zero on every face, in a vector that is not zero everywhere.
 std::vector<bool> find_no_slip(const StepMesh& mesh, const Blocks& blocks, const std::vector<FieldName>& fields) {
@@ -12,10 +25,13 @@ std::vector<bool> find_no_slip(const StepMesh& mesh, const Blocks& blocks, const
     for (const FieldName& field : fields) {
         if (field.of != FieldOf::cells || field.components != 3) continue;
         if (holds_only_zero(gather_field(mesh.parts, field))) continue;
-        for (std::size_t i = 0; i < mesh.patches.size(); ++i)
-            if (mesh.patches[i].surface != Patch::none_of_them &&
-                holds_only_zero(array_values(blocks.surfaces[mesh.patches[i].surface].data, field)))
+        for (std::size_t i = 0; i < mesh.patches.size(); ++i) {
+            if (mesh.patches[i].surface == Patch::none_of_them) continue;
+            const Block& surface = blocks.surfaces[mesh.patches[i].surface];
+            if (role_of(surface.facts, field.name) == PatchRole::other &&
+                holds_only_zero(array_values(surface.data, field)))
                 no_slip[i] = true;
+        }
     }
     return no_slip;
 }
@@ -30,7 +46,35 @@ std::vector<PatchValues> patch_values(const StepMesh& mesh, const Blocks& blocks
     return values;
 }
 
+std::vector<PatchRole> patch_roles(const StepMesh& mesh, const Blocks& blocks, const std::vector<bool>& no_slip,
+                                   const std::string& field) {
+    std::vector<PatchRole> roles(mesh.patches.size(), PatchRole::other);
+    for (std::size_t i = 0; i < roles.size(); ++i) {
+        const std::size_t surface = mesh.patches[i].surface;
+        if (no_slip[i])
+            roles[i] = PatchRole::no_slip_wall;
+        else if (surface != Patch::none_of_them)
+            roles[i] = role_of(blocks.surfaces[surface].facts, field);
+    }
+    return roles;
+}
+
 } // namespace
+
+// A file that says what a patch is should say what each field does there, too.
+void StepArrays::note_unknown_conditions(const StepMesh& mesh, const Blocks& blocks, const FieldName& field) {
+    std::string names;
+    for (const Patch& patch : mesh.patches) {
+        if (patch.surface == Patch::none_of_them || patch.faces.empty()) continue;
+        const auto& conditions = blocks.surfaces[patch.surface].facts.conditions;
+        const auto condition = conditions.find(field.name);
+        if (condition != conditions.end() && condition->second.empty())
+            names += (names.empty() ? "" : ", ") + patch.name;
+    }
+    if (!names.empty())
+        notes_.insert("The files of " + field.name + " name no boundary condition on " + names +
+                      ": the values of the cells behind were taken.");
+}
 
 void StepArrays::add(const FieldName& field, const std::string& name, store::Association association,
                      std::vector<float> values) {
@@ -54,7 +98,9 @@ void StepArrays::add_cell_field(const StepMesh& mesh, const Blocks& blocks, cons
             maker = std::make_unique<PointMaker>(
                 PointMaker{PointInterpolation(mesh.view()), WallValues(mesh.view(), mesh.patches)});
         std::vector<float> points = maker->interpolation.apply(cells, field.components);
-        maker->walls.overlay(patch_values(mesh, blocks, field), no_slip_, field.components, points);
+        maker->walls.overlay(patch_values(mesh, blocks, field), patch_roles(mesh, blocks, no_slip_, field.name),
+                             field.components, points);
+        note_unknown_conditions(mesh, blocks, field);
         add(field, name, store::Association::point, std::move(points));
     }
     add(field, "cell:" + name, store::Association::cell, std::move(cells));

@@ -38,6 +38,7 @@ private:
              std::vector<float> values);
     void add_cell_field(const StepMesh& mesh, const Blocks& blocks, const FieldName& field, bool point_field_exists,
                         std::unique_ptr<PointMaker>& maker);
+    void note_unknown_conditions(const StepMesh& mesh, const Blocks& blocks, const FieldName& field);
 
     ArraySelection& selection_;
     std::map<std::string, std::string> units_;

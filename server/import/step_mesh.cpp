@@ -97,15 +97,17 @@ void describe_shapes(const JoinedMesh& joined, StepMesh& mesh) {
                          ").");
 }
 
-void name_patches(const std::vector<Patch>& patches, StepMesh& mesh) {
-    for (const Patch& patch : patches) {
+void name_patches(const std::vector<Block>& surfaces, StepMesh& mesh) {
+    for (const Patch& patch : mesh.patches) {
         if (patch.unmatched > 0)
             mesh.notes.push_back(plural(patch.unmatched, "face", "faces") + " of surface \"" + patch.name +
                                  "\" are no boundary faces of the mesh and were ignored.");
         if (patch.faces.empty()) continue;
         std::vector<Index> faces = patch.faces;
         std::sort(faces.begin(), faces.end());
-        mesh.groups.push_back({store::Group::Of::faces, patch.name, std::move(faces)});
+        const bool is_known = patch.surface < surfaces.size();
+        store::PatchFacts facts = is_known ? surfaces[patch.surface].facts : store::PatchFacts{};
+        mesh.groups.push_back({store::Group::Of::faces, patch.name, std::move(faces), std::move(facts)});
     }
 }
 
@@ -200,7 +202,7 @@ StepMesh build_step_mesh(const Blocks& blocks, Weld weld) {
         throw Error("none of its " + std::to_string(mesh.input_cells) +
                     " cells can be used: " + reason_text(mesh.assembled.report.bad_cells.at(0).reason));
     mesh.patches = match_patches(mesh.assembled, joined, welds.representative, blocks.surfaces);
-    name_patches(mesh.patches, mesh);
+    name_patches(blocks.surfaces, mesh);
     name_blocks(joined, mesh);
     name_zones(match_zones(mesh.view(), blocks.zones), mesh);
     name_cells(joined, blocks.named_cells, mesh);

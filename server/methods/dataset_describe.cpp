@@ -22,7 +22,7 @@ protocol::ArrayInfo array_of(const store::Dataset& dataset, const store::ArrayIn
     const bool at_points = array.association == store::Association::point;
     protocol::ArrayInfo info{
         array.name, at_points ? "point" : "cell", array.components, array.units, array.description, {}, {}, {}};
-    if (at_points) info.scalars = store::scalar_names(array);
+    info.scalars = store::scalar_names(array);
     for (const store::Step& step : dataset.steps()) {
         const auto written = step.arrays.find(array.name);
         if (written == step.arrays.end()) continue;
@@ -36,9 +36,14 @@ protocol::ArrayInfo array_of(const store::Dataset& dataset, const store::ArrayIn
 
 std::vector<protocol::DatasetDescriptionGroupsItem> groups_of(const store::Dataset& dataset, std::size_t mesh) {
     std::vector<protocol::DatasetDescriptionGroupsItem> groups;
-    for (const store::Group& group : dataset.groups(mesh))
-        groups.push_back({group.name, group.of == store::Group::Of::faces ? "faces" : "cells",
-                          static_cast<std::int64_t>(group.ids.size())});
+    for (const store::Group& group : dataset.groups(mesh)) {
+        protocol::DatasetDescriptionGroupsItem& item = groups.emplace_back();
+        item.name = group.name;
+        item.of = group.of == store::Group::Of::faces ? "faces" : "cells";
+        item.count = static_cast<std::int64_t>(group.ids.size());
+        if (!group.facts.type.empty()) item.type = group.facts.type;
+        if (!group.facts.conditions.empty()) item.conditions = group.facts.conditions;
+    }
     return groups;
 }
 

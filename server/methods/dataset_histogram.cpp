@@ -51,10 +51,9 @@ protocol::DatasetHistogramResult dataset_histogram(Context& context, const proto
             throw session::NotFound(error.what());
         }
     }();
-    if (dataset->find(name.array)->association == store::Association::cell)
-        throw InvalidParams("/array", params.array + " belongs to the cells; a histogram needs point values");
-
-    const auto values = loaded->scalar_values(params.array, params.time ? dataset->step_at(*params.time) : 0);
+    const std::size_t step = params.time ? dataset->step_at(*params.time) : 0;
+    const bool of_cells = dataset->find(name.array)->association == store::Association::cell;
+    const auto values = of_cells ? loaded->cell_values(params.array, step) : loaded->scalar_values(params.array, step);
     protocol::DatasetHistogramResult result;
     result.range = params.range ? *params.range : finite_range(*values);
     result.counts.assign(static_cast<std::size_t>(params.bins), 0);

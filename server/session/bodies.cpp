@@ -26,8 +26,10 @@ bool is_sliding(const std::string& name) {
     return name.starts_with("ami") && (name.size() == 3 || !('a' <= name[3] && name[3] <= 'z'));
 }
 
-bool is_wall(const std::string& given) {
-    const std::string name = lower_case(given);
+bool has_wall_type(const Patch& patch) { return patch.type == "wall" || patch.type == "mappedWall"; }
+
+bool is_wall_by_name(const Patch& patch) {
+    const std::string name = lower_case(patch.name);
     return !is_sliding(name) &&
            std::ranges::none_of(no_walls, [&](std::string_view word) { return name.find(word) != std::string::npos; });
 }
@@ -75,7 +77,11 @@ Vec3d area_vector(const FaceMeshView& mesh, Index face) {
 }
 
 Patch measured(const store::Group& group, const FaceMeshView& mesh) {
-    Patch patch{group.name, {{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}}, 0, group.ids.size()};
+    Patch patch{group.name,
+                {{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}},
+                0,
+                group.ids.size(),
+                group.facts.type};
     for (const Index face : group.ids) {
         for (const Index vertex : mesh.loop(face))
             for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -109,9 +115,10 @@ std::vector<Patch> bodies_of(std::span<const Patch> patches, const BoundingBox& 
         faces_of_sides += patch.faces;
     }
     const double length_of_sides = faces_of_sides == 0 ? 0 : std::sqrt(of_sides / static_cast<double>(faces_of_sides));
+    const bool types_tell = std::ranges::any_of(patches, has_wall_type);
     std::vector<Patch> bodies;
     std::ranges::copy_if(patches, std::back_inserter(bodies), [&](const Patch& patch) {
-        if (!is_wall(patch.name)) return false;
+        if (!(types_tell ? has_wall_type(patch) : is_wall_by_name(patch))) return false;
         return is_inside(patch, domain) ||
                (!is_flat_side(patch, domain) && length_of_faces(patch) < finer_than_sides * length_of_sides &&
                 patch.area < most_of_boundary * whole);

@@ -14,6 +14,7 @@ struct Patch {
     BoundingBox box;
     double area = 0;       // in squared length units
     std::size_t faces = 0; // its cell density: area / faces is the mean size of a face
+    std::string type = {}; // that the solver gives it; empty where it is not known
 };
 
 // Measures every patch of the mesh that has faces. Reads the points of all of them.
@@ -21,7 +22,8 @@ struct Patch {
 
 // The patches that are bodies: those that lie inside `domain` along two axes at least; and those that do not lie flat
 // in one of its sides and have faces of less than a third of the size of the flat ones (a terrain with buildings).
-// Patches whose names say that something flows through them, or that they are no surface at all, are none.
+// Where the source gives types, only patches of the type wall are; else those are none whose names say that something
+// flows through them, or that they are no surface at all.
 [[nodiscard]] std::vector<Patch> bodies_of(std::span<const Patch> patches, const BoundingBox& domain);
 
 // The box around them. REQUIRES: one patch at least.

@@ -12,18 +12,21 @@ struct Check {
     const store::Dataset& dataset;
     std::string path; // of the layer
 
-    void scalar(const std::string& name, const std::string& place, bool of_cells_too = false) const {
+    // why_points: what an array of the cells cannot be used for; empty where it can.
+    void scalar(const std::string& name, const std::string& place, const char* why_points) const {
         try {
             const store::ScalarName parsed = store::parse_scalar(dataset, name);
-            if (!of_cells_too && dataset.find(parsed.array)->association != store::Association::point)
-                throw Error(printable(name) + " belongs to the cells; layers need point values");
+            if (*why_points != '\0' && dataset.find(parsed.array)->association != store::Association::point)
+                throw Error(printable(name) + " has a value per cell, and " + why_points +
+                            "; choose an array on points");
         } catch (const Error& error) {
             throw scene::Invalid(path + place, error.what());
         }
     }
 
-    void coloring(const scene::Coloring& color, const std::string& place = "/color") const {
-        if (!color.array.empty()) scalar(color.array, place + "/array");
+    void coloring(const scene::Coloring& color, const char* why_points = "",
+                  const std::string& place = "/color") const {
+        if (!color.array.empty()) scalar(color.array, place + "/array", why_points);
         const auto& maps = render::color_map_names();
         if (std::find(maps.begin(), maps.end(), color.map) != maps.end()) return;
         std::string known;
@@ -33,31 +36,33 @@ struct Check {
     }
 
     void operator()(const scene::IsoLayer& iso) const {
-        scalar(iso.array, "/array");
+        scalar(iso.array, "/array", "iso-surfaces are made from values at points");
         coloring(iso.color);
     }
     void operator()(const scene::SliceLayer& slice) const {
         coloring(slice.color);
         if (!slice.contours) return;
-        scalar(slice.contours->array, "/contours/array");
-        if (slice.contours->coloring) coloring(*slice.contours->coloring, "/contours/coloring");
+        constexpr const char* why = "there are no contour lines on flat values";
+        scalar(slice.contours->array, "/contours/array", why);
+        if (slice.contours->coloring) coloring(*slice.contours->coloring, why, "/contours/coloring");
     }
     void operator()(const scene::ClipLayer& clip) const {
         if (clip.color) coloring(*clip.color);
     }
     void operator()(const scene::OutlineLayer& outline) const { coloring(outline.color); }
     void operator()(const scene::VolumeLayer& volume) const {
-        scalar(volume.array, "/array");
-        coloring(volume.color);
+        constexpr const char* why = "volumes are drawn from values at points";
+        scalar(volume.array, "/array", why);
+        coloring(volume.color, why);
     }
-    void operator()(const scene::SurfaceLayer& surface) const { solid(surface); }
-    void operator()(const scene::EdgesLayer& edges) const { solid(edges); }
-    void operator()(const scene::PointsLayer& points) const { solid(points); }
+    void operator()(const scene::SurfaceLayer& surface) const { solid(surface, ""); }
+    void operator()(const scene::EdgesLayer& edges) const { solid(edges, "edges lie between cells"); }
+    void operator()(const scene::PointsLayer& points) const { solid(points, "points lie between cells"); }
 
     template <class Kind>
-    void solid(const Kind& layer) const {
-        coloring(layer.color);
-        if (layer.threshold) scalar(layer.threshold->array, "/threshold/array", true);
+    void solid(const Kind& layer, const char* why_points) const {
+        coloring(layer.color, why_points);
+        if (layer.threshold) scalar(layer.threshold->array, "/threshold/array", "");
         for (std::size_t i = 0; i < layer.groups.size(); ++i) patch(layer.groups[i], i);
     }
 

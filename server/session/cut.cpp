@@ -2,6 +2,7 @@
 
 #include "ciel/contour_lines.hpp"
 #include "ciel/polygon_edges.hpp"
+#include "session/flat_shape.hpp"
 
 #include <algorithm>
 #include <atomic>
@@ -14,12 +15,26 @@ std::uint64_t unique_number() {
     return ++last;
 }
 
+namespace {
+
+bool is_of_cells(const store::Dataset& dataset, const std::string& scalar) {
+    const std::string array = store::parse_scalar(dataset, scalar).array;
+    return dataset.find(array)->association == store::Association::cell;
+}
+
+} // namespace
+
 void Painted::paint(const std::shared_ptr<const Shape>& new_shape, const std::string& new_array, std::size_t new_step,
                     store::LoadedDataset& loaded, std::optional<double> own) {
     const bool same_step = new_array.empty() || new_step == step;
     if (revision != 0 && new_shape == shape && new_array == array && same_step) return;
     std::shared_ptr<std::vector<float>> values;
-    if (!new_array.empty()) {
+    std::shared_ptr<const Shape> new_flat;
+    if (!new_array.empty() && is_of_cells(*loaded.dataset(), new_array)) {
+        const auto of_cells = loaded.cell_values(new_array, new_step);
+        new_flat = flat && new_shape == shape ? flat : separated(*new_shape);
+        values = std::make_shared<std::vector<float>>(flat_values(new_flat->surface, *of_cells));
+    } else if (!new_array.empty()) {
         const auto& points = new_shape->surface.points;
         values = std::make_shared<std::vector<float>>(points.size());
         if (own)
@@ -28,6 +43,7 @@ void Painted::paint(const std::shared_ptr<const Shape>& new_shape, const std::st
             interpolate(points, *loaded.scalar_values(new_array, new_step), 1, *values);
     }
     shape = new_shape;
+    flat = std::move(new_flat);
     array = new_array;
     step = new_step;
     missing = values && !std::all_of(values->begin(), values->end(), [](float value) { return std::isfinite(value); });

@@ -9,16 +9,20 @@ namespace ciel::session {
 
 [[nodiscard]] std::uint64_t unique_number(); // never 0, never twice
 
-// Scalars of one shape by one array, interpolated again only when either changes.
+// Scalars of one shape by one array, interpolated again only when either changes. By an array of the cells the shape's
+// polygons are separated, and each has its cell's value.
 struct Painted {
-    std::shared_ptr<const Shape> shape;
+    std::shared_ptr<const Shape> shape, flat; // flat: the shape with separated polygons, where it is shown so
     std::string array;
     std::size_t step = 0;
     std::shared_ptr<const std::vector<float>> scalars;
     bool missing = false; // some of them are no numbers
     std::uint64_t identity = unique_number(), revision = 0;
 
-    [[nodiscard]] std::size_t memory_bytes() const { return scalars ? scalars->size() * sizeof(float) : 0; }
+    [[nodiscard]] std::size_t memory_bytes() const {
+        return (scalars ? scalars->size() * sizeof(float) : 0) + (flat ? bytes_of(*flat) : 0);
+    }
+    [[nodiscard]] const std::shared_ptr<const Shape>& shown() const { return flat ? flat : shape; }
     // own: what the array is everywhere on the shape. An iso-surface coloured by its own array has one colour: what
     // interpolation makes of the value would differ by rounding, and so lie on both sides of a step's bound.
     void paint(const std::shared_ptr<const Shape>& new_shape, const std::string& new_array, std::size_t new_step,

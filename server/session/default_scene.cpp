@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <span>
 #include <string_view>
 
@@ -60,8 +61,17 @@ double sensible_value(const std::vector<float>& values) {
     return (at(0) + at(1)) / 2;
 }
 
-json camera_of(const BoundingBox& box) {
-    const render::Camera camera = render::default_camera(box.low, box.high, default_aspect);
+// `thin`: straight along this axis, as a plane is drawn on paper.
+json camera_of(const BoundingBox& box, std::optional<std::size_t> thin) {
+    render::Camera camera = render::default_camera(box.low, box.high, default_aspect);
+    if (thin) {
+        const Vec3d& target = camera.target;
+        const double distance =
+            std::hypot(camera.position[0] - target[0], camera.position[1] - target[1], camera.position[2] - target[2]);
+        camera.position = target;
+        camera.position[*thin] += *thin == 1 ? -distance : distance;
+        camera.up = *thin == 2 ? Vec3d{0, 1, 0} : Vec3d{0, 0, 1};
+    }
     return {{"position", camera.position}, {"target", camera.target}, {"up", camera.up}, {"fov", camera.fov_degrees}};
 }
 
@@ -126,16 +136,38 @@ std::size_t axis_of_slice(const BoundingBox& bodies, const BoundingBox& domain) 
     return axis;
 }
 
+// The axis along which a mesh is one layer of cells: one of its patches is said to be none of its boundary.
+std::optional<std::size_t> thin_axis(std::span<const Patch> patches, const BoundingBox& domain) {
+    if (std::ranges::none_of(patches,
+                             [](const Patch& patch) { return patch.type == "empty" || patch.type == "wedge"; }))
+        return std::nullopt;
+    std::size_t thinnest = 0;
+    for (const std::size_t axis : {1U, 2U})
+        if (domain.high[axis] - domain.low[axis] < domain.high[thinnest] - domain.low[thinnest]) thinnest = axis;
+    return thinnest;
+}
+
 json color_by(const store::ArrayInfo* array) {
     if (array == nullptr) return json::object();
     return {{"array", array->components == 1 ? array->name : array->name + ":magnitude"}};
 }
 
-// What an engineer looks at first: pressure on the bodies, speed around them, at the end of the run.
-void show_bodies(const store::Dataset& dataset, const store::Step& step, std::span<const Patch> bodies, json& scene) {
-    static constexpr std::array<std::string_view, 6> pressures{"p",     "pressure", "staticpressure", "static_pressure",
-                                                               "p_rgh", "pmean"};
-    static constexpr std::array<std::string_view, 6> velocities{"u", "velocity", "v", "vel", "umean", "ux"};
+json slice_across(std::size_t axis, const BoundingBox& box, const store::ArrayInfo* array) {
+    return {{"type", "slice"},
+            {"order", 2},
+            {"axis", std::string(1, static_cast<char>('x' + axis))},
+            {"value", (box.low[axis] + box.high[axis]) / 2},
+            {"color", color_by(array)}};
+}
+
+constexpr std::array<std::string_view, 6> pressures{"p",     "pressure", "staticpressure", "static_pressure",
+                                                    "p_rgh", "pmean"};
+constexpr std::array<std::string_view, 6> velocities{"u", "velocity", "v", "vel", "umean", "ux"};
+
+// What an engineer looks at first: pressure on the bodies, speed around them, at the end of the run. `thin`: where the
+// mesh is one layer of cells, the axis across it.
+void show_bodies(const store::Dataset& dataset, const store::Step& step, std::span<const Patch> bodies,
+                 std::optional<std::size_t> thin, json& scene) {
     const store::ArrayInfo* scalar = preferred(dataset, step, 1, pressures);
     const store::ArrayInfo* vector = preferred(dataset, step, 3, velocities);
     json names = json::array();
@@ -147,12 +179,15 @@ void show_bodies(const store::Dataset& dataset, const store::Step& step, std::sp
                          {"color", color_by(scalar != nullptr ? scalar : vector)}};
     if (scalar == nullptr && vector == nullptr) return;
     const BoundingBox box = box_around(bodies);
-    const std::size_t axis = axis_of_slice(box, domain_of(dataset, step));
-    layers["slice"] = {{"type", "slice"},
-                       {"order", 2},
-                       {"axis", std::string(1, static_cast<char>('x' + axis))},
-                       {"value", (box.low[axis] + box.high[axis]) / 2},
-                       {"color", color_by(vector != nullptr ? vector : scalar)}};
+    const std::size_t axis = thin.value_or(axis_of_slice(box, domain_of(dataset, step)));
+    layers["slice"] = slice_across(axis, box, vector != nullptr ? vector : scalar);
+}
+
+// A mesh of one layer of cells: what lies in the layer.
+void show_layer(const store::Dataset& dataset, const store::Step& step, std::size_t axis, json& scene) {
+    const store::ArrayInfo* vector = preferred(dataset, step, 3, velocities);
+    const store::ArrayInfo* scalar = preferred(dataset, step, 1, pressures);
+    scene["layers"]["slice"] = slice_across(axis, domain_of(dataset, step), vector != nullptr ? vector : scalar);
 }
 
 // Where there are no bodies: the boundary where nothing varies, else an iso-surface.
@@ -189,14 +224,18 @@ DefaultScene default_scene(store::LoadedDataset& loaded, const std::string& name
     const auto patches = patches_of(*dataset, at_end);
     const auto bodies = bodies_of(patches, domain_of(*dataset, at_end));
     const auto scalars = candidates(*dataset);
-    const store::Step& step = !bodies.empty() ? at_end : dataset->steps()[scalars.empty() ? 0 : scalars.front().step];
-    if (bodies.empty())
-        show_iso_surface(loaded, scalars, scene);
+    const auto thin = thin_axis(patches, domain_of(*dataset, at_end));
+    const store::Step& step =
+        !bodies.empty() || thin ? at_end : dataset->steps()[scalars.empty() ? 0 : scalars.front().step];
+    if (!bodies.empty())
+        show_bodies(*dataset, step, bodies, thin, scene);
+    else if (thin && !scalars.empty())
+        show_layer(*dataset, step, *thin, scene);
     else
-        show_bodies(*dataset, step, bodies, scene);
+        show_iso_surface(loaded, scalars, scene);
     shown.box = bodies.empty() ? domain_of(*dataset, step) : box_around(bodies);
     scene["time"] = step.time;
-    scene["camera"] = camera_of(shown.box);
+    scene["camera"] = camera_of(shown.box, thin);
     return shown;
 }
 

@@ -59,7 +59,7 @@ void LayerUpdate::add(Painted& painted, const std::shared_ptr<const Shape>& shap
     }
     Drawable drawable;
     drawable.layer = layer.id;
-    drawable.shape = shape;
+    drawable.shape = painted.shown();
     drawable.scalars = painted.scalars;
     drawable.missing = painted.missing;
     drawable.lit = lit;

@@ -33,11 +33,18 @@ std::array<double, N> parse_numbers(const JsonReader& value) {
 GroupName parse_group(const JsonReader& value) {
     const std::string of = value.at("of").text();
     if (of != "faces" && of != "cells") value.at("of").refuse("must be \"faces\" or \"cells\"");
-    return {of == "faces" ? Group::Of::faces : Group::Of::cells, value.at("name").text()};
+    GroupName group{of == "faces" ? Group::Of::faces : Group::Of::cells, value.at("name").text()};
+    if (const auto type = value.find("type")) group.facts.type = type->text();
+    if (const auto conditions = value.find("conditions"))
+        for (const auto& [array, condition] : conditions->members()) group.facts.conditions[array] = condition.text();
+    return group;
 }
 
 nlohmann::json to_json(const GroupName& group) {
-    return {{"of", group.of == Group::Of::faces ? "faces" : "cells"}, {"name", group.name}};
+    nlohmann::json value{{"of", group.of == Group::Of::faces ? "faces" : "cells"}, {"name", group.name}};
+    if (!group.facts.type.empty()) value["type"] = group.facts.type;
+    if (!group.facts.conditions.empty()) value["conditions"] = group.facts.conditions;
+    return value;
 }
 
 struct Count {

@@ -14,6 +14,7 @@ namespace ciel::store {
 struct GroupName {
     Group::Of of = Group::Of::faces;
     std::string name;
+    PatchFacts facts = {};
 };
 
 struct MeshAttributes {

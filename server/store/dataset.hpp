@@ -41,11 +41,17 @@ struct Step {
     std::map<std::string, ArrayStep> arrays; // an array that is not here was not written at this time
 };
 
+struct PatchFacts { // what the solver says of a patch; empty where it is not known
+    std::string type;                              // "wall", "empty", "symmetryPlane"
+    std::map<std::string, std::string> conditions; // array -> boundary condition at the mesh's first step
+};
+
 struct Group { // a named set of boundary faces (a patch) or of cells (a zone)
     enum class Of { faces, cells };
     Of of = Of::faces;
     std::string name;
     Ids ids; // sorted stored ids, borrowed from the dataset
+    PatchFacts facts = {};
 };
 
 struct MeshInfo {

@@ -122,11 +122,11 @@ void MappedMesh::map(const std::string& name, ElementType type) {
 }
 
 void MappedMesh::map_group(std::size_t index, std::uint64_t faces) {
-    const auto& [of, name] = attributes_.groups[index];
+    const auto& [of, name, facts] = attributes_.groups[index];
     const MappedFile& file = array("groups/" + std::to_string(index));
     const std::uint64_t limit = of == Group::Of::faces ? faces : cell_count();
     groups_.push_back(
-        {of, name, {file.as<Index>(), static_cast<Index>(limit), keeper("groups/" + std::to_string(index))}});
+        {of, name, {file.as<Index>(), static_cast<Index>(limit), keeper("groups/" + std::to_string(index))}, facts});
 }
 
 void MappedMesh::verify_checksums() const {

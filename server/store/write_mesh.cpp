@@ -89,7 +89,7 @@ MeshAttributes write_mesh(const fs::path& directory, const FaceMesh& mesh, std::
         ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
         const std::string name = "groups/" + std::to_string(i);
         write(name, ElementType::u4, std::as_bytes(std::span(ids)));
-        attributes.groups.push_back({groups[i].of, groups[i].name});
+        attributes.groups.push_back({groups[i].of, groups[i].name, groups[i].facts});
         write_file(directory / name / layout::attributes_document,
                    bytes_of(group_attributes_text(attributes.groups.back())));
     }

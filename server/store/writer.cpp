@@ -254,7 +254,14 @@ std::size_t Writer::add_mesh(const FaceMesh& mesh, std::span<const Index> origin
     const fs::path path = layout::mesh(state_->directory, index);
     fs::remove_all(path); // left by an append that did not reach its commit
     std::vector<NamedGroup> named(groups.begin(), groups.end());
-    for (NamedGroup& group : named) group.name = valid_utf8(group.name);
+    for (NamedGroup& group : named) {
+        group.name = valid_utf8(group.name);
+        group.facts.type = valid_utf8(group.facts.type);
+        std::map<std::string, std::string> conditions;
+        for (const auto& [array, condition] : group.facts.conditions)
+            conditions.emplace(valid_utf8(array), valid_utf8(condition));
+        group.facts.conditions = std::move(conditions);
+    }
     state_->meshes.push_back({write_mesh(path, mesh, original_vertex, original_cell, named), {}, 0});
     return index;
 }

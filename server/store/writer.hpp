@@ -11,6 +11,7 @@ struct NamedGroup {
     Group::Of of = Group::Of::faces;
     std::string name;
     std::vector<Index> ids; // stored ids
+    PatchFacts facts = {};
 };
 
 struct DatasetHeader {

@@ -158,8 +158,6 @@ TEST_F(cells, a_threshold_by_an_array_of_the_cells_asks_no_vertices) {
     std::set<float> kept;
     for (const Index cell : some->drawables.at(0).shape->surface.polygon_cell) kept.insert((*values)[cell]);
     EXPECT_THAT(kept, testing::ElementsAre(7, 8, 9));
-    layer["color"] = {{"array", "cell:q"}};
-    EXPECT_THROW(show({{"s", layer}}), scene::Invalid) << "colours need values at points";
 }
 
 double length(const Drawable& lines) {

@@ -161,6 +161,9 @@ TEST_F(layers, names_in_layers_are_checked_with_their_path) {
          "/layers/a/contours/array"},
         {{{"type", "surface"}, {"threshold", {{"array", "nope"}, {"range", {0, 1}}}}}, "/layers/a/threshold/array"},
         {{{"type", "edges"}, {"groups", {"nope"}}}, "/layers/a/groups/0"},
+        {{{"type", "edges"}, {"color", {{"array", "cell:q"}}}}, "/layers/a/color/array"},
+        {{{"type", "points"}, {"color", {{"array", "cell:q"}}}}, "/layers/a/color/array"},
+        {{{"type", "volume"}, {"array", "cell:q"}}, "/layers/a/array"},
         {{{"type", "points"}, {"color", {{"array", "nope"}}}}, "/layers/a/color/array"}};
     for (const auto& row : rows) {
         try {

@@ -7,7 +7,7 @@ import {
   legendsOf,
   nearestStep,
   rangeOfAllSteps,
-  thresholdScalarsOf,
+  allScalarsOf,
   topOrder,
   unitsOf,
 } from "../src/scene/scalars";
@@ -26,8 +26,8 @@ const description = {
   arrays: [
     array("p", 1, ["p"]),
     array("U", 3, ["U:x", "U:y", "U:z", "U:magnitude"]),
-    { ...array("cell:p", 1, []), association: "cell" },
-    { ...array("cell:U", 3, []), association: "cell" },
+    { ...array("cell:p", 1, ["cell:p"]), association: "cell" },
+    { ...array("cell:U", 3, ["cell:U:magnitude"]), association: "cell" },
   ],
 } as unknown as DatasetDescription;
 const scene: Scene = {
@@ -42,10 +42,10 @@ const scene: Scene = {
   },
 };
 
-test("cells can be chosen by what belongs to them, too", () => {
-  const names = thresholdScalarsOf(description).map(({ name }) => name);
+test("surfaces can be coloured by what belongs to cells, and cells chosen by it", () => {
+  const names = allScalarsOf(description).map(({ name }) => name);
   expect(names).toEqual(["p", "U:x", "U:y", "U:z", "U:magnitude", "cell:p", "cell:U:magnitude"]);
-  expect(thresholdScalarsOf(null)).toEqual([]);
+  expect(allScalarsOf(null)).toEqual([]);
 });
 
 test("a further layer begins with what the dataset is first shown by, not with its first array", () => {

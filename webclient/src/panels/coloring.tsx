@@ -3,7 +3,7 @@ import type { JSX } from "preact";
 import type { Coloring } from "../generated/protocol";
 import { DEFAULT_MAP, colorMapNames } from "../display/color_maps";
 import { withMap } from "../scene/color_edit";
-import { scalarsOf, type Colored, type ScaledColoring } from "../scene/scalars";
+import { allScalarsOf, scalarsOf, type Colored, type ScaledColoring } from "../scene/scalars";
 import { SelectField, Slider } from "./controls";
 import { ColorScalePanel } from "./color_scale_panel";
 import { useApp, useAppState } from "./context";
@@ -22,13 +22,15 @@ interface ColoringProps {
   coloring: Coloring;
   /** A volume has one array for its colours and its density, which is chosen elsewhere; contour lines likewise. */
   ofArray?: boolean;
+  /** Lines and points lie between cells, and have no colours of theirs. */
+  ofPoints?: boolean;
   mapLabel?: string;
 }
 
-export function ColoringFields({ of, coloring, ofArray = false, mapLabel = "Map" }: ColoringProps): JSX.Element {
+export function ColoringFields({ of, coloring, ofArray = false, ofPoints = false, mapLabel = "Map" }: ColoringProps): JSX.Element {
   const { actions } = useApp();
   const description = useAppState((state) => state.description);
-  const scalars = scalarsOf(description);
+  const scalars = ofPoints ? scalarsOf(description) : allScalarsOf(description);
   const arrays = [
     { value: SOLID, text: "One colour" },
     ...scalars.map(({ name, units }) => ({ value: name, text: units === "" ? name : `${name} (${units})` })),

@@ -39,7 +39,7 @@ function Card({ id, layer, children }: CardProps): JSX.Element {
         <RemoveButton label={`Remove these ${layer.type}`} onClick={() => actions.removeLayer(id)} />
       </div>
       <div class="fields">{children}</div>
-      <ColoringFields of={{ layers: [id] }} coloring={layer.color ?? {}} />
+      <ColoringFields of={{ layers: [id] }} coloring={layer.color ?? {}} ofPoints />
       <OpacityField id={id} opacity={layer.opacity ?? 1} />
       <ThresholdFields id={id} threshold={layer.threshold} color={layer.color?.array} />
       {hasPatches && !(layer.type === "points" && layer.of === "all") && (

@@ -38,10 +38,11 @@ interface RowProps {
   only: (patches: readonly Patch[]) => void;
 }
 
-function PatchRow({ patch: { name, count }, prefix, checked, toggle, only }: RowProps): JSX.Element {
+function PatchRow({ patch, prefix, checked, toggle, only }: RowProps): JSX.Element {
+  const { name, count, facts } = patch;
   return (
     <li class="patch-row">
-      <label class="check" title={name}>
+      <label class="check" title={facts === "" ? name : `${name}\n${facts}`}>
         <input
           type="checkbox"
           aria-label={name}
@@ -49,9 +50,9 @@ function PatchRow({ patch: { name, count }, prefix, checked, toggle, only }: Row
           onChange={(event) => toggle(name, event.currentTarget.checked)}
         />
         <span>{withoutPrefix(name, prefix)}</span>
-        <small>{`${formatCount(count)} faces`}</small>
+        <small>{`${facts.split("\n")[0] ?? ""} ${formatCount(count)} faces`.trim()}</small>
       </label>
-      <button type="button" class="button small" aria-label={`Only ${name}`} onClick={() => only([{ name, count }])}>
+      <button type="button" class="button small" aria-label={`Only ${name}`} onClick={() => only([patch])}>
         Only
       </button>
     </li>

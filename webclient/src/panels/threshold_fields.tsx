@@ -2,7 +2,7 @@
 import type { JSX } from "preact";
 import type { Range, Threshold } from "../generated/protocol";
 import { formatNumber, fractionOf, valueAt, withEnd } from "../scene/numbers";
-import { arrayOf, firstScalar, shownTime, thresholdScalarsOf } from "../scene/scalars";
+import { arrayOf, firstScalar, shownTime, allScalarsOf } from "../scene/scalars";
 import { Check, NumberField, SelectField, Slider } from "./controls";
 import { useApp, useAppState } from "./context";
 
@@ -53,7 +53,7 @@ export function ThresholdFields({ id, threshold, color }: ThresholdProps): JSX.E
   const description = useAppState((state) => state.description);
   const scene = useAppState((state) => state.scene);
   useAppState((state) => state.histogramsAt);
-  const scalars = thresholdScalarsOf(description);
+  const scalars = allScalarsOf(description);
   const first = color ?? firstScalar(description) ?? scalars[0]?.name;
   if (first === undefined || description === null) return null;
   const shown = threshold !== undefined && threshold.enabled !== false;

@@ -5,6 +5,8 @@ export interface Patch {
   name: string;
   /** Faces. */
   count: number;
+  /** What the solver calls it and does there, in words; empty where that is not known. */
+  facts: string;
 }
 
 export interface PatchFamily {
@@ -16,8 +18,15 @@ export interface PatchFamily {
 /** What a layer shows: patches by name, [] for the whole boundary, null for nothing. */
 export type Shown = readonly string[] | null;
 
+const factsOf = ({ type, conditions }: DatasetDescription["groups"][number]): string => {
+  const each = Object.entries(conditions ?? {}).map(([array, condition]) => `${array}: ${condition}`);
+  return [...(type === undefined ? [] : [type]), ...each].join("\n");
+};
+
 export const patchesOf = (description: DatasetDescription | null): Patch[] =>
-  (description?.groups ?? []).filter(({ of }) => of === "faces").map(({ name, count }) => ({ name, count }));
+  (description?.groups ?? [])
+    .filter(({ of }) => of === "faces")
+    .map((group) => ({ name: group.name, count: group.count, facts: factsOf(group) }));
 
 const prefixOf = (name: string): string => /^[^_.:/\s]+(?=[_.:/\s].)/.exec(name)?.[0] ?? "";
 

@@ -11,22 +11,19 @@ export interface Scalar {
   array: ArrayInfo;
 }
 
-export function scalarsOf(description: DatasetDescription | null): Scalar[] {
-  return (description?.arrays ?? []).flatMap((array) =>
-    array.scalars.map((name) => ({ name, units: prettyUnits(array.units), array })),
+/** What surfaces can be coloured by and cells chosen by: those of points first, then those with a value per cell. */
+export function allScalarsOf(description: DatasetDescription | null): Scalar[] {
+  const arrays = description?.arrays ?? [];
+  return (["point", "cell"] as const).flatMap((of) =>
+    arrays
+      .filter(({ association }) => association === of)
+      .flatMap((array) => array.scalars.map((name) => ({ name, units: prettyUnits(array.units), array }))),
   );
 }
 
-/** What cells can be chosen by: also arrays that have a value per cell, of which no layer is made. */
-export function thresholdScalarsOf(description: DatasetDescription | null): Scalar[] {
-  const ofCells = (description?.arrays ?? []).filter(({ association }) => association === "cell");
-  const scalars = ofCells.map((array) => ({
-    name: array.components > 1 ? `${array.name}:magnitude` : array.name,
-    units: prettyUnits(array.units),
-    array,
-  }));
-  return [...scalarsOf(description), ...scalars];
-}
+/** What layers are made from: values at points. */
+export const scalarsOf = (description: DatasetDescription | null): Scalar[] =>
+  allScalarsOf(description).filter(({ array }) => array.association === "point");
 
 /** What a further layer begins with: what the dataset is first shown by, which has more than one value. */
 export function firstScalar(description: DatasetDescription | null): string | undefined {
@@ -51,9 +48,9 @@ export function fullName(description: Pick<DatasetDescription, "arrays"> | null,
 
 /** The array that the scalar is made from. */
 export const arrayOf = (description: DatasetDescription | null, scalar: string): ArrayInfo | undefined =>
-  thresholdScalarsOf(description).find(({ name }) => name === scalar)?.array;
+  allScalarsOf(description).find(({ name }) => name === scalar)?.array;
 
-/** Also of a cell array, which has no scalars: no layer is made from it, but a probe reads it. */
+/** Also of an array's own name: a probe reads whole vectors. */
 export function unitsOf(description: DatasetDescription | null, name: string): string {
   const array =
     arrayOf(description, name) ??

@@ -1,0 +1,62 @@
+#include "ciel/cell_geometry.hpp"
+#include "ciel/point_interpolation.hpp"
+#include "oracle/kernel_mesh.hpp"
+#include "support/meshes.hpp"
+
+#include <cmath>
+#include <gtest/gtest.h>
+
+namespace ciel::test {
+namespace {
+
+constexpr double allowed = 1e-4; // of a cell's edge: positions and values are floats
+
+// At how many of the box's sides a point lies, by axis.
+std::array<bool, 3> at_sides(const FaceMeshView& mesh, Index vertex, const std::array<double, 3>& box) {
+    std::array<bool, 3> at{};
+    const Vec3d p = position(mesh, vertex);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const double x = p[axis] + mesh.origin[axis];
+        at[axis] = std::abs(x) < 1e-6 || std::abs(x - box[axis]) < 1e-6;
+    }
+    return at;
+}
+
+// The coordinate `axis` of the cells' centres, at the vertices; how far it is from the vertices' own, at most, over the
+// vertices that do not lie on a side across that axis.
+double largest_error(const std::array<int, 3>& cubes, std::size_t axis) {
+    const Assembled assembled = assemble(view(hexahedra({cubes, 0.15, 7})));
+    const FaceMeshView mesh = assembled.mesh.view();
+    std::vector<float> cells;
+    for (const Vec3d& centre : cell_centres(mesh, face_shapes(mesh))) cells.push_back(static_cast<float>(centre[axis]));
+    const std::vector<float> points = PointInterpolation(mesh).apply(cells, 1);
+    const std::array<double, 3> box{static_cast<double>(cubes[0]), static_cast<double>(cubes[1]),
+                                    static_cast<double>(cubes[2])};
+    double largest = 0;
+    for (Index vertex = 0; vertex < mesh.vertex_count(); ++vertex)
+        if (!at_sides(mesh, vertex, box)[axis])
+            largest = std::max(largest, std::abs(position(mesh, vertex)[axis] - static_cast<double>(points[vertex])));
+    return largest;
+}
+
+TEST(point_interpolation, is_exact_for_linear_fields_inside_and_along_the_boundary) {
+    for (std::size_t axis = 0; axis < 3; ++axis) EXPECT_LT(largest_error({6, 5, 4}, axis), allowed) << axis;
+}
+
+TEST(point_interpolation, is_exact_within_one_layer_of_cells) {
+    EXPECT_LT(largest_error({8, 7, 1}, 0), allowed);
+    EXPECT_LT(largest_error({8, 7, 1}, 1), allowed);
+    EXPECT_LT(largest_error({9, 1, 1}, 0), allowed);
+}
+
+TEST(point_interpolation, takes_the_only_cell_at_a_corner) {
+    const Assembled assembled = assemble(view(hexahedra({{2, 2, 2}, 0, 1})));
+    const FaceMeshView mesh = assembled.mesh.view();
+    std::vector<float> cells(8, 0);
+    cells[3] = 5;
+    const std::vector<float> points = PointInterpolation(mesh).apply(cells, 1);
+    EXPECT_EQ(std::count(points.begin(), points.end(), 5.0F), 1);
+}
+
+} // namespace
+} // namespace ciel::test

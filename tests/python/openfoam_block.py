@@ -1,0 +1,75 @@
+"""A block of hexahedra as an OpenFOAM case: any number of cells along each axis, sides that are patches of any type."""
+
+import itertools
+
+import numpy as np
+from openfoam_files import field, write_control, write_mesh
+
+SIDES = ("left", "right", "front", "back", "bottom", "top")  # x, y, z; low, high
+
+
+class Block:
+    """`types`: the type of the patch on each side, `wall` where none is given. `place`: moves the points, [n, 3] -> [n, 3]."""
+
+    def __init__(self, cells, types=None, place=lambda points: points):
+        self.cells = cells
+        nx, ny, nz = cells
+        self.types = {side: (types or {}).get(side, "wall") for side in SIDES}
+        grid = [(i / nx, j / ny, k / nz) for k in range(nz + 1) for j in range(ny + 1) for i in range(nx + 1)]
+        self.points = place(np.array(grid))
+        self.inner, self.outer = [], {side: [] for side in SIDES}
+        for k, j, i in itertools.product(range(nz), range(ny), range(nx)):
+            self._add_cell((i, j, k))
+        self.inner.sort(key=lambda face: face[:2])
+
+    def _add_cell(self, here):
+        nx, ny, nz = self.cells
+        point = lambda i, j, k: i + (nx + 1) * (j + (ny + 1) * k)
+        cell = lambda i, j, k: i + nx * (j + ny * k)
+        for axis, side in itertools.product(range(3), (0, 1)):
+            u, v = (axis + 1) % 3, (axis + 2) % 3
+            loop = []
+            for du, dv in [(0, 0), (1, 0), (1, 1), (0, 1)]:
+                corner = list(here)
+                corner[axis] += side
+                corner[u] += du
+                corner[v] += dv
+                loop.append(point(*corner))
+            if side == 0:
+                loop.reverse()
+            other = list(here)
+            other[axis] += 1 if side else -1
+            if not 0 <= other[axis] < self.cells[axis]:
+                self.outer[SIDES[2 * axis + side]].append((cell(*here), loop))
+            elif side:
+                self.inner.append((cell(*here), cell(*other), loop))
+
+    def centres(self):
+        """Mean of the corners: the centroid where cells are parallelepipeds."""
+        corners = [set() for _ in range(np.prod(self.cells))]
+        for owner, neighbour, loop in self.inner:
+            corners[owner].update(loop)
+            corners[neighbour].update(loop)
+        for owner, loop in itertools.chain(*self.outer.values()):
+            corners[owner].update(loop)
+        return np.array([self.points[list(ids)].mean(axis=0) for ids in corners])
+
+    def face_centres(self, side):
+        return np.array([self.points[loop].mean(axis=0) for _, loop in self.outer[side]])
+
+    def write(self, case, fields):
+        """`fields`: name -> (values in the cells, {side: entry})."""
+        write_control(case)
+        write_mesh(case / "constant/polyMesh", self.points, self.inner, self.outer, {s: f"type {t};" for s, t in self.types.items()})
+        (case / "1").mkdir()
+        for name, (values, entries) in fields.items():
+            kind = "volVectorField" if np.ndim(values) == 2 else "volScalarField"
+            (case / "1" / name).write_text(field(kind, name, "[0 1 -1 0 0 0 0]", values, entries))
+        return case
+
+
+def listed(values):
+    """The `value` entry of a condition that varies over a patch."""
+    text = lambda v: "(" + " ".join(map(repr, map(float, v))) + ")" if np.ndim(v) else repr(float(v))
+    kind = "vector" if np.ndim(values) == 2 else "scalar"
+    return f"value nonuniform List<{kind}> {len(values)}({' '.join(map(text, values))});"
