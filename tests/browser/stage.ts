@@ -9,7 +9,7 @@ export const data = datasets();
 export const skip = data.length === 0 ? "no dataset: set CIEL_BROWSER_DATA" : false;
 
 interface Described {
-  arrays: { scalars: string[]; components: number; range?: [number, number] }[];
+  arrays: { association: string; scalars: string[]; components: number; range?: [number, number] }[];
   times: number[];
   default_scene: { layers: { surface?: { groups: string[] } } };
 }
@@ -24,8 +24,9 @@ export async function isoFragment(server: Server): Promise<string> {
     body: JSON.stringify(call),
   });
   const { arrays, times, default_scene: first } = ((await answer.json()) as { result: Described }).result;
-  const array = arrays.find(({ components, scalars }) => components === 1 && scalars.length > 0);
-  const vector = arrays.find(({ components }) => components === 3);
+  const ofPoints = arrays.filter(({ association }) => association === "point");
+  const array = ofPoints.find(({ components }) => components === 1);
+  const vector = ofPoints.find(({ components }) => components === 3);
   if (array?.range === undefined) return "";
   const [low, high] = array.range;
   const color = vector === undefined ? {} : { array: vector.scalars.find((name) => name.endsWith(":magnitude")) };

@@ -1,0 +1,91 @@
+"""What VTK's own readers give for a file: points, cells and values of everything that has volume, numbered through."""
+
+import numpy as np
+import vtk
+from vtk.util.numpy_support import vtk_to_numpy
+
+# Flags and ids: bookkeeping, not fields (server/import/fields.cpp).
+BOOKKEEPING = {
+    "vtkGhostType", "vtkOriginalPointIds", "vtkOriginalCellIds", "IBlank", "GlobalNodeId", "GlobalElementId", "PedigreeNodeId",
+    "PedigreeElementId", "ObjectId", "vtkBlockColors", "vtkCompositeIndex", "vtkValidPointMask",
+}
+
+
+def has_volume(data):
+    return any(data.GetCell(i).GetCellDimension() == 3 for i in range(min(data.GetNumberOfCells(), 1000)))
+
+
+def leaves(data):
+    """Of a tree in its order; parts that repeat cells of others under a name are left out."""
+    if data is None:
+        return
+    if data.IsA("vtkDataSet"):
+        if has_volume(data):
+            yield data
+    elif data.IsA("vtkMultiBlockDataSet"):
+        for i in range(data.GetNumberOfBlocks()):
+            if not data.HasMetaData(i) or data.GetMetaData(i).Get(vtk.vtkCompositeDataSet.NAME()) not in ("zones", "Element Sets"):
+                yield from leaves(data.GetBlock(i))
+    elif data.IsA("vtkPartitionedDataSetCollection"):
+        for i in range(data.GetNumberOfPartitionedDataSets()):
+            yield from leaves(data.GetPartitionedDataSet(i))
+    else:
+        for i in range(data.GetNumberOfPartitions()):
+            yield from leaves(data.GetPartitionAsDataObject(i))
+
+
+class Truth:
+    """`read(time)` updates the reader, None: its only time. Arrays that a leaf lacks are NaN there."""
+
+    def __init__(self, reader, time=None):
+        if time is None:
+            reader.Update()
+        else:
+            reader.UpdateTimeStep(time)
+        self.leaves = list(leaves(reader.GetOutputDataObject(0)))
+        self.points = np.concatenate([self._points(leaf) for leaf in self.leaves])
+
+    @staticmethod
+    def _points(leaf):
+        if leaf.IsA("vtkPointSet"):
+            return vtk_to_numpy(leaf.GetPoints().GetData()).astype(float)
+        return np.array([leaf.GetPoint(i) for i in range(leaf.GetNumberOfPoints())])
+
+    def corners(self, cell):
+        """Points of a running cell: those of a quadratic one without its mid-side nodes."""
+        first = 0
+        for leaf in self.leaves:
+            if cell < leaf.GetNumberOfCells():
+                ids = leaf.GetCell(cell).GetPointIds()
+                return {first + ids.GetId(i) for i in range(ids.GetNumberOfIds())}
+            cell -= leaf.GetNumberOfCells()
+            first += leaf.GetNumberOfPoints()
+        raise IndexError
+
+    def cell_count(self):
+        return sum(leaf.GetNumberOfCells() for leaf in self.leaves)
+
+    def fields(self, of):
+        """name -> values as float32, [n, components]."""
+        attributes = [getattr(leaf, f"Get{of}Data")() for leaf in self.leaves]
+        counts = [leaf.GetNumberOfPoints() if of == "Point" else leaf.GetNumberOfCells() for leaf in self.leaves]
+        found = {}
+        for data in attributes:
+            for i in range(data.GetNumberOfArrays()):
+                if data.GetArray(i) is not None and data.GetArrayName(i) not in BOOKKEEPING:
+                    found.setdefault(data.GetArrayName(i), data.GetArray(i).GetNumberOfComponents())
+        values = {}
+        for name, components in found.items():
+            parts = []
+            for data, count in zip(attributes, counts):
+                array = data.GetArray(name)
+                part = np.full((count, components), np.nan) if array is None else vtk_to_numpy(array).reshape(count, -1)
+                parts.append(part.astype("f4"))
+            values[name] = np.concatenate(parts)
+        return values
+
+
+def reader_of(kind, file):
+    reader = getattr(vtk, kind)()
+    reader.SetFileName(str(file))
+    return reader
