@@ -41,7 +41,7 @@ struct Step {
     std::map<std::string, ArrayStep> arrays; // an array that is not here was not written at this time
 };
 
-struct PatchFacts { // what the solver says of a patch; empty where it is not known
+struct PatchFacts {                                // what the solver says of a patch; empty where it is not known
     std::string type;                              // "wall", "empty", "symmetryPlane"
     std::map<std::string, std::string> conditions; // array -> boundary condition at the mesh's first step
 };
