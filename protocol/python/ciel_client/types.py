@@ -240,7 +240,7 @@ class ArrayInfo(TypedDict):
     units: str
     description: str
     range: Range | None
-    scalars: list[str]  # names usable in layers: U:x, U:magnitude; empty for cell arrays
+    scalars: list[str]  # names usable in layers: U:x, U:magnitude. Those of cell arrays (cell:U:x) color surfaces, flat, and choose cells; nothing else is made from them
     times: list[float]  # steps at which the array was written
 
 
@@ -264,6 +264,8 @@ class DatasetDescriptionGroupsItem(TypedDict):
     name: str
     of: Literal["faces", "cells"]
     count: int
+    type: NotRequired[str]  # what the solver calls the patch, where the source says so: wall, empty, symmetryPlane
+    conditions: NotRequired[dict[str, str]]  # array: its boundary condition on the patch at the mesh's first step
 
 
 class DatasetDescription(TypedDict):
