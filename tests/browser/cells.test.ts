@@ -17,13 +17,10 @@ const CELLS = 4;
 /** A bar of cubes along x, with q = 0, 1, 2, 3 in them and p = x at their corners. */
 function rowIn(folder: string): string {
   const points = [0, 1].flatMap((z) =>
-    [0, 1].flatMap((y) =>
-      Array.from({ length: CELLS + 1 }, (_, x) => [x, y, z].join(" ")),
-    ),
+    [0, 1].flatMap((y) => Array.from({ length: CELLS + 1 }, (_, x) => [x, y, z].join(" "))),
   );
   const row = CELLS + 1;
-  const corners = (x: number): number[] =>
-    [x, x + 1, x + 1 + row, x + row].flatMap((at) => [at]);
+  const corners = (x: number): number[] => [x, x + 1, x + 1 + row, x + row].flatMap((at) => [at]);
   const cells = Array.from({ length: CELLS }, (_, x) =>
     ["8", ...corners(x), ...corners(x).map((at) => at + 2 * row)].join(" "),
   );
@@ -49,11 +46,7 @@ function rowIn(folder: string): string {
   ];
   const [input, output] = [join(folder, "row.vtk"), join(folder, "row.ciel")];
   writeFileSync(input, `${lines.join("\n")}\n`);
-  const { status, stderr } = spawnSync(
-    binary,
-    ["import", input, "-o", output],
-    { encoding: "utf8" },
-  );
+  const { status, stderr } = spawnSync(binary, ["import", input, "-o", output], { encoding: "utf8" });
   assert.equal(status, 0, stderr);
   return output;
 }
@@ -92,10 +85,7 @@ describe("values of cells", { skip }, () => {
       width: 1280,
       height: 800,
     });
-    if (stream === "geometry")
-      await client.page
-        .getByLabel("Stream", { exact: true })
-        .selectOption("geometry");
+    if (stream === "geometry") await client.page.getByLabel("Stream", { exact: true }).selectOption("geometry");
     await client.settled(stream);
     return client;
   };
@@ -104,20 +94,11 @@ describe("values of cells", { skip }, () => {
     const picture = await client.picture();
     const scale = picture.height / 2 / (11.5 * Math.tan((15 * Math.PI) / 180));
     const at = (x: number): number => {
-      const color = picture.at(
-        Math.round(picture.width / 2 + (x - 2) * scale),
-        Math.round(picture.height / 2),
-      );
-      assert.ok(
-        distance(color, [color[0], color[0], color[0]]) < 3,
-        `grey at ${x}: ${color.join(" ")}`,
-      );
+      const color = picture.at(Math.round(picture.width / 2 + (x - 2) * scale), Math.round(picture.height / 2));
+      assert.ok(distance(color, [color[0], color[0], color[0]]) < 3, `grey at ${x}: ${color.join(" ")}`);
       return color[0];
     };
-    return Array.from({ length: CELLS }, (_, cell) => [
-      at(cell + 0.1),
-      at(cell + 0.9),
-    ]).flat();
+    return Array.from({ length: CELLS }, (_, cell) => [at(cell + 0.1), at(cell + 0.9)]).flat();
   };
 
   for (const [stream, what] of [
@@ -130,10 +111,7 @@ describe("values of cells", { skip }, () => {
       for (let cell = 0; cell < CELLS; cell += 1) {
         const wanted = (255 * cell) / (CELLS - 1);
         for (const grey of [found[2 * cell] ?? NaN, found[2 * cell + 1] ?? NaN])
-          assert.ok(
-            Math.abs(grey - wanted) <= 3,
-            `cell ${cell} is ${grey}, not ${wanted}: ${found.join(" ")}`,
-          );
+          assert.ok(Math.abs(grey - wanted) <= 3, `cell ${cell} is ${grey}, not ${wanted}: ${found.join(" ")}`);
       }
       await client.keep(`flat-${stream}`);
       assert.deepEqual(client.problems, []);
@@ -143,14 +121,8 @@ describe("values of cells", { skip }, () => {
   test("are chosen in the menu", async () => {
     const client = await open("p");
     const smooth = await greys(client);
-    assert.ok(
-      (smooth[1] ?? 0) - (smooth[0] ?? 0) > 40,
-      "values at points change within a cell",
-    );
-    await client.page
-      .getByLabel("Colour by", { exact: true })
-      .first()
-      .selectOption("cell:q");
+    assert.ok((smooth[1] ?? 0) - (smooth[0] ?? 0) > 40, "values at points change within a cell");
+    await client.page.getByLabel("Colour by", { exact: true }).first().selectOption("cell:q");
     await client.settled();
     const flat = await greys(client);
     assert.ok(Math.abs((flat[1] ?? 0) - (flat[0] ?? 0)) <= 2);

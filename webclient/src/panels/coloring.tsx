@@ -27,7 +27,13 @@ interface ColoringProps {
   mapLabel?: string;
 }
 
-export function ColoringFields({ of, coloring, ofArray = false, ofPoints = false, mapLabel = "Map" }: ColoringProps): JSX.Element {
+export function ColoringFields({
+  of,
+  coloring,
+  ofArray = false,
+  ofPoints = false,
+  mapLabel = "Map",
+}: ColoringProps): JSX.Element {
   const { actions } = useApp();
   const description = useAppState((state) => state.description);
   const scalars = ofPoints ? scalarsOf(description) : allScalarsOf(description);
