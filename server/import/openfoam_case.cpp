@@ -16,6 +16,7 @@ namespace ciel::importer {
 namespace {
 
 namespace fs = std::filesystem;
+constexpr int most_missing_told = 100; // of one gap in the numbers
 
 std::optional<double> as_time(const std::string& name) {
     double time = 0;
@@ -160,7 +161,8 @@ FoamCase::FoamCase(const fs::path& input) : directory(case_directory(input, fs::
     int expected = 0;
     for (const int number : processors) {
         if (!is_decomposed) break;
-        if (number > expected) lost.push_back(missing_processor(expected));
+        for (int missing = expected; missing < number && missing < expected + most_missing_told; ++missing)
+            lost.push_back(missing_processor(missing));
         expected = number + 1;
         const std::string name = "processor" + std::to_string(number);
         parts.push_back({number, name, directory / name, {}});

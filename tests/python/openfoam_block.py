@@ -3,7 +3,7 @@
 import itertools
 
 import numpy as np
-from openfoam_files import field, write_control, write_mesh
+from openfoam_files import field, side_of, write_control, write_mesh
 
 SIDES = ("left", "right", "front", "back", "bottom", "top")  # x, y, z; low, high
 
@@ -27,16 +27,7 @@ class Block:
         point = lambda i, j, k: i + (nx + 1) * (j + (ny + 1) * k)
         cell = lambda i, j, k: i + nx * (j + ny * k)
         for axis, side in itertools.product(range(3), (0, 1)):
-            u, v = (axis + 1) % 3, (axis + 2) % 3
-            loop = []
-            for du, dv in [(0, 0), (1, 0), (1, 1), (0, 1)]:
-                corner = list(here)
-                corner[axis] += side
-                corner[u] += du
-                corner[v] += dv
-                loop.append(point(*corner))
-            if side == 0:
-                loop.reverse()
+            loop = side_of(here, axis, side, point)
             other = list(here)
             other[axis] += 1 if side else -1
             if not 0 <= other[axis] < self.cells[axis]:

@@ -18,6 +18,19 @@ def listing(rows):
     return f"{len(rows)}\n(\n" + "\n".join(rows) + "\n)\n"
 
 
+def side_of(here, axis, side, point):
+    """The loop of one side of the cube at `here`, wound outwards; point(i, j, k) is the id of a corner."""
+    u, v = (axis + 1) % 3, (axis + 2) % 3
+    loop = []
+    for du, dv in [(0, 0), (1, 0), (1, 1), (0, 1)]:
+        corner = list(here)
+        corner[axis] += side
+        corner[u] += du
+        corner[v] += dv
+        loop.append(point(*corner))
+    return loop if side else loop[::-1]
+
+
 def mesh():
     """Faces as (owner, neighbour or patch, loop). One inner face is split in two, which makes two polyhedra."""
     point = lambda i, j, k: i + (N + 1) * (j + (N + 1) * k)
@@ -26,18 +39,8 @@ def mesh():
     for i, j, k in itertools.product(range(N), range(N), range(N)):
         here = (i, j, k)
         for axis in range(3):
-            u, v = (axis + 1) % 3, (axis + 2) % 3
             for side in (0, 1):
-                at = list(here)
-                at[axis] += side
-                loop = []
-                for du, dv in [(0, 0), (1, 0), (1, 1), (0, 1)]:
-                    corner = list(at)
-                    corner[u] += du
-                    corner[v] += dv
-                    loop.append(point(*corner))
-                if side == 0:
-                    loop.reverse()
+                loop = side_of(here, axis, side, point)
                 other = list(here)
                 other[axis] += 1 if side else -1
                 if 0 <= other[axis] < N:

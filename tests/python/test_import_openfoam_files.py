@@ -137,6 +137,16 @@ def test_a_missing_processor_is_told(tmp_path):
     assert done.returncode == 1 and not (tmp_path / "none.ciel").exists()
 
 
+def test_every_missing_processor_is_told(tmp_path):
+    """Also those that no processor which is there lies beside."""
+    write_decomposed(tmp_path / "case", [(0, 1, 3, 4)[c % N] for c in range(N**3)], {})
+    for number in (1, 2, 3):
+        shutil.rmtree(tmp_path / f"case/processor{number}")
+    dataset = imported(tmp_path, tmp_path / "case", code=3)
+    for number in (1, 2, 3):
+        assert dataset.notes.count(f"The directory processor{number} is missing") == 1
+
+
 def test_a_processor_without_the_first_is_told(tmp_path):
     case = decomposed(tmp_path)
     shutil.rmtree(case / "processor0")
