@@ -94,7 +94,11 @@ private:
     FoamField field_;
 };
 
+// The library's matcher goes one call deeper for each character.
+constexpr std::size_t longest_name = 256;
+
 bool matches(const std::string& pattern, const std::string& name) {
+    if (pattern.size() > longest_name || name.size() > longest_name) return false;
     try {
         return std::regex_match(name, std::regex(pattern, std::regex::extended));
     } catch (const std::regex_error&) {
