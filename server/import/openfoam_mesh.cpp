@@ -30,7 +30,8 @@ public:
 
     FoamMesh run() {
         for (std::size_t part = 0; part < foam_.parts.size(); ++part) read(part);
-        if (files_.empty()) throw Error(first_reason_);
+        if (files_.empty())
+            throw Error(first_reason_.empty() ? "region " + region_ + " has no points at any time" : first_reason_);
         number_through();
         join_processors();
         make_points();
