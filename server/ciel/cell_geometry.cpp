@@ -11,9 +11,9 @@ namespace {
 
 constexpr std::size_t grain = 4096;
 
-// A fan around the mean of the corners, each triangle weighted by its share of the area along the normal.
 } // namespace
 
+// A fan around the mean of the corners, each triangle weighted by its share of the area along the normal.
 FaceShape face_shape(const FaceMeshView& mesh, std::span<const Index> loop) {
     Vec3d mean{};
     for (const Index vertex : loop) mean = mean + position(mesh, vertex);

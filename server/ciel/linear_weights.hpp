@@ -1,8 +1,8 @@
 // Weights of values around a place, exact for linear fields along the directions in which the values surround it. On a
-// boundary they do not along its normal, and in a mesh of one layer of cells along its thickness: such directions are
-// left out, or the weights that are exact along all of them are of no use along any. Not in the paper.
-// This work is based on: D. G. Holmes, S. D. Connell, Solution of the 2D Navier-Stokes equations on unstructured
-// adaptive grids, AIAA 89-1932, 1989 (the pseudo-Laplacian and its clipped weights).
+// boundary no values lie beyond its normal, and in a mesh of one layer of cells none across its thickness. Such
+// directions are left out: weights that had to be exact along them would not be exact along any. Not in the paper. This
+// work is based on: D. G. Holmes, S. D. Connell, Solution of the 2D Navier-Stokes equations on unstructured adaptive
+// grids, AIAA 89-1932, 1989 (the pseudo-Laplacian and its clipped weights).
 #pragma once
 
 #include "ciel/vectors.hpp"
@@ -17,7 +17,6 @@ class LeftOutDirections {
 public:
     // Longer ones count for more; either side is the same.
     void add(Vec3d normal);
-    [[nodiscard]] bool is_empty() const { return count_ == 0; }
     // Orthogonal and of length 1: at most three.
     [[nodiscard]] std::vector<Vec3d> directions() const;
 
