@@ -31,9 +31,8 @@ public:
     // The data of one step; the caller keeps it as long as it likes. Throws Error naming the file.
     [[nodiscard]] virtual vtkSmartPointer<vtkDataObject> read(std::size_t step, const ReadProgress& progress) = 0;
 
-    // Adds what the source knows of the step read last besides its data: named cells, points that are one,
-    // facts of surfaces. `first`:
-    // where its running points and cells begin.
+    // Adds what the source knows of the step read last besides its data: named cells, points that are one, facts of
+    // surfaces. `first`: where its running points and cells begin.
     virtual void add_known(Blocks&, const RunningCounts& /*first*/) const {}
 
     // What a step is said to hold before its data is read, or more; nullopt where the reader cannot tell.
