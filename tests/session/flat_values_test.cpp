@@ -1,4 +1,4 @@
-// Surfaces coloured by an array of the cells: as it is, flat, on everything that has polygons.
+// Surfaces coloured by an array of the cells. Every polygon has the value of its cell; no value is interpolated.
 #include "session/flat_shape.hpp"
 
 #include "session/clip.hpp"
