@@ -1,5 +1,6 @@
 #include "import/step_mesh.hpp"
 
+#include "import/degenerate_cells.hpp"
 #include "import/face_pyramids.hpp"
 #include "import/float_loss.hpp"
 #include "import/zones.hpp"
@@ -184,6 +185,7 @@ StepMesh build_step_mesh(const Blocks& blocks, Weld weld) {
     mesh.input_edges = count_edges(joined);
     mesh.point_count = joined.point_count;
     describe_joining(joined, mesh);
+    for (std::string& sentence : degenerate_cells(joined)) mesh.notes.push_back(std::move(sentence));
     for (std::string& sentence : mesh_loss(joined)) mesh.notes.push_back(std::move(sentence));
 
     const Cut cut = weld == Weld::seams ? find_cuts(joined, blocks) : Cut{};
@@ -228,6 +230,14 @@ std::vector<float> to_stored(std::span<const float> running, std::span<const Ind
     for (std::size_t i = 0; i < stored_to_running.size(); ++i)
         std::copy_n(running.begin() + static_cast<std::ptrdiff_t>(stored_to_running[i] * width), width,
                     stored.begin() + static_cast<std::ptrdiff_t>(i * width));
+    return stored;
+}
+
+std::vector<std::int64_t> to_stored(std::span<const std::int64_t> running, std::span<const Index> stored_to_running) {
+    std::vector<std::int64_t> stored;
+    if (running.empty()) return stored;
+    stored.reserve(stored_to_running.size());
+    for (const Index item : stored_to_running) stored.push_back(running[item]);
     return stored;
 }
 

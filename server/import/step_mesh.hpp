@@ -36,4 +36,8 @@ void update_step_mesh(StepMesh& mesh, const Blocks& blocks, bool moved);
 [[nodiscard]] std::vector<float> to_stored(std::span<const float> running, std::span<const Index> stored_to_running,
                                            int components);
 
+// Likewise of ids; nothing of nothing.
+[[nodiscard]] std::vector<std::int64_t> to_stored(std::span<const std::int64_t> running,
+                                                  std::span<const Index> stored_to_running);
+
 } // namespace ciel::importer
