@@ -1,0 +1,96 @@
+#include "import/parsers/legacy_vtk_numbers.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <string_view>
+
+namespace ciel::importer {
+
+namespace {
+
+char lower(char c) { return static_cast<char>(std::tolower(static_cast<unsigned char>(c))); }
+
+bool is_equal(std::string_view word, std::string_view lower_case) {
+    return std::ranges::equal(word, lower_case, {}, lower);
+}
+
+// The stand-in for a word that says that it is no number; null for every other one.
+const StandIn* stand_in_for(std::string_view word) {
+    const bool is_negative = word.starts_with('-');
+    if (is_negative || word.starts_with('+')) word.remove_prefix(1);
+    if (is_equal(word, "nan")) return stand_ins.data();
+    if (is_equal(word, "inf") || is_equal(word, "infinity")) return &stand_ins[is_negative ? 2 : 1];
+    return nullptr;
+}
+
+bool is_number(std::string_view word) {
+    return word.find_first_not_of("+-.0123456789eE") == std::string_view::npos &&
+           word.find_first_of("0123456789") != std::string_view::npos;
+}
+
+template <class F>
+void for_words(std::string_view line, F&& f) {
+    constexpr std::string_view blanks = " \t\r";
+    for (std::size_t at = line.find_first_not_of(blanks); at != std::string_view::npos;) {
+        const std::size_t end = std::min(line.find_first_of(blanks, at), line.size());
+        f(line.substr(at, end - at), at);
+        at = line.find_first_not_of(blanks, end);
+    }
+}
+
+bool holds_values(std::string_view line) {
+    bool all = true;
+    for_words(line, [&](std::string_view word, std::size_t) {
+        all = all && (is_number(word) || stand_in_for(word) != nullptr);
+    });
+    return all;
+}
+
+void append_line(std::string_view line, std::string& out) {
+    if (!holds_values(line)) {
+        out += line;
+        return;
+    }
+    std::size_t written = 0;
+    for_words(line, [&](std::string_view word, std::size_t at) {
+        const StandIn* stand_in = stand_in_for(word);
+        if (stand_in == nullptr) return;
+        out += line.substr(written, at - written);
+        out += stand_in->text;
+        written = at + word.size();
+    });
+    out += line.substr(written);
+}
+
+} // namespace
+
+bool may_hold_no_numbers(std::istream& file) {
+    constexpr std::size_t block = std::size_t{1} << 20;
+    constexpr std::size_t overlap = 2; // a word may lie on both sides of a block's end
+    const auto is_letter = [](char found, char letter) { return lower(found) == letter; };
+    std::string text;
+    while (file) {
+        const std::string kept = text.size() > overlap ? text.substr(text.size() - overlap) : text;
+        text.resize(block);
+        file.read(text.data(), static_cast<std::streamsize>(block));
+        text.resize(static_cast<std::size_t>(file.gcount()));
+        text.insert(0, kept);
+        for (const std::string_view word : {"nan", "inf"})
+            if (std::search(text.begin(), text.end(), word.begin(), word.end(), is_letter) != text.end()) return true;
+    }
+    return false;
+}
+
+std::string with_stand_ins(const std::string& text) {
+    std::string out;
+    out.reserve(text.size());
+    for (std::size_t begin = 0; begin < text.size();) {
+        const std::size_t end = std::min(text.find('\n', begin), text.size());
+        append_line(std::string_view(text).substr(begin, end - begin), out);
+        if (end < text.size()) out += '\n';
+        begin = end + 1;
+    }
+    return out;
+}
+
+} // namespace ciel::importer

@@ -1,0 +1,40 @@
+// The values of a legacy VTK file that are no numbers: which words stand for them, and where they are left alone.
+#include "import/parsers/legacy_vtk_numbers.hpp"
+
+#include <gtest/gtest.h>
+#include <sstream>
+
+namespace ciel::importer {
+namespace {
+
+const std::string nan = stand_ins[0].text, inf = stand_ins[1].text, minus_inf = stand_ins[2].text;
+
+TEST(LegacyVtkNumbers, EverySpellingHasItsStandIn) {
+    EXPECT_EQ(with_stand_ins("1 nan -NaN 2.5e3\r\n"), "1 " + nan + " " + nan + " 2.5e3\r\n");
+    EXPECT_EQ(with_stand_ins("inf +Inf -inf\nInfinity\t-INFINITY"),
+              inf + " " + inf + " " + minus_inf + "\n" + inf + "\t" + minus_inf);
+}
+
+TEST(LegacyVtkNumbers, LinesThatNameSomethingAreLeftAlone) {
+    for (const std::string line : {"SCALARS nan double 1", "inf 1 27 double", "info nan", "nan nano"})
+        EXPECT_EQ(with_stand_ins(line), line);
+    EXPECT_EQ(with_stand_ins("nan 1 27\n"), nan + " 1 27\n") << "nothing says that it is a name";
+}
+
+TEST(LegacyVtkNumbers, StandInsAreTheSameAsFloatsAndAsDoubles) {
+    for (const StandIn& stand_in : stand_ins) {
+        EXPECT_EQ(std::stod(stand_in.text), stand_in.number);
+        EXPECT_EQ(std::stof(stand_in.text), static_cast<float>(stand_in.number));
+    }
+}
+
+TEST(LegacyVtkNumbers, AreFoundAcrossTheEndOfABlock) {
+    for (const std::size_t before : {std::size_t{0}, (std::size_t{1} << 20) - 2, (std::size_t{1} << 20) - 1}) {
+        std::istringstream with(std::string(before, ' ') + "NaN 1"), without(std::string(before, ' ') + "1 2");
+        EXPECT_TRUE(may_hold_no_numbers(with)) << before;
+        EXPECT_FALSE(may_hold_no_numbers(without)) << before;
+    }
+}
+
+} // namespace
+} // namespace ciel::importer
