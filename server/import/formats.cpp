@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <fstream>
 #include <vtkCONVERGECFDReader.h>
-#include <vtkGenericEnSightReader.h>
 #include <vtkHDFReader.h>
 #include <vtkNew.h>
 #include <vtkTecplotReader.h>
@@ -56,20 +55,6 @@ std::unique_ptr<Source> open_vtkhdf(const Inputs& inputs, const SourceOptions&) 
     if (reader->CanReadFile(inputs.front().c_str()) == 0)
         throw Error(inputs.front() + ": is an HDF5 file but holds no VTKHDF group");
     return std::make_unique<ReaderSource>("VTKHDF", inputs.front(), reader.Get(),
-                                          [&] { return arrays_of(*reader.Get()); });
-}
-
-std::unique_ptr<Source> open_ensight(const Inputs& inputs, const SourceOptions&) {
-    std::ifstream file(inputs.front(), std::ios::binary);
-    std::string line;
-    bool has_geometry = false;
-    while (!has_geometry && std::getline(file, line)) has_geometry = line.find("GEOMETRY") != std::string::npos;
-    if (!has_geometry)
-        throw Error(inputs.front() + ": has no section GEOMETRY, so it names no mesh; EnSight's case files have one");
-    vtkNew<vtkGenericEnSightReader> reader;
-    reader->SetCaseFileName(inputs.front().c_str());
-    reader->ReadAllVariablesOn();
-    return std::make_unique<ReaderSource>("EnSight", inputs.front(), reader.Get(),
                                           [&] { return arrays_of(*reader.Get()); });
 }
 

@@ -39,6 +39,7 @@ std::unique_ptr<Source> open_vtk_xml(const Inputs& inputs, const SourceOptions& 
 std::unique_ptr<Source> open_legacy_vtk(const Inputs& inputs, const SourceOptions& options); // legacy_vtk.cpp
 std::unique_ptr<Source> open_openfoam(const Inputs& inputs, const SourceOptions& options);   // openfoam.cpp
 std::unique_ptr<Source> open_plot3d(const Inputs& inputs, const SourceOptions& options);     // plot3d.cpp
+std::unique_ptr<Source> open_ensight(const Inputs& inputs, const SourceOptions& options);    // ensight.cpp
 std::unique_ptr<Source> open_exodus(const Inputs& inputs, const SourceOptions& options);     // exodus.cpp
 std::unique_ptr<Source> open_lsdyna(const Inputs& inputs, const SourceOptions& options);     // lsdyna.cpp
 std::unique_ptr<Source> open_cgns(const Inputs& inputs, const SourceOptions& options);       // cgns.cpp

@@ -2,6 +2,7 @@
 #include "ciel/types.hpp"
 #include "import/formats.hpp"
 #include "import/reader_source.hpp"
+#include "import/regular_file.hpp"
 
 #include <cstdlib>
 #include <fstream>
@@ -55,6 +56,8 @@ private:
 } // namespace
 
 std::unique_ptr<Source> open_lsdyna(const Inputs& inputs, const SourceOptions&) {
+    const fs::path input = inputs.front(); // d3plot01, d3plot02... follow; an XML file names them
+    require_regular_files(input.parent_path(), input.extension() == ".lsdyna" ? "" : input.filename().string());
     auto family = is_alone(inputs.front()) ? std::make_unique<PairedFamily>(inputs.front()) : nullptr;
     vtkNew<vtkLSDynaReader> reader;
     reader->SetFileName(family ? family->first().c_str() : inputs.front().c_str());

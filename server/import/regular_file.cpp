@@ -13,9 +13,12 @@ void require_regular(const fs::path& file) {
         throw Error(file.string() + ": is not a regular file but a pipe, a socket or a device");
 }
 
-void require_regular_files(const fs::path& directory) {
+void require_regular_files(const fs::path& directory) { require_regular_files(directory, ""); }
+
+void require_regular_files(const fs::path& directory, std::string_view beginning) {
     std::error_code missing;
-    for (const auto& entry : fs::directory_iterator(directory, missing)) require_regular(entry.path());
+    for (const auto& entry : fs::directory_iterator(directory.empty() ? "." : directory, missing))
+        if (entry.path().filename().string().starts_with(beginning)) require_regular(entry.path());
 }
 
 } // namespace ciel::importer

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string_view>
 
 namespace ciel::importer {
 
@@ -10,5 +11,8 @@ void require_regular(const std::filesystem::path& file);
 
 // The same for all in a directory, but not in those below. Nothing where there is no such directory.
 void require_regular_files(const std::filesystem::path& directory);
+
+// The same for those whose names begin in this way.
+void require_regular_files(const std::filesystem::path& directory, std::string_view beginning);
 
 } // namespace ciel::importer

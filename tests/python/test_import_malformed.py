@@ -348,11 +348,25 @@ def fluent_with_a_pipe(folder):
     return text(folder, "a.cas", "(2 3)\n")
 
 
+def ensight_with_a_pipe(name):
+    def make(folder):
+        pipe(folder / name)
+        return text(folder, "a.case", "FORMAT\ntype: ensight gold\nGEOMETRY\nmodel: a.geo\nVARIABLE\nscalar per node: 1 p p****\n")
+
+    return make
+
+
+def lsdyna_with_a_pipe(folder):
+    pipe(folder / "d3plot01")
+    return text(folder, "d3plot", "x" * 4096)
+
+
 @pytest.mark.parametrize("make", [
     lambda f: pipe(f / "a.vtu"), lambda f: (pipe(f / "p.vtu"), pvd(f, "p.vtu"))[1], pvtu_naming_a_pipe, vtm_naming_a_pvtu,
     case_with("constant/polyMesh/points"), case_with("1/p"), case_with("2/U"), case_with("system/controlDict"),
-    plot3d_with_a_pipe, fluent_with_a_pipe,
-], ids=["itself", "pvd", "pvtu", "vtm", "points", "first step", "last step", "controlDict", "PLOT3D", "Fluent"])
+    plot3d_with_a_pipe, fluent_with_a_pipe, ensight_with_a_pipe("a.geo"), ensight_with_a_pipe("p0002"), lsdyna_with_a_pipe,
+], ids=["itself", "pvd", "pvtu", "vtm", "points", "first step", "last step", "controlDict", "PLOT3D", "Fluent", "EnSight", "EnSight step",
+        "LS-DYNA"])
 def test_a_pipe_is_refused_and_not_waited_for(tmp_path, make):
     made = make(tmp_path)
     inputs = made if isinstance(made, tuple) else (made,)
