@@ -234,7 +234,7 @@ Welds find_welds(const JoinedMesh& mesh, Weld mode, const Cut& cut) {
     const bool look = mode == Weld::all || mesh.parts.size() > 1;
     if (look)
         for_each_coincident(mesh, [&](Index a, Index b) {
-            ++coincident;
+            coincident += sets.find(a) == sets.find(b) ? 0 : 1; // pieces were joined already
             if (mode == Weld::all) sets.join(a, b);
         });
     std::vector<Index> representative = sets.representatives();

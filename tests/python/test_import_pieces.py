@@ -108,6 +108,7 @@ def test_pieces_are_one_mesh(whole, tmp_path, form, make):
     assert dataset.counts()["components"] == 1
     cut = sum(len(set(PIECE[list(pair)])) > 1 for pair in neighbours())
     assert f"The pieces of the mesh were joined along {cut} faces." in dataset.notes
+    assert "left apart" not in dataset.notes, "points that were joined"
     expected, _ = area(whole)
     found, open_edges = area(dataset)
     assert open_edges == 0 and found == pytest.approx(expected, rel=1e-6)
