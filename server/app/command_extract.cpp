@@ -1,11 +1,14 @@
 // ciel extract NAME.ciel --iso ARRAY=VALUE -o FILE: iso-surfaces and slices as one file.
 #include "app/commands.hpp"
 #include "app/scene_options.hpp"
+#include "session/flat_shape.hpp"
+#include "session/sound_shape.hpp"
 #include "store/files.hpp"
 #include "store/statistics.hpp"
 #include "wire/joined_surface.hpp"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <iostream>
 #include <memory>
@@ -24,6 +27,22 @@ struct ExtractCommand {
     std::string output;
 };
 
+bool is_of_cells(store::LoadedDataset& loaded, const std::string& scalar) {
+    const auto dataset = loaded.dataset();
+    return dataset->find(store::parse_scalar(*dataset, scalar).array)->association == store::Association::cell;
+}
+
+// Without the cells that blew up. By values of cells no two polygons have a vertex in common: each has that of its own
+// cell.
+std::shared_ptr<const session::Shape> shape_for(const session::Drawable& drawable,
+                                                const std::vector<std::string>& scalars, std::size_t step,
+                                                store::LoadedDataset& loaded) {
+    const auto sound = session::sound_shape(drawable.shape, scalars, step, loaded);
+    const bool flat =
+        std::ranges::any_of(scalars, [&](const std::string& scalar) { return is_of_cells(loaded, scalar); });
+    return flat ? session::separated(*sound) : sound;
+}
+
 std::vector<wire::NamedValues> values_of(const Surface& surface, const std::vector<std::string>& scalars,
                                          store::LoadedDataset& loaded, std::size_t step) {
     std::vector<wire::NamedValues> all;
@@ -32,7 +51,10 @@ std::vector<wire::NamedValues> values_of(const Surface& surface, const std::vect
         const store::ScalarName name = store::parse_scalar(*loaded.dataset(), scalar);
         wire::NamedValues values{name.magnitude ? name.array + ":magnitude" : scalar,
                                  std::vector<float>(surface.points.size())};
-        interpolate(surface.points, *loaded.scalar_values(scalar, step), 1, values.values);
+        if (is_of_cells(loaded, scalar))
+            values.values = session::flat_values(surface, surface.polygon_cell, *loaded.cell_values(scalar, step));
+        else
+            interpolate(surface.points, *loaded.scalar_values(scalar, step), 1, values.values);
         all.push_back(std::move(values));
     }
     return all;
@@ -40,7 +62,7 @@ std::vector<wire::NamedValues> values_of(const Surface& surface, const std::vect
 
 std::string range_of(const std::string& scalar, store::LoadedDataset& loaded, std::size_t step) {
     const auto values = loaded.scalar_values(scalar, step);
-    const store::ArrayStep found = store::statistics(*values, 1);
+    const store::ArrayStep found = store::statistics(*values, {});
     if (found.invalid == values->size()) return scalar + " has no finite value";
     std::ostringstream text;
     text << scalar << " lies between " << found.range[0] << " and " << found.range[1];
@@ -67,6 +89,17 @@ std::string why_empty(const scene::Scene& scene, const session::Geometry& geomet
     return text.str();
 }
 
+// A file has no place for the cells that blew up.
+void tell_left_out(const scene::Scene& scene, const std::vector<std::string>& colors, std::size_t step,
+                   store::LoadedDataset& loaded) {
+    std::set<std::string> arrays(colors.begin(), colors.end());
+    for (const scene::Layer& layer : scene.layers)
+        if (const auto* iso = std::get_if<scene::IsoLayer>(&layer.kind)) arrays.insert(iso->array);
+    for (const std::string& array : arrays)
+        if (const std::string text = session::left_out_text(array, step, loaded); !text.empty())
+            std::cerr << "ciel: " << text << '\n';
+}
+
 wire::SurfaceFormat format_of(const std::string& output) {
     try {
         return wire::surface_format(lower_case_extension(output));
@@ -85,7 +118,8 @@ int run_command(const ExtractCommand& extract) {
     wire::JoinedSurface joined;
     for (const session::Drawable& drawable : geometry->drawables) {
         if (!drawable.polygons()) continue;
-        const Surface& surface = drawable.shape->surface;
+        const auto shape = shape_for(drawable, extract.colors, geometry->step, *loaded);
+        const Surface& surface = shape->surface;
         joined.add(surface, values_of(surface, extract.colors, *loaded, geometry->step));
     }
     std::ostringstream bytes;
@@ -95,6 +129,7 @@ int run_command(const ExtractCommand& extract) {
         format, {joined.surface(), geometry->origin, joined.values(), extract.triangles, origin}, bytes);
     const std::string text = std::move(bytes).str();
     store::replace_file(std::filesystem::absolute(extract.output), store::bytes_of(text));
+    tell_left_out(scene, extract.colors, geometry->step, *loaded);
     if (written.polygons == 0) std::cerr << "ciel: " << why_empty(scene, *geometry, *loaded) << '\n';
     std::printf("wrote %s: %zu polygons, %zu vertices\n", extract.output.c_str(), written.polygons, written.vertices);
     if (origin != Vec3d{} || extract.from_origin)
@@ -111,7 +146,9 @@ void add_extract(CLI::App& app, Run& run) {
         "on stderr\nsays what the array's range is, and the exit code is 0.");
     auto extract = std::make_shared<ExtractCommand>();
     extract->scene.add_to(*command);
-    command->add_option("--color", extract->colors, "Point scalars to interpolate onto the surface.")
+    command
+        ->add_option("--color", extract->colors,
+                     "Scalars on the surface: of points interpolated, of cells (cell:NAME) flat.")
         ->type_name("ARRAY");
     command->add_flag("--triangles", extract->triangles, "Triangles instead of polygons (STL always has them).");
     command->add_flag("--origin", extract->from_origin,

@@ -1,6 +1,7 @@
 // ciel info: what a dataset holds. Touches every chunk, so that every checksum is verified.
 #include "app/commands.hpp"
 #include "ciel/field.hpp"
+#include "session/cell_extremes.hpp"
 #include "store/dataset.hpp"
 
 #include <CLI/CLI.hpp>
@@ -52,13 +53,17 @@ json mesh_json(const store::MeshInfo& mesh) {
 
 // At the first time it was written. Of scalars on points: a vector or a cell's value is never contoured itself.
 json ambiguous_faces(const Dataset& dataset, const store::ArrayInfo& array) {
-    if (array.components > 1 || array.association == store::Association::cell) return nullptr;
+    if (array.components > 1 || array.association != store::Association::point) return nullptr;
     for (std::size_t step = 0; step < dataset.steps().size(); ++step) {
         const store::Step& at = dataset.steps()[step];
         if (const auto found = at.arrays.find(array.name); found != at.arrays.end() && !found->second.lazy)
             return count_ambiguous_faces(dataset.mesh(at.mesh, at.coordinates), dataset.values(array.name, step));
     }
     return nullptr;
+}
+
+json extreme_json(const session::CellValue& found) {
+    return {{"value", found.value}, {"cell", found.cell}, {"place", found.place}, {"time", found.time}};
 }
 
 json array_json(const Dataset& dataset, const store::ArrayInfo& array) {
@@ -73,15 +78,32 @@ json array_json(const Dataset& dataset, const store::ArrayInfo& array) {
         range = range.is_null() ? json{low, high}
                                 : json{std::min(low, range[0].get<double>()), std::max(high, range[1].get<double>())};
     }
+    const auto extremes = session::cell_extremes_of_all_steps(dataset, store::scalar_names(array).front());
     return {{"name", array.name},
-            {"association", array.association == store::Association::point ? "point" : "cell"},
+            {"association", store::to_text(array.association)},
+            {"component_names", array.component_names},
+            {"origin", store::to_text(array.source.origin)},
+            {"type", array.source.type},
+            {"file", array.source.file},
+            {"extremes",
+             extremes ? json{{"lowest", extreme_json(extremes->lowest)}, {"highest", extreme_json(extremes->highest)}}
+                      : json()},
             {"components", array.components},
             {"range", range},
             {"invalid", invalid},
             {"units", array.units},
             {"description", array.description},
             {"times", times},
+            {"missing", dataset.steps().size() - times.size()},
             {"ambiguous_faces", ambiguous_faces(dataset, array)}};
+}
+
+// Of the first mesh: whether its vertices and cells have ids of the solver's own.
+json solver_ids_json(const Dataset& dataset) {
+    json of = json::array();
+    if (!dataset.solver_vertex(0).empty()) of.push_back("vertices");
+    if (!dataset.solver_cell(0).empty()) of.push_back("cells");
+    return of;
 }
 
 json groups_json(const Dataset& dataset) {
@@ -113,6 +135,7 @@ json report(const Dataset& dataset) {
             {"mesh", meshes[0]},
             {"meshes", meshes},
             {"groups", groups_json(dataset)},
+            {"solver_ids", solver_ids_json(dataset)},
             {"bounds", info.meshes[0].bounds},
             {"times", times},
             {"arrays", arrays},
@@ -160,6 +183,14 @@ void print_counts(const json& mesh) {
     for (const auto& [type, count] : mesh["cells"].items()) line(type, grouped(count));
 }
 
+// "original float64 from 0/p"
+std::string source_of(const json& array) {
+    std::string text = array["origin"];
+    if (const std::string type = array["type"]; !type.empty()) text += " " + type;
+    if (const std::string file = array["file"]; !file.empty()) text += " from " + file;
+    return text;
+}
+
 std::string describe(const json& array) {
     std::ostringstream text;
     text << std::left << std::setw(7) << array["association"].get<std::string>() << "x"
@@ -167,9 +198,26 @@ std::string describe(const json& array) {
     if (!array["range"].is_null())
         text << "[" << number(array["range"][0]) << ", " << number(array["range"][1]) << "] ";
     text << array["units"].get<std::string>() << "  at " << array["times"].size() << " times";
+    if (array["missing"] > 0) text << ", missing at " << array["missing"];
     if (!array["ambiguous_faces"].is_null()) text << ", " << grouped(array["ambiguous_faces"]) << " ambiguous faces";
     if (array["invalid"] > 0) text << ", " << grouped(array["invalid"]) << " values not finite";
+    text << "; " << source_of(array);
     return text.str();
+}
+
+// "63.6 in cell 17 at (1, 2, 3), time 0.5"
+std::string extreme_text(const json& found) {
+    std::string text =
+        number(found["value"]) + " in cell " + std::to_string(found["cell"].get<std::uint64_t>()) + " at (";
+    for (std::size_t axis = 0; axis < 3; ++axis) text += (axis > 0 ? ", " : "") + number(found["place"][axis]);
+    return text + "), time " + number(found["time"]);
+}
+
+void print_array(const json& array) {
+    line(array["name"], describe(array));
+    if (array["association"] != "cell" || array["extremes"].is_null()) return;
+    line("", "lowest " + extreme_text(array["extremes"]["lowest"]));
+    line("", "highest " + extreme_text(array["extremes"]["highest"]));
 }
 
 // The shortest text that is this number again.
@@ -196,8 +244,10 @@ void print(const json& info) {
     if (!info["groups"].empty()) std::cout << "groups\n";
     for (const json& group : info["groups"])
         line(group["name"], grouped(group["count"]) + " " + group["of"].get<std::string>() + facts_of(group));
+    for (const json& of : info["solver_ids"])
+        line("ids", "the " + of.get<std::string>() + " have the solver's own, too");
     std::cout << "arrays\n";
-    for (const json& array : info["arrays"]) line(array["name"], describe(array));
+    for (const json& array : info["arrays"]) print_array(array);
     if (!info["times"].empty()) {
         std::cout << "times\n";
         line(grouped(info["times"].size()),

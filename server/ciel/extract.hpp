@@ -34,6 +34,7 @@ struct Surface {
     std::vector<Index> polygon_offset{0}; // polygons + 1
     std::vector<Index> polygon_vertex;
     std::vector<Index> polygon_cell; // the cut cell of each polygon
+    std::vector<Index> polygon_face; // of surfaces made of faces of the mesh: which; else empty
 
     // Consecutive polygons of one block: the unit of streaming and culling.
     struct Chunk {

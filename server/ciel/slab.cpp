@@ -104,7 +104,7 @@ Vec3f lerp(const Vec3f& a, const Vec3f& b, float t) {
 
 std::vector<std::array<float, 2>> cell_limits(const FaceMeshView& mesh, std::span<const float> values) {
     constexpr float infinity = std::numeric_limits<float>::infinity();
-    std::vector<std::array<float, 2>> limits(mesh.cell_count(), {infinity, -infinity});
+    std::vector<std::array<float, 2>> limits(mesh.cell_count(), not_filled);
     const auto widen = [&](Index cell, float low, float high) {
         limits[cell] = {std::min(limits[cell][0], low), std::max(limits[cell][1], high)};
     };
@@ -123,7 +123,7 @@ std::vector<std::array<float, 2>> cell_limits(const FaceMeshView& mesh, std::spa
             if (!has_values) empty.push_back(cell);
         }
     }
-    for (const Index cell : empty) limits[cell] = {infinity, -infinity};
+    for (const Index cell : empty) limits[cell] = not_filled;
     return limits;
 }
 

@@ -25,8 +25,11 @@ struct SlabMesh {
     }
 };
 
-// [min, max] of the values at each cell's vertices; low > high where one of them is NaN or infinite: a cell that is not
-// filled.
+// Of a cell that is not filled: low > high.
+inline constexpr std::array<float, 2> not_filled{std::numeric_limits<float>::infinity(),
+                                                 -std::numeric_limits<float>::infinity()};
+
+// [min, max] of the values at each cell's vertices; not_filled where one of them is NaN or infinite.
 [[nodiscard]] std::vector<std::array<float, 2>> cell_limits(const FaceMeshView& mesh, std::span<const float> values);
 
 // The property at the mesh's V vertices and C cells. Borrowed, and must have these sizes.

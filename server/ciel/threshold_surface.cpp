@@ -90,6 +90,7 @@ Surface face_surface(const FaceMeshView& mesh, std::span<const CellFace> faces) 
             std::for_each(loop.rbegin(), loop.rend(), add);
         surface.polygon_offset.push_back(static_cast<Index>(surface.polygon_vertex.size()));
         surface.polygon_cell.push_back(cell);
+        surface.polygon_face.push_back(face);
     }
     add_chunks(surface);
     return surface;
@@ -118,6 +119,7 @@ Surface polygons_of_cells(const Surface& surface, std::span<const std::uint8_t> 
         }
         out.polygon_offset.push_back(static_cast<Index>(out.polygon_vertex.size()));
         out.polygon_cell.push_back(surface.polygon_cell[i]);
+        if (!surface.polygon_face.empty()) out.polygon_face.push_back(surface.polygon_face[i]);
     }
     add_chunks(out);
     return out;

@@ -19,7 +19,7 @@ struct ArrayName {
 
 class ArraySelection {
 public:
-    // `selected` empty: all; "p" selects p and cell:p.
+    // `selected` empty: all; "p" selects p, cell:p and patch:p.
     explicit ArraySelection(std::vector<std::string> selected) : selected_(std::move(selected)) {}
 
     [[nodiscard]] bool wants(const std::string& stored, bool cell_only) const;

@@ -2,6 +2,7 @@
 
 #include "import/fingerprint.hpp"
 #include "import/progress.hpp"
+#include "import/solver_ids.hpp"
 #include "import/step_arrays.hpp"
 
 #include <algorithm>
@@ -17,20 +18,26 @@ namespace {
 
 class Converter {
 public:
-    Converter(Source& source, const Options& options)
-        : source_(source), options_(options), selection_(options.arrays), arrays_(selection_, source.units()) {}
+    Converter(Source& source, const Options& options, ComponentsOf components)
+        : source_(source), options_(options), selection_(options.arrays),
+          arrays_(selection_, source, FieldComponents(std::move(components))) {}
 
-    ConvertResult run() {
+    // Nothing where most steps turned out to have another number of components of an array than was taken: components()
+    // says which. What was written is gone then.
+    std::optional<ConvertResult> run() {
         const std::vector<double>& times = source_.times();
         check_listing();
         for (step_ = 0; step_ < times.size(); ++step_) add_step(times[step_]);
         if (!writer_) throw Error(first_reason_);
         selection_.check();
+        if (!arrays_.components().is_of_most_steps()) return std::nullopt;
         for (const std::string& sentence : arrays_.notes()) note(sentence);
+        for (const std::string& sentence : arrays_.lost()) lose(sentence);
         tell(1.0, "finishing");
         writer_->finish();
         return std::move(result_);
     }
+    [[nodiscard]] ComponentsOf components() const { return arrays_.components().of_most_steps(); }
 
 private:
     // `phase_share`: how much of this step is done.
@@ -91,7 +98,7 @@ private:
         if (!is_same && !new_mesh(blocks, time)) return;
         print_ = print;
         tell(0.8, "making arrays");
-        const auto& arrays = arrays_.make(mesh_, blocks, point_maker_);
+        const auto& arrays = arrays_.make(step_, mesh_, blocks, point_maker_);
         tell(0.9, "writing");
         writer_->add_step(time, mesh_index_, coordinates_index_, arrays);
     }
@@ -111,7 +118,10 @@ private:
         if (!writer_) make_writer();
         for (const std::string& sentence : mesh_.notes) note(sentence);
         tell(0.7, "writing the mesh");
-        mesh_index_ = writer_->add_mesh(mesh_.assembled.mesh, mesh_.point_of_vertex, mesh_.cell_of_cell, mesh_.groups);
+        const auto vertices = to_stored(gather_solver_ids(mesh_.parts, FieldOf::points), mesh_.point_of_vertex);
+        const auto cells = to_stored(gather_solver_ids(mesh_.parts, FieldOf::cells), mesh_.cell_of_cell);
+        mesh_index_ = writer_->add_mesh(mesh_.assembled.mesh, mesh_.point_of_vertex, mesh_.cell_of_cell, mesh_.groups,
+                                        {vertices, cells});
         coordinates_index_ = 0;
         return true;
     }
@@ -193,6 +203,13 @@ private:
 
 } // namespace
 
-ConvertResult convert(Source& source, const Options& options) { return Converter(source, options).run(); }
+ConvertResult convert(Source& source, const Options& options) {
+    ComponentsOf components;
+    while (true) {
+        Converter converter(source, options, components);
+        if (auto result = converter.run()) return std::move(*result);
+        components = converter.components(); // once: they are what most steps have
+    }
+}
 
 } // namespace ciel::importer

@@ -1,8 +1,10 @@
 #include "import/fields.hpp"
 
+#include "import/array_facts.hpp"
+#include "import/solver_ids.hpp"
+#include "store/no_value.hpp"
+
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <map>
 #include <set>
 #include <vtkCellData.h>
@@ -42,7 +44,11 @@ void collect(const JoinedMesh::Part& part, FieldOf of, Found& found) {
         vtkDataArray* array = data->GetArray(i); // null for text
         if (array == nullptr) continue;
         const std::string name = name_of(array);
-        if (!name.empty() && !is_bookkeeping(name)) found[name].push_back({{of, name}, array->GetNumberOfComponents()});
+        if (name.empty() || is_bookkeeping(name) || array == solver_id_array(part.data, of)) continue;
+        FieldName field{{of, name}, array->GetNumberOfComponents()};
+        field.component_names = tensor_component_names(data, array);
+        field.type = type_name(array);
+        found[name].push_back(std::move(field));
     }
 }
 
@@ -75,7 +81,7 @@ std::vector<FieldName> field_names(const std::vector<JoinedMesh::Part>& parts) {
 }
 
 std::vector<std::string> left_out_arrays(const std::vector<JoinedMesh::Part>& parts) {
-    std::set<std::string> flags, texts, field_data, differing;
+    std::set<std::string> flags, texts, field_data;
     bool nameless = false;
     for (const JoinedMesh::Part& part : parts) {
         for (const FieldOf of : {FieldOf::points, FieldOf::cells}) {
@@ -83,6 +89,7 @@ std::vector<std::string> left_out_arrays(const std::vector<JoinedMesh::Part>& pa
             for (int i = 0; i < data->GetNumberOfArrays(); ++i) {
                 const std::string name = name_of(data->GetAbstractArray(i));
                 nameless = nameless || name.empty();
+                if (data->GetAbstractArray(i) == solver_id_array(part.data, of)) continue; // kept as ids
                 if (is_bookkeeping(name))
                     flags.insert(name);
                 else if (data->GetArray(i) == nullptr && !name.empty())
@@ -92,18 +99,21 @@ std::vector<std::string> left_out_arrays(const std::vector<JoinedMesh::Part>& pa
         vtkFieldData* data = part.data->GetFieldData();
         for (int i = 0; i < data->GetNumberOfArrays(); ++i) field_data.insert(name_of(data->GetAbstractArray(i)));
     }
-    for (const FieldOf of : {FieldOf::points, FieldOf::cells})
-        for (const auto& [name, fields] : found_in(parts, of))
-            if (!have_equal_components(fields)) differing.insert(name);
     std::vector<std::string> notes;
     if (!flags.empty()) notes.push_back("Flags and ids were left out: " + listed(flags) + ".");
     if (!texts.empty()) notes.push_back("Arrays of text were left out: " + listed(texts) + ".");
     if (!field_data.empty()) notes.push_back("Field data was left out: " + listed(field_data) + ".");
-    if (!differing.empty())
-        notes.push_back("Arrays whose numbers of components differ between blocks were left out: " + listed(differing) +
-                        ".");
     if (nameless) notes.emplace_back("An array without a name was left out.");
     return notes;
+}
+
+std::vector<std::string> lost_arrays(const std::vector<JoinedMesh::Part>& parts) {
+    std::set<std::string> differing;
+    for (const FieldOf of : {FieldOf::points, FieldOf::cells})
+        for (const auto& [name, fields] : found_in(parts, of))
+            if (!have_equal_components(fields)) differing.insert(name);
+    if (differing.empty()) return {};
+    return {"Arrays whose numbers of components differ between blocks were left out: " + listed(differing) + "."};
 }
 
 std::vector<FieldName> field_names(const Blocks& blocks) {
@@ -133,7 +143,7 @@ std::vector<float> gather_field(const std::vector<JoinedMesh::Part>& parts, cons
     for (const JoinedMesh::Part& part : parts) count = std::max(count, first_of(part) + size_of(part));
 
     const auto components = static_cast<std::size_t>(field.components);
-    std::vector<float> values(count * components, std::numeric_limits<float>::quiet_NaN());
+    std::vector<float> values(count * components, store::no_value);
     for (const JoinedMesh::Part& part : parts) {
         const std::vector<float> own = array_values(part.data, field);
         if (own.empty()) continue;

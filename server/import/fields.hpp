@@ -9,6 +9,8 @@ namespace ciel::importer {
 
 struct FieldName : ArrayName {
     int components = 1;
+    std::vector<std::string> component_names{}; // of a tensor (array_facts.hpp)
+    std::string type{};                         // of the numbers in the file
 };
 
 // What the blocks offer, sorted by name. Ghost levels, ids and blanking are bookkeeping, not fields; arrays whose
@@ -18,8 +20,10 @@ struct FieldName : ArrayName {
 
 // Sentences on what the blocks have and field_names leaves out.
 [[nodiscard]] std::vector<std::string> left_out_arrays(const std::vector<JoinedMesh::Part>& parts);
+// The same on arrays that should be in the dataset.
+[[nodiscard]] std::vector<std::string> lost_arrays(const std::vector<JoinedMesh::Part>& parts);
 
-// components values per running point or cell. Blocks that lack the array give NaN: "no value here".
+// components values per running point or cell. Blocks that lack the array give store::no_value.
 [[nodiscard]] std::vector<float> gather_field(const std::vector<JoinedMesh::Part>& parts, const FieldName& field);
 
 // The same for one array of one data set, as floats.

@@ -52,6 +52,9 @@ public:
     }
 
     [[nodiscard]] std::vector<std::string> lost() const override { return lost_; }
+    [[nodiscard]] std::string file_of(const ArrayName&, std::size_t step) const override {
+        return std::filesystem::path(steps_[step].front().file).filename().string();
+    }
 
 private:
     // When its step is read, for a file that is damaged or missing costs no more than that step.

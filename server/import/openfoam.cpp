@@ -84,6 +84,16 @@ public:
         }
     }
 
+    // "0.5/p", "processor*/0.5/p"; of the first region.
+    [[nodiscard]] std::string file_of(const ArrayName& array, std::size_t step) const override {
+        const FoamPart& part = foam_.parts.front();
+        const auto at = part.times.find(foam_.times[step]);
+        if (at == part.times.end()) return "";
+        const std::string file =
+            (at->second / foam_.regions.front() / array.name).lexically_relative(part.directory).string();
+        return foam_.is_decomposed ? "processor*/" + file : file;
+    }
+
     [[nodiscard]] std::map<std::string, std::string> units() const override {
         std::map<std::string, std::string> units;
         for (const auto& [name, info] : infos_) units[name] = info.units;

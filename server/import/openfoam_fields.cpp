@@ -5,9 +5,9 @@
 #include "import/parsers/openfoam/macros.hpp"
 #include "import/parsers/openfoam/reader.hpp"
 #include "import/parsers/openfoam/units.hpp"
+#include "store/no_value.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <set>
 #include <sstream>
 #include <vtkDoubleArray.h>
@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 constexpr std::size_t head_bytes = 4096;
-constexpr double no_value = std::numeric_limits<double>::quiet_NaN();
+constexpr double no_value{store::no_value}; // as a float it is that again
 
 struct FieldHead {
     std::string class_name, units;
@@ -107,11 +107,21 @@ private:
         array->SetName(name.c_str());
         array->SetNumberOfComponents(static_cast<int>(width_));
         array->SetNumberOfTuples(static_cast<vtkIdType>(values.size() / width_));
+        name_components(*array);
         if (is_single_)
             std::copy(values.begin(), values.end(), static_cast<float*>(array->GetVoidPointer(0)));
         else
             std::copy(values.begin(), values.end(), static_cast<double*>(array->GetVoidPointer(0)));
         return array;
+    }
+
+    // In the order of OpenFOAM's classes symmTensor and tensor.
+    static void name_components(vtkDataArray& array) {
+        constexpr const char* symmetric[] = {"xx", "xy", "xz", "yy", "yz", "zz"};
+        constexpr const char* full[] = {"xx", "xy", "xz", "yx", "yy", "yz", "zx", "zy", "zz"};
+        const int components = array.GetNumberOfComponents();
+        if (components != 6 && components != 9) return;
+        for (int c = 0; c < components; ++c) array.SetComponentName(c, components == 6 ? symmetric[c] : full[c]);
     }
 
     vtkSmartPointer<vtkDataArray> patch_array(const std::string& name, const FoamSurface& patch,

@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <set>
+#include <vtkCellData.h>
 #include <vtkDoubleArray.h>
 #include <vtkIdTypeArray.h>
 #include <vtkNew.h>
@@ -174,6 +175,21 @@ private:
         mesh_.grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
         mesh_.grid->SetPoints(mesh_.points);
         mesh_.grid->SetCells(types, cells, locations, streams);
+        name_cells();
+    }
+
+    // By the numbers that they had before the case was decomposed, where its processors say so.
+    void name_cells() {
+        const auto says = [](const FoamPieceFiles& files) { return !files.cell_addressing.empty(); };
+        if (std::none_of(files_.begin(), files_.end(), says)) return;
+        vtkNew<vtkIdTypeArray> ids;
+        ids->SetName("cellProcAddressing");
+        ids->SetNumberOfValues(static_cast<vtkIdType>(cell_count_));
+        ids->FillValue(-1);
+        for (std::size_t piece = 0; piece < files_.size(); ++piece)
+            std::copy(files_[piece].cell_addressing.begin(), files_[piece].cell_addressing.end(),
+                      ids->GetPointer(static_cast<vtkIdType>(first_cell_[piece])));
+        mesh_.grid->GetCellData()->SetGlobalIds(ids);
     }
 
     void add_cells(std::size_t piece, vtkIdTypeArray* streams, vtkIdTypeArray* locations, vtkIdTypeArray* offsets,

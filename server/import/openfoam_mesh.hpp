@@ -28,9 +28,10 @@ struct FoamSurface { // a patch, or a zone of faces, over all parts
 };
 
 struct FoamMesh {
-    vtkSmartPointer<vtkPoints> points;         // 64-bit floats
-    vtkSmartPointer<vtkUnstructuredGrid> grid; // has these points and no arrays; all cells are polyhedra
-    std::vector<FoamSurface> patches;          // without those between processors
+    vtkSmartPointer<vtkPoints> points; // 64-bit floats
+    vtkSmartPointer<vtkUnstructuredGrid>
+        grid;                         // has these points; all cells are polyhedra; the ids of a decomposed case's cells
+    std::vector<FoamSurface> patches; // without those between processors
     std::vector<FoamSurface> face_zones;
     std::map<std::string, std::vector<Index>> cell_zones;
     std::vector<FoamPiece> pieces;

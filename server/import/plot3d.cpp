@@ -77,6 +77,13 @@ public:
     [[nodiscard]] std::string format() const override { return "PLOT3D"; }
     [[nodiscard]] const std::vector<double>& times() const override { return times_; }
     [[nodiscard]] std::vector<std::string> notes() const override { return notes_; }
+    [[nodiscard]] std::string file_of(const ArrayName&, std::size_t step) const override {
+        return std::filesystem::path(inputs_[std::min(step + 1, inputs_.size() - 1)]).filename().string();
+    }
+    // A solution has density, momentum and energy.
+    [[nodiscard]] bool is_derived(const ArrayName& array) const override {
+        return array.name == "Pressure" || array.name == "Velocity";
+    }
     [[nodiscard]] vtkSmartPointer<vtkDataObject> read(std::size_t step, const ReadProgress& progress) override {
         progress(0);
         if (inputs_.size() > 1) reader_->SetQFileName(inputs_[step + 1].c_str());

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <exception>
+#include <filesystem>
 #include <vtkCallbackCommand.h>
 #include <vtkCommand.h>
 #include <vtkDataObjectTree.h>
@@ -38,7 +39,7 @@ void on_progress(vtkObject* caller, unsigned long, void* client_data, void*) {
 } // namespace
 
 ReaderSource::ReaderSource(std::string format, std::string file, vtkSmartPointer<vtkAlgorithm> reader,
-                           const ListArrays& list_arrays)
+                           const ListArrays& list_arrays, std::uint64_t most_steps)
     : format_(std::move(format)), file_(std::move(file)), reader_(std::move(reader)) {
     reader_->UpdateInformation();
     throw_vtk_errors(file_);
@@ -46,7 +47,8 @@ ReaderSource::ReaderSource(std::string format, std::string file, vtkSmartPointer
     auto* key = vtkStreamingDemandDrivenPipeline::TIME_STEPS();
     if (information->Has(key)) {
         const double* values = information->Get(key);
-        times_.assign(values, values + information->Length(key));
+        const auto steps = static_cast<std::uint64_t>(information->Length(key));
+        times_.assign(values, values + std::min(steps, most_steps));
     }
     if (times_.empty()) times_ = {0.0};
     if (list_arrays) arrays_ = list_arrays();
@@ -70,6 +72,10 @@ vtkSmartPointer<vtkDataObject> ReaderSource::read(std::size_t step, const ReadPr
     vtkDataObject* output = reader_->GetOutputDataObject(0);
     if (output == nullptr) throw Error(file_ + ": the reader gave nothing");
     return kept(*output);
+}
+
+std::string ReaderSource::file_of(const ArrayName&, std::size_t) const {
+    return std::filesystem::path(file_).filename().string();
 }
 
 vtkSmartPointer<vtkDataObject> kept(vtkDataObject& output) {

@@ -12,13 +12,15 @@ public:
     using ListArrays = std::function<std::vector<ArrayName>()>;
 
     // `reader` has its file name set; `file` is named in errors. Reads the information of the file. `list_arrays` asks
-    // the reader after that; none: it cannot tell, or not under the names that its output has.
+    // the reader after that; none: it cannot tell, or not under the names that its output has. `most_steps`: later ones
+    // are not there.
     ReaderSource(std::string format, std::string file, vtkSmartPointer<vtkAlgorithm> reader,
-                 const ListArrays& list_arrays = nullptr);
+                 const ListArrays& list_arrays = nullptr, std::uint64_t most_steps = ~std::uint64_t{0});
 
     [[nodiscard]] std::string format() const override { return format_; }
     [[nodiscard]] const std::vector<double>& times() const override { return times_; }
     [[nodiscard]] vtkSmartPointer<vtkDataObject> read(std::size_t step, const ReadProgress& progress) override;
+    [[nodiscard]] std::string file_of(const ArrayName&, std::size_t) const override;
     [[nodiscard]] std::optional<std::vector<ArrayName>> listed_arrays(std::size_t) const override { return arrays_; }
 
 private:

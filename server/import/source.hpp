@@ -39,6 +39,10 @@ public:
     [[nodiscard]] virtual std::optional<std::vector<ArrayName>> listed_arrays(std::size_t) const {
         return std::nullopt;
     }
+    // Where an array of the step read last comes from, as a user would name it; empty where that is the only input.
+    [[nodiscard]] virtual std::string file_of(const ArrayName& /*array*/, std::size_t /*step*/) const { return ""; }
+    // Whether the file has other quantities, from which the reader computes it.
+    [[nodiscard]] virtual bool is_derived(const ArrayName& /*array*/) const { return false; }
     [[nodiscard]] virtual std::map<std::string, std::string> units() const { return {}; } // by array name
     [[nodiscard]] virtual std::string length_units() const { return ""; }
     [[nodiscard]] virtual std::vector<std::string> notes() const { return {}; }

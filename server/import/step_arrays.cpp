@@ -1,6 +1,7 @@
 #include "import/step_arrays.hpp"
 
 #include <algorithm>
+#include <sstream>
 #include <string_view>
 
 namespace ciel::importer {
@@ -76,8 +77,23 @@ void StepArrays::note_unknown_conditions(const StepMesh& mesh, const Blocks& blo
                       ": the values of the cells behind were taken.");
 }
 
+store::Origin StepArrays::origin_of(const FieldName& field) const {
+    return source_.is_derived(field) ? store::Origin::derived : store::Origin::original;
+}
+
+// Arrays of one name have the same number of components at all steps, on points, cells and patches.
+bool StepArrays::accept(const FieldName& field, const std::string& stored) {
+    if (components_.accept(stored, field.components)) return true;
+    std::ostringstream sentence;
+    sentence << "The array " << stored << " has " << field.components << " components at time "
+             << source_.times()[step_] << " where it has " << components_.chosen(stored)
+             << " at other times: it was left out there.";
+    lost_.insert(sentence.str());
+    return false;
+}
+
 void StepArrays::add(const FieldName& field, const std::string& name, store::Association association,
-                     std::vector<float> values) {
+                     store::Origin origin, std::vector<float> values) {
     const auto units = units_.find(field.name);
     values_.push_back(std::move(values));
     store::ArrayValues array;
@@ -85,6 +101,8 @@ void StepArrays::add(const FieldName& field, const std::string& name, store::Ass
     array.info.association = association;
     array.info.components = field.components;
     if (units != units_.end()) array.info.units = units->second;
+    array.info.component_names = field.component_names;
+    array.info.source = {origin, field.type, source_.file_of(field, step_)};
     array.values = values_.back();
     arrays_.push_back(array);
 }
@@ -95,15 +113,18 @@ void StepArrays::add_cell_field(const StepMesh& mesh, const Blocks& blocks, cons
     std::vector<float> cells = to_stored(gather_field(mesh.parts, field), mesh.cell_of_cell, field.components);
     if (!point_field_exists && selection_.wants(name, false)) {
         if (!maker)
-            maker = std::make_unique<PointMaker>(
-                PointMaker{PointInterpolation(mesh.view()), WallValues(mesh.view(), mesh.patches)});
+            maker = std::make_unique<PointMaker>(PointMaker{PointInterpolation(mesh.view()),
+                                                            WallValues(mesh.view(), mesh.patches),
+                                                            PatchFaces(mesh.view(), mesh.patches)});
+        const std::vector<PatchValues> on_patches = patch_values(mesh, blocks, field);
         std::vector<float> points = maker->interpolation.apply(cells, field.components);
-        maker->walls.overlay(patch_values(mesh, blocks, field), patch_roles(mesh, blocks, no_slip_, field.name),
-                             field.components, points);
+        maker->walls.overlay(on_patches, patch_roles(mesh, blocks, no_slip_, field.name), field.components, points);
         note_unknown_conditions(mesh, blocks, field);
-        add(field, name, store::Association::point, std::move(points));
+        add(field, name, store::Association::point, store::Origin::interpolated, std::move(points));
+        if (std::vector<float> faces = maker->patch_faces.values(on_patches, field.components); !faces.empty())
+            add(field, "patch:" + name, store::Association::boundary_face, origin_of(field), std::move(faces));
     }
-    add(field, "cell:" + name, store::Association::cell, std::move(cells));
+    add(field, "cell:" + name, store::Association::cell, origin_of(field), std::move(cells));
 }
 
 std::vector<std::string> StepArrays::notes() const {
@@ -112,8 +133,9 @@ std::vector<std::string> StepArrays::notes() const {
     return notes;
 }
 
-const std::vector<store::ArrayValues>& StepArrays::make(const StepMesh& mesh, const Blocks& blocks,
+const std::vector<store::ArrayValues>& StepArrays::make(std::size_t step, const StepMesh& mesh, const Blocks& blocks,
                                                         std::unique_ptr<PointMaker>& maker) {
+    step_ = step;
     arrays_.clear();
     values_.clear();
     const std::vector<FieldName> fields = field_names(mesh.parts);
@@ -124,6 +146,7 @@ const std::vector<store::ArrayValues>& StepArrays::make(const StepMesh& mesh, co
         });
     };
     for (std::string& sentence : left_out_arrays(mesh.parts)) notes_.insert(std::move(sentence));
+    for (std::string& sentence : lost_arrays(mesh.parts)) lost_.insert(std::move(sentence));
     std::set<std::string> taken;
     for (const FieldName& field : fields) {
         const std::string name = stored_name(field.name);
@@ -134,11 +157,12 @@ const std::vector<store::ArrayValues>& StepArrays::make(const StepMesh& mesh, co
             notes_.insert("Two arrays are both called " + name + " here; the first was kept.");
             continue;
         }
+        if (!accept(field, (cell ? "cell:" : "") + name)) continue;
         loss_.look_at(mesh.parts, field);
         if (cell)
             add_cell_field(mesh, blocks, field, has_points(name), maker);
         else
-            add(field, name, store::Association::point,
+            add(field, name, store::Association::point, origin_of(field),
                 to_stored(gather_field(mesh.parts, field), mesh.point_of_vertex, field.components));
     }
     return arrays_;

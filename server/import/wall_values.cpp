@@ -3,6 +3,7 @@
 #include "ciel/linear_weights.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <unordered_map>
 
 namespace ciel::importer {
@@ -14,6 +15,13 @@ enum Kind : std::uint8_t { wall_at_rest, fixed, varying, untouched };
 bool holds_one_value(const std::vector<float>& values, std::size_t width) {
     for (std::size_t i = width; i < values.size(); ++i)
         if (values[i] != values[i - width]) return false;
+    return true;
+}
+
+// The face of a cell that blew up says nothing of its corners.
+bool is_finite(const std::vector<float>& values, std::size_t begin, std::size_t width) {
+    for (std::size_t i = begin; i < begin + width; ++i)
+        if (!std::isfinite(values[i])) return false;
     return true;
 }
 
@@ -58,6 +66,7 @@ void WallValues::overlay(const std::vector<PatchValues>& values, const std::vect
             kind = fixed;
         for (const Entry& entry : entries_[patch]) {
             if (kind > kinds[entry.vertex] || (entry.cell + 1) * width > own.size()) continue;
+            if (!is_finite(own, entry.cell * width, width)) continue;
             if (kind < kinds[entry.vertex]) {
                 kinds[entry.vertex] = kind;
                 total[entry.vertex] = 0;
@@ -69,7 +78,7 @@ void WallValues::overlay(const std::vector<PatchValues>& values, const std::vect
         }
     }
     for (std::size_t i = 0; i < vertices_.size(); ++i)
-        if (kinds[i] != untouched)
+        if (kinds[i] != untouched && total[i] > 0)
             for (std::size_t c = 0; c < width; ++c)
                 points[vertices_[i] * width + c] = static_cast<float>(sum[i * width + c] / total[i]);
     if (components == 3) put_into_planes(roles, kinds, points);

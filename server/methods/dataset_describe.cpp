@@ -1,4 +1,4 @@
-#include "methods/context.hpp"
+#include "methods/cell_extremes.hpp"
 #include "session/default_scene.hpp"
 
 namespace ciel::methods {
@@ -19,14 +19,22 @@ protocol::MeshInfo mesh_of(const store::MeshInfo& mesh) {
 
 // The range over all steps at which the array was written.
 protocol::ArrayInfo array_of(const store::Dataset& dataset, const store::ArrayInfo& array) {
-    const bool at_points = array.association == store::Association::point;
-    protocol::ArrayInfo info{
-        array.name, at_points ? "point" : "cell", array.components, array.units, array.description, {}, {}, {}};
+    protocol::ArrayInfo info;
+    info.name = array.name;
+    info.association = store::to_text(array.association);
+    info.components = array.components;
+    info.units = array.units;
+    info.description = array.description;
     info.scalars = store::scalar_names(array);
+    info.origin = store::to_text(array.source.origin);
+    if (!array.source.type.empty()) info.type = array.source.type;
+    if (!array.source.file.empty()) info.file = array.source.file;
+    info.extremes = answer_of(session::cell_extremes_of_all_steps(dataset, info.scalars.front()));
     for (const store::Step& step : dataset.steps()) {
         const auto written = step.arrays.find(array.name);
         if (written == step.arrays.end()) continue;
         info.times.push_back(step.time);
+        info.invalid += static_cast<std::int64_t>(written->second.invalid);
         const auto& range = written->second.range;
         if (!info.range) info.range = range;
         info.range = {std::min((*info.range)[0], range[0]), std::max((*info.range)[1], range[1])};

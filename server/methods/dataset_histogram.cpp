@@ -1,4 +1,4 @@
-#include "methods/context.hpp"
+#include "methods/cell_extremes.hpp"
 
 #include <cmath>
 
@@ -33,6 +33,19 @@ void count(protocol::DatasetHistogramResult& result, const std::vector<float>& v
     }
 }
 
+std::shared_ptr<const std::vector<float>> values_of(store::LoadedDataset& loaded, store::Association association,
+                                                    const std::string& scalar, std::size_t step) {
+    switch (association) {
+    case store::Association::point:
+        break;
+    case store::Association::cell:
+        return loaded.cell_values(scalar, step);
+    case store::Association::boundary_face:
+        return loaded.face_values(scalar, step);
+    }
+    return loaded.scalar_values(scalar, step);
+}
+
 } // namespace
 
 protocol::DatasetHistogramResult dataset_histogram(Context& context, const protocol::DatasetHistogramParams& params) {
@@ -52,12 +65,12 @@ protocol::DatasetHistogramResult dataset_histogram(Context& context, const proto
         }
     }();
     const std::size_t step = params.time ? dataset->step_at(*params.time) : 0;
-    const bool of_cells = dataset->find(name.array)->association == store::Association::cell;
-    const auto values = of_cells ? loaded->cell_values(params.array, step) : loaded->scalar_values(params.array, step);
+    const auto values = values_of(*loaded, dataset->find(name.array)->association, params.array, step);
     protocol::DatasetHistogramResult result;
     result.range = params.range ? *params.range : finite_range(*values);
     result.counts.assign(static_cast<std::size_t>(params.bins), 0);
     count(result, *values);
+    result.cells = answer_of(session::cell_extremes(*dataset, params.array, step));
     return result;
 }
 

@@ -1,3 +1,4 @@
+#include "methods/cell_extremes.hpp"
 #include "methods/scene_source.hpp"
 #include "session/picture.hpp"
 #include "session/probe.hpp"
@@ -24,6 +25,16 @@ void name_what_is_there(protocol::ProbePointResult& result, const session::Geome
     if (!there) return;
     result.layer = geometry.drawables[there->drawable].layer;
     result.patch = session::patch_of(*there, geometry, scene, dataset);
+}
+
+std::optional<std::map<std::string, protocol::CellExtremes>> extremes_at(const store::Dataset& dataset,
+                                                                         std::size_t step) {
+    std::map<std::string, protocol::CellExtremes> found;
+    for (const store::ArrayInfo& array : dataset.info().arrays)
+        if (array.association == store::Association::cell)
+            if (auto extremes = answer_of(session::cell_extremes(dataset, store::scalar_names(array).front(), step)))
+                found.emplace(array.name, *extremes);
+    return found.empty() ? std::nullopt : std::optional(std::move(found));
 }
 
 std::optional<std::int64_t> id_of(Index id) { return id == none ? std::nullopt : std::optional<std::int64_t>(id); }
@@ -58,6 +69,9 @@ protocol::ProbePointResult probe_point(Context& context, const protocol::ProbePo
     result.vertex = id_of(probed.vertex);
     result.cell = id_of(probed.cell);
     result.values = probed.values;
+    result.solver_cell = probed.solver_cell;
+    result.solver_vertex = probed.solver_vertex;
+    if (result.hit) result.extremes = extremes_at(*dataset, step);
     if (geometry) name_what_is_there(result, *geometry, source.version().scene, size, params, *dataset);
     return result;
 }

@@ -8,7 +8,7 @@ namespace {
 
 template <class Shown>
 render::Legend legend_of(const Shown& drawable, bool missing) {
-    return {drawable.array, drawable.units, drawable.scale, {}, missing};
+    return {drawable.array, drawable.units, drawable.scale, {}, missing, drawable.legend_lines};
 }
 
 class Legends {

@@ -12,11 +12,17 @@ struct Check {
     const store::Dataset& dataset;
     std::string path; // of the layer
 
-    // why_points: what an array of the cells cannot be used for; empty where it can.
-    void scalar(const std::string& name, const std::string& place, const char* why_points) const {
+    // why_points: what an array of the cells cannot be used for; empty where it can. has_faces: of the boundary, which
+    // alone have values of patches.
+    void scalar(const std::string& name, const std::string& place, const char* why_points,
+                bool has_faces = false) const {
         try {
             const store::ScalarName parsed = store::parse_scalar(dataset, name);
-            if (*why_points != '\0' && dataset.find(parsed.array)->association != store::Association::point)
+            const store::Association association = dataset.find(parsed.array)->association;
+            if (association == store::Association::boundary_face && !has_faces)
+                throw Error(printable(name) + " has values on the faces of patches alone, and only a surface layer "
+                                              "shows those; choose an array on points");
+            if (*why_points != '\0' && association == store::Association::cell)
                 throw Error(printable(name) + " has a value per cell, and " + why_points +
                             "; choose an array on points");
         } catch (const Error& error) {
@@ -24,9 +30,9 @@ struct Check {
         }
     }
 
-    void coloring(const scene::Coloring& color, const char* why_points = "",
-                  const std::string& place = "/color") const {
-        if (!color.array.empty()) scalar(color.array, place + "/array", why_points);
+    void coloring(const scene::Coloring& color, const char* why_points = "", const std::string& place = "/color",
+                  bool has_faces = false) const {
+        if (!color.array.empty()) scalar(color.array, place + "/array", why_points, has_faces);
         const auto& maps = render::color_map_names();
         if (std::find(maps.begin(), maps.end(), color.map) != maps.end()) return;
         std::string known;
@@ -55,13 +61,13 @@ struct Check {
         scalar(volume.array, "/array", why);
         coloring(volume.color, why);
     }
-    void operator()(const scene::SurfaceLayer& surface) const { solid(surface, ""); }
+    void operator()(const scene::SurfaceLayer& surface) const { solid(surface, "", true); }
     void operator()(const scene::EdgesLayer& edges) const { solid(edges, "edges lie between cells"); }
     void operator()(const scene::PointsLayer& points) const { solid(points, "points lie between cells"); }
 
     template <class Kind>
-    void solid(const Kind& layer, const char* why_points) const {
-        coloring(layer.color, why_points);
+    void solid(const Kind& layer, const char* why_points, bool has_faces = false) const {
+        coloring(layer.color, why_points, "/color", has_faces);
         if (layer.threshold) scalar(layer.threshold->array, "/threshold/array", "");
         for (std::size_t i = 0; i < layer.groups.size(); ++i) patch(layer.groups[i], i);
     }

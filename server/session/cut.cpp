@@ -1,10 +1,13 @@
 #include "session/cut.hpp"
 
+#include "ciel/boundary_faces.hpp"
 #include "ciel/contour_lines.hpp"
 #include "ciel/polygon_edges.hpp"
 #include "session/flat_shape.hpp"
+#include "session/sound_shape.hpp"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cmath>
 #include <numeric>
@@ -17,38 +20,54 @@ std::uint64_t unique_number() {
 
 namespace {
 
-bool is_of_cells(const store::Dataset& dataset, const std::string& scalar) {
-    const std::string array = store::parse_scalar(dataset, scalar).array;
-    return dataset.find(array)->association == store::Association::cell;
+store::Association association_of(const store::Dataset& dataset, const std::string& scalar) {
+    return dataset.find(store::parse_scalar(dataset, scalar).array)->association;
 }
 
 } // namespace
 
+std::vector<float> Painted::flat_scalars(store::LoadedDataset& loaded) const {
+    const Surface& surface = flat->surface;
+    const auto dataset = loaded.dataset();
+    if (association_of(*dataset, array) == store::Association::cell)
+        return flat_values(surface, surface.polygon_cell, *loaded.cell_values(array, step));
+    const store::Step& at = dataset->steps()[step];
+    return flat_values(surface, boundary_numbers(dataset->mesh(at.mesh, at.coordinates), surface.polygon_face),
+                       *loaded.face_values(array, step));
+}
+
 void Painted::paint(const std::shared_ptr<const Shape>& new_shape, const std::string& new_array, std::size_t new_step,
-                    store::LoadedDataset& loaded, std::optional<double> own) {
-    const bool same_step = new_array.empty() || new_step == step;
+                    store::LoadedDataset& loaded, const OfArray& of) {
+    const bool same_step = (new_array.empty() && of.array.empty()) || new_step == step;
     if (revision != 0 && new_shape == shape && new_array == array && same_step) return;
-    std::shared_ptr<std::vector<float>> values;
-    std::shared_ptr<const Shape> new_flat;
-    if (!new_array.empty() && is_of_cells(*loaded.dataset(), new_array)) {
-        const auto of_cells = loaded.cell_values(new_array, new_step);
-        new_flat = flat && new_shape == shape ? flat : separated(*new_shape);
-        values = std::make_shared<std::vector<float>>(flat_values(new_flat->surface, *of_cells));
+    const std::array arrays{of.array, new_array};
+    auto new_sound = sound_shape(new_shape, arrays, new_step, loaded);
+    if (sound && shape == new_shape && new_sound != new_shape &&
+        sound->surface.polygon_cell == new_sound->surface.polygon_cell)
+        new_sound = sound; // the same cells are left out
+    Painted made = *this;
+    made.shape = new_shape;
+    made.array = new_array;
+    made.step = new_step;
+    made.scalars = nullptr;
+    made.flat = nullptr;
+    if (!new_array.empty() && association_of(*loaded.dataset(), new_array) != store::Association::point) {
+        made.flat = flat && new_sound == sound ? flat : separated(*new_sound);
+        made.scalars = std::make_shared<const std::vector<float>>(made.flat_scalars(loaded));
     } else if (!new_array.empty()) {
-        const auto& points = new_shape->surface.points;
-        values = std::make_shared<std::vector<float>>(points.size());
-        if (own)
-            std::fill(values->begin(), values->end(), static_cast<float>(*own));
+        const auto& points = new_sound->surface.points;
+        auto values = std::make_shared<std::vector<float>>(points.size());
+        if (of.value)
+            std::fill(values->begin(), values->end(), static_cast<float>(*of.value));
         else
             interpolate(points, *loaded.scalar_values(new_array, new_step), 1, *values);
+        made.scalars = std::move(values);
     }
-    shape = new_shape;
-    flat = std::move(new_flat);
-    array = new_array;
-    step = new_step;
-    missing = values && !std::all_of(values->begin(), values->end(), [](float value) { return std::isfinite(value); });
-    scalars = std::move(values);
-    revision = unique_number();
+    made.sound = std::move(new_sound);
+    made.missing = made.scalars && !std::all_of(made.scalars->begin(), made.scalars->end(),
+                                                [](float value) { return std::isfinite(value); });
+    made.revision = unique_number();
+    *this = std::move(made);
 }
 
 void Outlined::follow(const std::shared_ptr<const Shape>& new_shape) {
@@ -64,16 +83,17 @@ void Contoured::follow(const std::shared_ptr<const Shape>& shape, const std::str
     if (lines && of == shape && array == new_array && step == new_step && values == new_values &&
         is_coloured == coloured)
         return;
-    const auto& points = shape->surface.points;
+    const auto sound = sound_shape(shape, std::span(&new_array, 1), new_step, loaded);
+    const auto& points = sound->surface.points;
     std::vector<float> at_points(points.size());
     interpolate(points, *loaded.scalar_values(new_array, new_step), 1, at_points);
     auto made = std::make_shared<Shape>();
     made->lines = true;
     auto& positions = made->surface.positions;
     auto value_at_points = coloured ? std::make_shared<std::vector<float>>() : nullptr;
-    if (!coloured) positions = contour_lines(shape->surface, at_points, new_values);
+    if (!coloured) positions = contour_lines(sound->surface, at_points, new_values);
     for (std::size_t i = 0; coloured && i < new_values.size(); ++i) {
-        const auto of_value = contour_lines(shape->surface, at_points, std::span(&new_values[i], 1));
+        const auto of_value = contour_lines(sound->surface, at_points, std::span(&new_values[i], 1));
         positions.insert(positions.end(), of_value.begin(), of_value.end());
         value_at_points->resize(positions.size(), static_cast<float>(new_values[i]));
     }

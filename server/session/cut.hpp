@@ -9,10 +9,19 @@ namespace ciel::session {
 
 [[nodiscard]] std::uint64_t unique_number(); // never 0, never twice
 
-// Scalars of one shape by one array, interpolated again only when either changes. By an array of the cells the shape's
-// polygons are separated, and each has its cell's value.
+// An iso-surface coloured by its own array has one colour, `value`: what interpolation makes of it would differ by
+// rounding, and so lie on both sides of a step's bound.
+struct OfArray {
+    std::string array;
+    std::optional<double> value; // that the shape has everywhere of the array it is coloured by
+};
+
+// Scalars of one shape by one array, interpolated again only when either changes. By an array of the cells or of the
+// boundary's faces the shape's polygons are separated, and each has the value of its own.
 struct Painted {
-    std::shared_ptr<const Shape> shape, flat; // flat: the shape with separated polygons, where it is shown so
+    std::shared_ptr<const Shape> shape;
+    std::shared_ptr<const Shape> sound; // without the cells that blew up (sound_shape.hpp); mostly `shape` itself
+    std::shared_ptr<const Shape> flat;  // `sound` with separated polygons, where it is shown so
     std::string array;
     std::size_t step = 0;
     std::shared_ptr<const std::vector<float>> scalars;
@@ -20,13 +29,16 @@ struct Painted {
     std::uint64_t identity = unique_number(), revision = 0;
 
     [[nodiscard]] std::size_t memory_bytes() const {
-        return (scalars ? scalars->size() * sizeof(float) : 0) + (flat ? bytes_of(*flat) : 0);
+        return (scalars ? scalars->size() * sizeof(float) : 0) + (flat ? bytes_of(*flat) : 0) +
+               (sound && sound != shape ? bytes_of(*sound) : 0);
     }
-    [[nodiscard]] const std::shared_ptr<const Shape>& shown() const { return flat ? flat : shape; }
-    // own: what the array is everywhere on the shape. An iso-surface coloured by its own array has one colour: what
-    // interpolation makes of the value would differ by rounding, and so lie on both sides of a step's bound.
+    [[nodiscard]] const std::shared_ptr<const Shape>& shown() const { return flat ? flat : sound; }
+    // `of`: the array that the shape is an iso-surface of; cells without a number for it are left out, too.
     void paint(const std::shared_ptr<const Shape>& new_shape, const std::string& new_array, std::size_t new_step,
-               store::LoadedDataset& loaded, std::optional<double> own = {});
+               store::LoadedDataset& loaded, const OfArray& of = {});
+
+private:
+    [[nodiscard]] std::vector<float> flat_scalars(store::LoadedDataset& loaded) const;
 };
 
 // The edges of one shape's polygons, found again only when it changes.

@@ -1,6 +1,7 @@
 #include "session/flat_shape.hpp"
 
 #include "session/cut.hpp"
+#include "store/no_value.hpp"
 
 #include <numeric>
 
@@ -29,18 +30,19 @@ std::shared_ptr<const Shape> separated(const Shape& shape) {
     std::iota(apart.polygon_vertex.begin(), apart.polygon_vertex.end(), Index{0});
     apart.polygon_offset = whole.polygon_offset;
     apart.polygon_cell = whole.polygon_cell;
+    apart.polygon_face = whole.polygon_face;
     return triangles_shape(std::move(apart));
 }
 
-std::vector<float> flat_values(const Surface& separated, std::span<const float> cell_values) {
-    std::vector<float> values(separated.positions.size());
-    for (std::size_t i = 0; i < separated.polygon_cell.size(); ++i) {
-        const Index cell = separated.polygon_cell[i];
-        if (cell >= cell_values.size()) throw Error("the surface belongs to another mesh than the values");
+std::vector<float> flat_values(const Surface& separated, std::span<const Index> items, std::span<const float> values) {
+    std::vector<float> flat(separated.positions.size(), store::no_value);
+    for (std::size_t i = 0; i < items.size(); ++i) {
+        if (items[i] == none) continue;
+        if (items[i] >= values.size()) throw Error("the surface belongs to another mesh than the values");
         for (Index corner = separated.polygon_offset[i]; corner < separated.polygon_offset[i + 1]; ++corner)
-            values[separated.polygon_vertex[corner]] = cell_values[cell];
+            flat[separated.polygon_vertex[corner]] = values[items[i]];
     }
-    return values;
+    return flat;
 }
 
 } // namespace ciel::session

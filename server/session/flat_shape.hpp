@@ -1,4 +1,4 @@
-// Values of cells on a surface, as they are: every polygon has that of its cell, and none is mixed with its
+// Values of cells or of faces on a surface, as they are: every polygon has that of its own, and none is mixed with its
 // neighbours'.
 #pragma once
 
@@ -9,7 +9,9 @@ namespace ciel::session {
 // The same polygons, no two of which have a common vertex.
 [[nodiscard]] std::shared_ptr<const Shape> separated(const Shape& shape);
 
-// For each of its vertices the value of the cell that its polygon belongs to. Throws Error where a cell has no value.
-[[nodiscard]] std::vector<float> flat_values(const Surface& separated, std::span<const float> cell_values);
+// For each of its vertices the value of its polygon's item; `none` has store::no_value. `items`: one per polygon.
+// Throws Error where an item has no value.
+[[nodiscard]] std::vector<float> flat_values(const Surface& separated, std::span<const Index> items,
+                                             std::span<const float> values);
 
 } // namespace ciel::session

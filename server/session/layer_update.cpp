@@ -1,7 +1,12 @@
 #include "session/layer_update.hpp"
 
+#include "render/annotations/ticks.hpp"
+#include "session/cell_extremes.hpp"
 #include "session/color_scale_of.hpp"
 #include "session/errors.hpp"
+#include "session/sound_shape.hpp"
+
+#include <algorithm>
 
 namespace ciel::session {
 std::array<float, 2> range_of(const store::Dataset& dataset, const std::string& scalar, std::size_t step) {
@@ -48,15 +53,16 @@ void LayerUpdate::leave_out(const scene::Layer& layer, const store::NotWritten& 
 }
 
 void LayerUpdate::add(Painted& painted, const std::shared_ptr<const Shape>& shape, const scene::Coloring& coloring,
-                      const scene::Layer& layer, bool lit, std::optional<double> own) {
+                      const scene::Layer& layer, bool lit, const OfArray& of) {
     scene::Coloring shown = coloring;
     try {
-        painted.paint(shape, shown.array, out.step, *loaded, own);
+        painted.paint(shape, shown.array, out.step, *loaded, of);
     } catch (const store::NotWritten& missing) {
         lack(layer, "has no colours", missing);
         shown.array.clear();
-        painted.paint(shape, shown.array, out.step, *loaded);
+        painted.paint(shape, shown.array, out.step, *loaded, {of.array, {}});
     }
+    for (const std::string& array : {of.array, shown.array}) tell_left_out(array);
     Drawable drawable;
     drawable.layer = layer.id;
     drawable.shape = painted.shown();
@@ -66,8 +72,27 @@ void LayerUpdate::add(Painted& painted, const std::shared_ptr<const Shape>& shap
     drawable.identity = painted.identity;
     drawable.revision = painted.revision;
     colour(drawable, shown, layer);
-    if (drawable.polygons()) out.triangles += shape->indices.size() / 3;
+    if (drawable.polygons()) out.triangles += drawable.shape->indices.size() / 3;
     out.drawables.push_back(std::move(drawable));
+}
+
+std::vector<std::string> LayerUpdate::legend_lines(const std::string& scalar) const {
+    std::vector<std::string> lines;
+    const bool is_of_points =
+        dataset->find(store::parse_scalar(*dataset, scalar).array)->association == store::Association::point;
+    if (const auto found = cell_extremes(*dataset, scalar, out.step); found && is_of_points)
+        lines.push_back("cells: " + render::number_label(found->lowest.value) + " to " +
+                        render::number_label(found->highest.value));
+    if (const auto sound = loaded->sound_cells(scalar, out.step))
+        lines.push_back(std::to_string(sound->left_out) + (sound->left_out == 1 ? " cell" : " cells") + " left out");
+    return lines;
+}
+
+void LayerUpdate::tell_left_out(const std::string& array) const {
+    if (array.empty()) return;
+    std::string text = left_out_text(full_name(*dataset, array), out.step, *loaded);
+    if (!text.empty() && std::ranges::find(out.remarks, text) == out.remarks.end())
+        out.remarks.push_back(std::move(text));
 }
 
 void LayerUpdate::colour(Drawable& drawable, const scene::Coloring& coloring, const scene::Layer& layer) const {
@@ -76,6 +101,7 @@ void LayerUpdate::colour(Drawable& drawable, const scene::Coloring& coloring, co
     drawable.array = full_name(*dataset, coloring.array);
     const std::array<float, 2> range = range_of(*dataset, coloring.array, out.step);
     drawable.units = dataset->find(store::parse_scalar(*dataset, coloring.array).array)->units;
+    drawable.legend_lines = legend_lines(coloring.array);
     drawable.scale = color_scale_of(coloring, range);
     if (!is_shown_by(coloring, range))
         out.lacking.push_back("layer " + layer.id + " has no colours: " + coloring.array +

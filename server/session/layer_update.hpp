@@ -41,9 +41,12 @@ private:
     void lack(const scene::Layer& layer, const char* what, const store::NotWritten& missing) const;
     void leave_out(const scene::Layer& layer, const store::NotWritten& missing) const;
 
-    // `own`: the value that the shape has of the array that it is coloured by, where it has one.
     void add(Painted& painted, const std::shared_ptr<const Shape>& shape, const scene::Coloring& coloring,
-             const scene::Layer& layer, bool lit, std::optional<double> own = {});
+             const scene::Layer& layer, bool lit, const OfArray& of = {});
+    // The extremes of the cells that it was made from, and how many of them blew up.
+    [[nodiscard]] std::vector<std::string> legend_lines(const std::string& scalar) const;
+    // How many cells blew up, once for each array that is shown.
+    void tell_left_out(const std::string& array) const;
     // By its scalars, or in the solid colour; and says where a scale has no place for them.
     void colour(Drawable& drawable, const scene::Coloring& coloring, const scene::Layer& layer) const;
     void add_edges(Outlined& outlined, const std::shared_ptr<const Shape>& shape,

@@ -36,8 +36,9 @@ bool LayerUpdate::operator()(const scene::Layer& layer, const scene::IsoLayer& i
         if (!cut.extract(iso.values[i], iso.smooth, stop)) return false;
         const bool by_itself =
             !iso.color.array.empty() && full_name(*dataset, iso.color.array) == full_name(*dataset, iso.array);
-        add(cut.painted, cut.shape, iso.color, layer, true, by_itself ? std::optional(iso.values[i]) : std::nullopt);
-        add_edges(cut.outlined, cut.shape, iso.edges, layer);
+        add(cut.painted, cut.shape, iso.color, layer, true,
+            {iso.array, by_itself ? std::optional(iso.values[i]) : std::nullopt});
+        add_edges(cut.outlined, cut.painted.sound, iso.edges, layer);
         count(before, cut.memory_bytes());
     }
     return true;
@@ -74,8 +75,8 @@ bool LayerUpdate::operator()(const scene::Layer& layer, const scene::SliceLayer&
     const double nu = use_plane(cut, cap ? cap->origin : slice.origin, cap ? cap->normal : slice.normal);
     if (!cut_along(cut, nu)) return false;
     add(cut.painted, cut.shape, slice.color, layer, false);
-    add_edges(cut.outlined, cut.shape, slice.edges, layer);
-    add_contours(cut.contoured, cut.shape, slice.contours, layer);
+    add_edges(cut.outlined, cut.painted.sound, slice.edges, layer);
+    add_contours(cut.contoured, cut.painted.sound, slice.contours, layer);
     count(before, cut.memory_bytes());
     return true;
 }
@@ -96,6 +97,7 @@ void LayerUpdate::add_contours(Contoured& contoured, const std::shared_ptr<const
         out.remarks.push_back("layer " + layer.id + " has no contour lines: " + contours->array +
                               " has none of their values on it, and goes from " + render::number_label(own[0]) +
                               " to " + render::number_label(own[1]) + " in all of the data at this time");
+    tell_left_out(contours->array);
     Drawable& lines = add_lines(contoured.lines, contours->line, layer, contoured.identity, contoured.revision);
     lines.contours = true;
     if (!contours->coloring) return;

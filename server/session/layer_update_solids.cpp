@@ -16,6 +16,17 @@ std::shared_ptr<const Shape> cap_shape(const std::shared_ptr<const Shape>& cut,
     return triangles_shape(polygons_of_cells(cut->surface, cells));
 }
 
+// Of what a plane opens: values of patches are of the outside alone, those inside have the plain name.
+scene::Coloring inner_color(const store::Dataset& dataset, scene::Coloring color) {
+    constexpr std::string_view patch = "patch:";
+    if (color.array.empty()) return color;
+    const store::ScalarName name = store::parse_scalar(dataset, color.array);
+    if (dataset.find(name.array)->association != store::Association::boundary_face) return color;
+    const bool has_inside = name.array.starts_with(patch) && dataset.find(name.array.substr(patch.size())) != nullptr;
+    color.array = has_inside ? color.array.substr(patch.size()) : std::string();
+    return color;
+}
+
 } // namespace
 
 Boundary& LayerUpdate::boundary(const scene::Layer& layer, const std::string& key, std::size_t index) {
@@ -34,9 +45,12 @@ std::vector<std::uint8_t> LayerUpdate::cells_of(const scene::Threshold& threshol
     const std::string array = store::parse_scalar(*dataset, threshold.array).array;
     if (dataset->find(array)->association == store::Association::cell)
         return cells_in_range(*loaded->cell_values(threshold.array, out.step), threshold.range);
-    return cells_in_range(dataset->mesh(step().mesh, step().coordinates),
-                          *loaded->scalar_values(threshold.array, out.step), threshold.range,
-                          threshold.any ? InRange::any : InRange::all);
+    auto kept = cells_in_range(dataset->mesh(step().mesh, step().coordinates),
+                               *loaded->scalar_values(threshold.array, out.step), threshold.range,
+                               threshold.any ? InRange::any : InRange::all);
+    if (const auto sound = loaded->sound_cells(threshold.array, out.step))
+        for (std::size_t cell = 0; cell < kept.size(); ++cell) kept[cell] = kept[cell] & sound->kept[cell];
+    return kept;
 }
 
 Boundary* LayerUpdate::solid(const scene::Layer& layer, const std::vector<std::string>& groups,
@@ -66,7 +80,7 @@ bool LayerUpdate::operator()(const scene::Layer& layer, const scene::SurfaceLaye
     const std::size_t before = kept->memory_bytes();
     if (!kept->shape) kept->shape = triangles_shape(boundary_surface(*dataset, step(), surface.groups, kept->cells));
     add(kept->painted, kept->shape, surface.color, layer, true);
-    add_edges(kept->outlined, kept->shape, surface.edges, layer);
+    add_edges(kept->outlined, kept->painted.sound, surface.edges, layer);
     count(before, kept->memory_bytes());
     return !surface.groups.empty() || add_caps(layer, surface, *kept); // patches are no solid
 }
@@ -86,8 +100,8 @@ bool LayerUpdate::add_caps(const scene::Layer& layer, const scene::SurfaceLayer&
         const std::size_t of_cap = cap.memory_bytes();
         if (!cap.shape || cap.of != cut.shape) cap.shape = cap_shape(cut.shape, solid.cells);
         cap.of = cut.shape;
-        add(cap.painted, cap.shape, caps[i]->color.value_or(surface.color), layer, true);
-        add_edges(cap.outlined, cap.shape, surface.edges, layer);
+        add(cap.painted, cap.shape, caps[i]->color.value_or(inner_color(*dataset, surface.color)), layer, true);
+        add_edges(cap.outlined, cap.painted.sound, surface.edges, layer);
         count(of_cap, cap.memory_bytes());
     }
     return true;

@@ -13,8 +13,9 @@ namespace ciel::session {
 
 struct Probed {
     Vec3d position{};
-    Index cell = none, vertex = none;                    // ids of the imported file; none outside of the mesh
-    std::map<std::string, std::optional<double>> values; // nothing where not written at this step, or not a number
+    Index cell = none, vertex = none;                       // ids of the imported file; none outside of the mesh
+    std::optional<std::int64_t> solver_cell, solver_vertex; // the solver's own, where the source has them
+    std::map<std::string, std::optional<double>> values;    // nothing where not written at this step, or not a number
 };
 
 // Point scalars are interpolated in the cell; cell scalars are the cell's.

@@ -32,6 +32,7 @@ struct Drawable { // one iso-value, slice, boundary surface or outline of a laye
     std::shared_ptr<const std::vector<float>> scalars; // one per surface vertex; null: the solid colour
     std::string array;                                 // of the scalars
     std::string units;                                 // of the array, empty where not known
+    std::vector<std::string> legend_lines;             // what a legend says of the array at this step besides
     render::ColorScale scale;                          // of the scalars
     bool missing = false;                              // some of the scalars are no numbers
     std::array<float, 4> color{0.8F, 0.8F, 0.8F, 1};   // alpha: the layer's opacity
@@ -54,6 +55,7 @@ struct VolumeDrawable {
     std::shared_ptr<const Slabs> slabs;
     std::size_t stride = 1; // one slice in so many is drawn
     std::string array, units;
+    std::vector<std::string> legend_lines;
     render::ColorScale scale;
     std::vector<std::array<double, 2>> opacity_points; // as in the scene
     double unit_length = 1;

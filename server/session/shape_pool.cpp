@@ -6,7 +6,7 @@ std::size_t bytes_of(const Shape& shape) {
     const Surface& s = shape.surface;
     return (s.positions.capacity() + s.normals.capacity()) * sizeof(Vec3f) + s.points.capacity() * sizeof(EdgePoint) +
            (s.polygon_offset.capacity() + s.polygon_vertex.capacity() + s.polygon_cell.capacity() +
-            shape.indices.capacity()) *
+            s.polygon_face.capacity() + shape.indices.capacity()) *
                sizeof(Index);
 }
 

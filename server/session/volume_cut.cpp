@@ -80,6 +80,9 @@ void VolumeCut::use_property(const std::string& name, std::size_t step, store::L
     values = loaded.scalar_values(name, step);
     gradients = vertex_gradients(*field.topology, field.mesh, *values);
     limits = cell_limits(field.mesh, *values);
+    if (const auto sound = loaded.sound_cells(name, step))
+        for (std::size_t cell = 0; cell < limits.size(); ++cell)
+            if (sound->kept[cell] == 0) limits[cell] = not_filled;
     boundary = std::make_shared<const SlabMesh>(slab_boundary(field.mesh, {*values, gradients, limits}));
     key = wanted;
 }

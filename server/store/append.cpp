@@ -46,9 +46,12 @@ ArrayInfo describe(const Dataset& dataset, const WantedArray& wanted) {
                     std::to_string(components));
     if (components < 1 || components > most_components)
         throw Error("array '" + wanted.name + "' must have 1 to " + std::to_string(most_components) + " components");
+    if (known != nullptr && known->association == Association::boundary_face)
+        throw Error("array '" + wanted.name + "' has values on the faces of patches, which only an import can bring");
     if (known != nullptr) return *known;
     const bool on_cells = wanted.name.starts_with(cell_prefix);
-    return {wanted.name, on_cells ? Association::cell : Association::point, static_cast<int>(components), "", ""};
+    return {wanted.name, on_cells ? Association::cell : Association::point, static_cast<int>(components), "", "", {},
+            {}};
 }
 
 std::span<const Index> original_ids(const Dataset& dataset, std::size_t mesh, Association association) {
@@ -73,6 +76,7 @@ std::optional<ArrayInfo> made_from(const Dataset& dataset, const StepPlan& plan,
     ArrayInfo made = cells;
     made.name = cells.name.substr(cell_prefix.size());
     made.association = Association::point;
+    made.source.origin = Origin::interpolated;
     if (std::ranges::any_of(plan.arrays, [&](const auto& array) { return array.info.name == made.name; }))
         return std::nullopt;
     const ArrayInfo* known = dataset.find(made.name);

@@ -5,6 +5,8 @@
 #include "store/json_reader.hpp"
 #include "store/layout.hpp"
 
+#include <algorithm>
+
 namespace ciel::store {
 namespace {
 
@@ -13,6 +15,43 @@ constexpr std::uint64_t most_components = 64;
 std::string text_or_empty(const JsonReader& object, const char* key) {
     const auto value = object.find(key);
     return value ? value->text() : std::string();
+}
+
+struct AssociationName {
+    Association association;
+    const char* name;
+};
+constexpr std::array association_names{AssociationName{Association::point, "point"},
+                                       AssociationName{Association::cell, "cell"},
+                                       AssociationName{Association::boundary_face, "boundary_face"}};
+
+Association parse_association(const JsonReader& value) {
+    const std::string text = value.text();
+    for (const auto& [association, name] : association_names)
+        if (text == name) return association;
+    value.refuse("must be \"point\", \"cell\" or \"boundary_face\"");
+}
+
+struct OriginName {
+    Origin origin;
+    const char* name;
+};
+constexpr std::array origin_names{OriginName{Origin::original, "original"},
+                                  OriginName{Origin::interpolated, "interpolated"},
+                                  OriginName{Origin::derived, "derived"}};
+
+Origin parse_origin(const JsonReader& value) {
+    const std::string text = value.text();
+    for (const auto& [origin, name] : origin_names)
+        if (text == name) return origin;
+    value.refuse("must be \"original\", \"interpolated\" or \"derived\"");
+}
+
+std::vector<std::string> parse_component_names(const JsonReader& value, std::uint64_t components) {
+    std::vector<std::string> names;
+    for (const JsonReader& name : value.items()) names.push_back(name.text());
+    if (names.size() != components) value.refuse("must name each of the components");
+    return names;
 }
 
 std::string parse_checksum(const JsonReader& value) {
@@ -67,6 +106,12 @@ JsonReader ciel_member(const JsonReader& document, const std::filesystem::path& 
 }
 
 } // namespace
+
+std::string to_text(Association association) {
+    return std::ranges::find(association_names, association, &AssociationName::association)->name;
+}
+
+std::string to_text(Origin origin) { return std::ranges::find(origin_names, origin, &OriginName::origin)->name; }
 
 DatasetInfo parse_root_attributes(std::string_view text, const std::filesystem::path& file) {
     const nlohmann::json json = parse_json(text, file);
@@ -139,24 +184,28 @@ ArrayInfo parse_array_attributes(std::string_view text, const std::filesystem::p
     const JsonReader ciel = ciel_member(JsonReader(json, file), file);
     ArrayInfo array;
     array.name = ciel.at("name").text();
-    const std::string association = ciel.at("association").text();
-    if (association != "point" && association != "cell") ciel.at("association").refuse("must be \"point\" or \"cell\"");
-    array.association = association == "point" ? Association::point : Association::cell;
+    array.association = parse_association(ciel.at("association"));
     const std::uint64_t components = ciel.at("components").count();
     if (components == 0 || components > most_components) ciel.at("components").refuse("must be 1 to 64");
     array.components = static_cast<int>(components);
     array.units = text_or_empty(ciel, "units");
     array.description = text_or_empty(ciel, "description");
+    if (const auto names = ciel.find("component_names"))
+        array.component_names = parse_component_names(*names, components);
+    if (const auto origin = ciel.find("origin")) array.source.origin = parse_origin(*origin);
+    array.source.type = text_or_empty(ciel, "type");
+    array.source.file = text_or_empty(ciel, "file");
     return array;
 }
 
 std::string to_text(const ArrayInfo& array) {
-    return to_text(nlohmann::json{{"ciel",
-                                   {{"name", array.name},
-                                    {"association", array.association == Association::point ? "point" : "cell"},
-                                    {"components", array.components},
-                                    {"units", array.units},
-                                    {"description", array.description}}}});
+    nlohmann::json value{
+        {"name", array.name},   {"association", to_text(array.association)}, {"components", array.components},
+        {"units", array.units}, {"description", array.description},          {"origin", to_text(array.source.origin)}};
+    if (!array.component_names.empty()) value["component_names"] = array.component_names;
+    if (!array.source.type.empty()) value["type"] = array.source.type;
+    if (!array.source.file.empty()) value["file"] = array.source.file;
+    return to_text(nlohmann::json{{"ciel", std::move(value)}});
 }
 
 std::string group_attributes_text(const GroupName& group) { return to_text(nlohmann::json{{"ciel", to_json(group)}}); }

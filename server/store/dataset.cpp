@@ -105,6 +105,9 @@ public:
     std::span<const Index> original_vertex(std::size_t mesh) const override { return at(mesh)->original_vertex(); }
     std::span<const Index> original_cell(std::size_t mesh) const override { return at(mesh)->original_cell(); }
 
+    std::span<const std::int64_t> solver_vertex(std::size_t mesh) const override { return at(mesh)->solver_vertex(); }
+    std::span<const std::int64_t> solver_cell(std::size_t mesh) const override { return at(mesh)->solver_cell(); }
+
     std::span<const float> values(const std::string& array, std::size_t step) const override {
         if (find(array) == nullptr) refuse(directory_, "has no array '" + array + "'");
         if (step >= steps_.size()) refuse(directory_, "has no step " + std::to_string(step));
@@ -172,8 +175,7 @@ private:
                 info_.arrays.push_back(array);
             else if (known->association != array.association || known->components != array.components)
                 refuse(document, "has another association or number of components than on an earlier mesh");
-            const std::uint64_t items =
-                array.association == Association::point ? meshes_[mesh]->vertex_count() : meshes_[mesh]->cell_count();
+            const std::uint64_t items = items_of(meshes_[mesh]->attributes().info, array.association);
             layout = layouts_[mesh].emplace(name, read_layout(directory, items, array.components)).first;
         }
         if (chunk >= layout->second.chunks)
@@ -182,21 +184,38 @@ private:
                        std::to_string(chunk));
     }
 
+    void check_extremes(const MarkedStep& step, const ArrayInfo& array,
+                        const std::vector<CellExtremes>& extremes) const {
+        if (extremes.empty()) return;
+        const std::uint64_t cells = meshes_[step.mesh]->cell_count();
+        const auto exists = [&](const CellExtremes& each) {
+            return each.lowest.cell < cells && each.highest.cell < cells;
+        };
+        const std::size_t wanted = array.components == 1 ? 1 : 1 + static_cast<std::size_t>(array.components);
+        if (extremes.size() != wanted || array.association != Association::cell ||
+            !std::all_of(extremes.begin(), extremes.end(), exists))
+            refuse(directory_ / layout::commit_marker,
+                   "'extremes' of '" + array.name +
+                       "' must name cells of the mesh, for the array's range and then for each component");
+    }
+
     ArrayStep array_step(const MarkedStep& step, const std::string& name, const MarkedArray& entry,
                          Chunks chunks) const {
         const ArrayInfo& array = *find(name);
         ArrayStep result;
         if (entry.statistics) {
             result = *entry.statistics;
-            if (result.component_ranges.size() != static_cast<std::size_t>(array.components))
+            const auto components = static_cast<std::size_t>(array.components);
+            if (result.component_ranges.size() != components)
                 refuse(directory_ / layout::commit_marker,
                        "'component_ranges' of '" + name + "' must have one entry per component");
+            check_extremes(step, array, result.extremes);
         } else if (chunks == Chunks::unchecked || (entry.lazy && !is_written(step, name))) {
             result.component_ranges.resize(static_cast<std::size_t>(array.components));
         } else {
             const ArrayLayout& shape = layouts_[step.mesh].at(name);
-            result =
-                statistics(chunks_->get(shape.chunk(entry.chunk), shape.chunk_bytes, entry.checksum), array.components);
+            result = statistics(chunks_->get(shape.chunk(entry.chunk), shape.chunk_bytes, entry.checksum), array);
+            result.extremes.clear(); // their places would need all faces
         }
         result.lazy = entry.lazy;
         result.has_checksum = !entry.checksum.empty();
@@ -220,6 +239,18 @@ private:
 
 std::shared_ptr<Dataset> Dataset::open(const fs::path& directory, Chunks chunks) {
     return std::make_shared<MappedDataset>(directory, read_documents(directory), chunks, nullptr);
+}
+
+std::uint64_t items_of(const MeshInfo& mesh, Association association) {
+    switch (association) {
+    case Association::point:
+        return mesh.vertices;
+    case Association::cell:
+        return mesh.cells;
+    case Association::boundary_face:
+        return mesh.boundary_faces;
+    }
+    return 0;
 }
 
 bool Dataset::is_intact() const {

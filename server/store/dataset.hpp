@@ -15,20 +15,49 @@
 
 namespace ciel::store {
 
-enum class Association { point, cell };
+// Of the faces only those of the boundary, in the order of their ids; they are what patches are made of.
+enum class Association { point, cell, boundary_face };
+
+// How the values came to be: as the file has them, from values of the cells, or by the formulas of a reader.
+enum class Origin { original, interpolated, derived };
+
+struct ArraySource {
+    Origin origin = Origin::original;
+    std::string type; // of the numbers in the file, "float64"; empty: not known
+    std::string file; // where they were first read from; empty: not known
+};
 
 struct ArrayInfo {
-    std::string name; // "p", "U", "cell:p"
+    std::string name; // "p", "U", "cell:p", "patch:p"
     Association association = Association::point;
     int components = 1;
     std::string units; // empty: not known
     std::string description;
+    std::vector<std::string> component_names = {}; // of a tensor, in the order of the file: "xx", "xy"; else empty
+    ArraySource source = {};
+};
+
+struct MeshInfo;
+[[nodiscard]] std::uint64_t items_of(const MeshInfo& mesh, Association association);
+[[nodiscard]] std::string to_text(Association association); // "point", "cell", "boundary_face"
+[[nodiscard]] std::string to_text(Origin origin);           // "original", "interpolated", "derived"
+
+struct CellExtreme {
+    Index cell = 0; // stored id
+    Vec3d place{};  // the mean of its corners, in the dataset's coordinates
+};
+
+struct CellExtremes {
+    CellExtreme lowest, highest;
 };
 
 struct ArrayStep {                 // one array at one step
-    std::array<double, 2> range{}; // of the magnitude when components > 1; finite values only
+    std::array<double, 2> range{}; // of the magnitude, where there is none of all components; finite values only
     std::vector<std::array<double, 2>> component_ranges;
     std::uint64_t invalid = 0; // NaN or infinite values
+    // Of an array of the cells: which of them have the ends of `range`, and, of several components, those of each of
+    // component_ranges. Empty where no value is finite, or where it is not known.
+    std::vector<CellExtremes> extremes;
     // Known to exist at this time, but its chunk may not be written yet (store/README.md): values() throws until it is.
     bool lazy = false;
     bool has_checksum = false; // else its chunk cannot be verified: written with plain Zarr
@@ -110,22 +139,33 @@ public:
     [[nodiscard]] virtual std::vector<Group> groups(std::size_t mesh) const = 0;
     [[nodiscard]] virtual std::span<const Index> original_vertex(std::size_t mesh) const = 0;
     [[nodiscard]] virtual std::span<const Index> original_cell(std::size_t mesh) const = 0;
-    // components values per vertex or cell, interleaved; empty when the array was not written at this step.
-    // Throws Error for an unknown array or a damaged chunk.
+    // The numbers that the solver gave, -1 where it gave none; empty where the source has none. Never an index.
+    [[nodiscard]] virtual std::span<const std::int64_t> solver_vertex(std::size_t mesh) const = 0;
+    [[nodiscard]] virtual std::span<const std::int64_t> solver_cell(std::size_t mesh) const = 0;
+    // components values per vertex, cell or boundary face, interleaved; empty when the array was not written at this
+    // step. Throws Error for an unknown array or a damaged chunk.
     [[nodiscard]] virtual std::span<const float> values(const std::string& array, std::size_t step) const = 0;
 
     [[nodiscard]] const ArrayInfo* find(const std::string& array) const;
     [[nodiscard]] std::size_t step_at(double time) const; // the nearest step
 };
 
-// "U:x", "U:y", "U:z", "U:0".., "U:magnitude" name one scalar of a vector; "p" names itself.
+// "U:x", "U:y", "U:z", "A:0", "R:xx", "U:magnitude" name one scalar of an array of several components; "p" names
+// itself.
 struct ScalarName {
     std::string array;
     std::optional<int> component; // none with magnitude = false: the array is a scalar itself
     bool magnitude = false;
 };
+// The length of a vector of two or three components, the Frobenius norm of a tensor; other arrays have none.
+[[nodiscard]] bool has_magnitude(const ArrayInfo& array);
+// tuple: the components of one item. no_value (no_value.hpp) where one of them is that.
+[[nodiscard]] float scalar_of(const ArrayInfo& array, std::span<const float> tuple, const ScalarName& scalar);
+[[nodiscard]] double magnitude_of(const ArrayInfo& array, std::span<const float> tuple);
 // Throws Error with the names that exist when there is no such scalar.
 [[nodiscard]] ScalarName parse_scalar(const Dataset& dataset, const std::string& name);
 [[nodiscard]] std::vector<std::string> scalar_names(const ArrayInfo& array);
+// The scalar of the cells that one of the points was made from, or `name` itself where it is of the cells; else empty.
+[[nodiscard]] std::string cell_scalar(const Dataset& dataset, const std::string& name);
 
 } // namespace ciel::store

@@ -32,4 +32,7 @@ inline constexpr std::size_t marker_bytes = std::size_t{1} << 28;
 inline constexpr const char* whole_arrays[] = {"cell_types", "face_offset",     "face_vertex",  "owner",
                                                "neighbour",  "original_vertex", "original_cell"};
 
+// Those that a source may not have.
+inline constexpr const char* optional_arrays[] = {"solver_vertex", "solver_cell"};
+
 } // namespace ciel::store::layout

@@ -2,8 +2,9 @@
 
 #include "ciel/geometric_vertices.hpp"
 #include "store/cache.hpp"
+#include "store/no_value.hpp"
 
-#include <cmath>
+#include <algorithm>
 #include <mutex>
 #include <sstream>
 
@@ -19,20 +20,25 @@ struct KeptField {
 // Values in block order, with the block borders' duplicates, and the gradients that a picture with normals makes.
 std::size_t field_bytes(std::uint64_t vertices) { return vertices * (2 * sizeof(float) + sizeof(Vec3f)); }
 
-std::vector<float> one_scalar(std::span<const float> values, std::size_t components, const ScalarName& scalar) {
+std::vector<float> one_scalar(std::span<const float> values, const ArrayInfo& array, const ScalarName& scalar) {
+    const auto components = static_cast<std::size_t>(array.components);
     if (components == 1) return {values.begin(), values.end()};
     std::vector<float> result(values.size() / components);
-    for (std::size_t i = 0; i < result.size(); ++i) {
-        const auto tuple = values.subspan(i * components, components);
-        if (scalar.magnitude) {
-            double squares = 0;
-            for (const float v : tuple) squares += double{v} * v;
-            result[i] = static_cast<float>(std::sqrt(squares));
-        } else {
-            result[i] = tuple[static_cast<std::size_t>(scalar.component.value_or(0))];
-        }
-    }
+    for (std::size_t i = 0; i < result.size(); ++i)
+        result[i] = scalar_of(array, values.subspan(i * components, components), scalar);
     return result;
+}
+
+const char* name_of(Association association) {
+    switch (association) {
+    case Association::point:
+        return "points";
+    case Association::cell:
+        return "cells";
+    case Association::boundary_face:
+        break;
+    }
+    return "the faces of patches";
 }
 
 std::string step_key(const char* kind, const std::string& name, std::size_t step) {
@@ -75,10 +81,8 @@ struct LoadedDataset::State {
     // The values of an array at a step; throws when there are none.
     [[nodiscard]] static std::span<const float> written(const Dataset& dataset, const std::string& array,
                                                         std::size_t step, Association wanted) {
-        if (dataset.find(array)->association != wanted)
-            throw Error("'" + array + "' is an array on " +
-                        (wanted == Association::point ? "cells; choose an array on points"
-                                                      : "points; choose an array on cells"));
+        if (const Association own = dataset.find(array)->association; own != wanted)
+            throw Error("'" + array + "' is an array on " + name_of(own) + "; choose an array on " + name_of(wanted));
         const auto values = dataset.values(array, step);
         if (values.empty()) {
             std::ostringstream time;
@@ -96,9 +100,9 @@ struct LoadedDataset::State {
         const ScalarName scalar = parse_scalar(*of, name);
         const auto values = written(*of, scalar.array, step, wanted);
         auto made = fields.get<std::vector<float>>(step_key("values", name, step), [&]() -> Cache::Made {
-            const auto components = static_cast<std::size_t>(of->find(scalar.array)->components);
-            return {std::make_shared<std::vector<float>>(one_scalar(values, components, scalar)),
-                    values.size_bytes() / components};
+            const ArrayInfo& array = *of->find(scalar.array);
+            return {std::make_shared<std::vector<float>>(one_scalar(values, array, scalar)),
+                    values.size_bytes() / static_cast<std::size_t>(array.components)};
         });
         of->check_intact();
         return made;
@@ -195,6 +199,29 @@ std::shared_ptr<const std::vector<float>> LoadedDataset::scalar_values(const std
 std::shared_ptr<const std::vector<float>> LoadedDataset::cell_values(const std::string& name, std::size_t step) {
     return state_->plain_values(name, step, Association::cell);
 }
+
+std::shared_ptr<const std::vector<float>> LoadedDataset::face_values(const std::string& name, std::size_t step) {
+    return state_->plain_values(name, step, Association::boundary_face);
+}
+
+std::shared_ptr<const SoundCells> LoadedDataset::sound_cells(const std::string& name, std::size_t step) {
+    const auto of = state_->current();
+    const Step& at = State::step_of(*of, step);
+    const std::string of_cells = cell_scalar(*of, name);
+    if (of_cells.empty()) return nullptr;
+    const auto written = at.arrays.find(parse_scalar(*of, of_cells).array);
+    if (written == at.arrays.end() || written->second.invalid == 0) return nullptr;
+    const auto values = cell_values(of_cells, step);
+    auto sound = state_->fields.get<SoundCells>(step_key("sound", of_cells, step), [&]() -> Cache::Made {
+        auto made = std::make_shared<SoundCells>();
+        made->kept.reserve(values->size());
+        for (const float value : *values) made->kept.push_back(went_wrong(value) ? 0 : 1);
+        made->left_out = static_cast<std::size_t>(std::ranges::count(made->kept, 0));
+        return {made, made->kept.size()};
+    });
+    return sound->left_out > 0 ? sound : nullptr;
+}
+
 ScalarField LoadedDataset::plane(std::size_t step, Vec3d origin, Vec3d normal) {
     const auto of = state_->current();
     const Step& at = State::step_of(*of, step);

@@ -14,6 +14,12 @@ struct ScalarField {
     std::shared_ptr<const void> keep_alive;
 };
 
+// Cells without a number that is none: what blew up is shown nowhere.
+struct SoundCells {
+    std::vector<std::uint8_t> kept; // a flag per cell
+    std::size_t left_out = 0;
+};
+
 // An array has no values at a step: nothing is wrong, but nothing can be shown of it.
 class NotWritten : public Error {
     using Error::Error;
@@ -29,12 +35,16 @@ public:
     bool refresh();                                         // true when steps were added
 
     [[nodiscard]] std::shared_ptr<const Topology> topology(std::size_t mesh);
-    // Throws NotWritten, and Error when the scalar does not exist or is a cell array.
+    // Throws NotWritten, and Error when the scalar does not exist or has no values at points.
     [[nodiscard]] ScalarField scalar(const std::string& name, std::size_t step);
     // Point scalar by name as a plain array (magnitudes and components are made once), for colouring and probing.
     [[nodiscard]] std::shared_ptr<const std::vector<float>> scalar_values(const std::string& name, std::size_t step);
-    // Likewise a cell array's, for choosing cells: one value per cell.
+    // Likewise of an array of the cells or of the boundary's faces: one value each.
     [[nodiscard]] std::shared_ptr<const std::vector<float>> cell_values(const std::string& name, std::size_t step);
+    [[nodiscard]] std::shared_ptr<const std::vector<float>> face_values(const std::string& name, std::size_t step);
+    // The cells that have a value of `name` at the step, or none of an array made from values of the cells: all but
+    // those where it went wrong. Null where none did, and of an array whose cells are not known.
+    [[nodiscard]] std::shared_ptr<const SoundCells> sound_cells(const std::string& name, std::size_t step);
     // nu = dot(normal, position - origin).
     [[nodiscard]] ScalarField plane(std::size_t step, Vec3d origin, Vec3d normal);
 

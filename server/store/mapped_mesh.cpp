@@ -17,6 +17,7 @@ constexpr const char* damaged = "; the dataset is damaged: restore the file or i
 
 ElementType type_of(const std::string& name) {
     if (name == "cell_types") return ElementType::u1;
+    if (std::ranges::find(layout::optional_arrays, name) != std::end(layout::optional_arrays)) return ElementType::i8;
     return name == "face_offset" ? ElementType::u8 : ElementType::u4;
 }
 
@@ -87,6 +88,8 @@ MappedMesh::MappedMesh(std::filesystem::path directory, AnyLost any_lost)
     const auto attributes = directory_ / layout::attributes_document;
     attributes_ = parse_mesh_attributes(read_text(attributes, layout::document_bytes), attributes);
     for (const char* name : layout::whole_arrays) map(name, type_of(name));
+    for (const char* name : layout::optional_arrays)
+        if (attributes_.checksums.contains(name)) map(name, type_of(name));
     for (std::size_t i = 0; i < attributes_.groups.size(); ++i) map("groups/" + std::to_string(i), ElementType::u4);
 
     vertex_count_ = original_vertex().size();
@@ -106,6 +109,8 @@ MappedMesh::MappedMesh(std::filesystem::path directory, AnyLost any_lost)
     expect("original_cell", original_cell().size(), cell_count());
     expect("neighbour", array("neighbour").as<Index>().size(), faces);
     expect("face_offset", array("face_offset").as<std::uint64_t>().size(), faces + 1);
+    if (!solver_vertex().empty()) expect("solver_vertex", solver_vertex().size(), vertex_count_);
+    if (!solver_cell().empty()) expect("solver_cell", solver_cell().size(), cell_count());
     for (std::size_t i = 0; i < attributes_.groups.size(); ++i) map_group(i, faces);
     verify_checksums();
     verify_indices();
@@ -147,13 +152,25 @@ bool MappedMesh::has_its_checksum(const std::string& name, const MappedFile& fil
     return checksum(file.bytes()) == attributes_.checksums.at(name);
 }
 
+// Arrays of the boundary's faces have so many values.
+void MappedMesh::verify_boundary() const {
+    const auto count = static_cast<std::uint64_t>(std::ranges::count(array("neighbour").as<Index>(), none));
+    if (count != attributes_.info.boundary_faces)
+        refuse(directory_ / layout::attributes_document, "counts " + std::to_string(attributes_.info.boundary_faces) +
+                                                             " boundary faces, but there are " + std::to_string(count) +
+                                                             damaged);
+}
+
 void MappedMesh::verify_indices() const {
     const std::uint64_t faces = array("owner").as<Index>().size();
     std::vector<std::function<void()>> checks{
         [&] { check_below(array("face_vertex"), vertex_count_, "vertices"); },
         [&] { check_offsets(array("face_offset"), array("face_vertex").as<Index>().size()); },
         [&] { check_owners(array("owner"), cell_count()); },
-        [&] { check_neighbours(array("owner"), array("neighbour"), cell_count()); },
+        [&] {
+            check_neighbours(array("owner"), array("neighbour"), cell_count());
+            verify_boundary();
+        },
         [&] {
             if (!std::all_of(cell_types().begin(), cell_types().end(), is_cell_type))
                 refuse(array("cell_types").path(), std::string("names a cell type that does not exist") + damaged);

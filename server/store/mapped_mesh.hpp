@@ -24,6 +24,9 @@ public:
     [[nodiscard]] const std::vector<Group>& groups() const { return groups_; }
     [[nodiscard]] std::span<const Index> original_vertex() const { return array("original_vertex").as<Index>(); }
     [[nodiscard]] std::span<const Index> original_cell() const { return array("original_cell").as<Index>(); }
+    // Empty where the source has none.
+    [[nodiscard]] std::span<const std::int64_t> solver_vertex() const { return optional_array("solver_vertex"); }
+    [[nodiscard]] std::span<const std::int64_t> solver_cell() const { return optional_array("solver_cell"); }
     // The topology with these positions.
     [[nodiscard]] FaceMeshView view(std::span<const float> positions) const;
     // Throws Error when a file shrank or was written to and has not its checksum any more. One stat call a file.
@@ -32,6 +35,10 @@ public:
 
 private:
     [[nodiscard]] const MappedFile& array(const std::string& name) const { return arrays_.at(name); }
+    [[nodiscard]] std::span<const std::int64_t> optional_array(const std::string& name) const {
+        const auto found = arrays_.find(name);
+        return found == arrays_.end() ? std::span<const std::int64_t>() : found->second.as<std::int64_t>();
+    }
     [[nodiscard]] std::span<const std::uint8_t> cell_types() const { return array("cell_types").as<std::uint8_t>(); }
     // What the views say when an index of this array is wrong, or contradicts another array's. Any thread.
     class Keeper final : public ArrayKeeper {
@@ -50,6 +57,7 @@ private:
     void verify_checksums() const;
     [[nodiscard]] bool has_its_checksum(const std::string& name, const MappedFile& file) const;
     void verify_indices() const;
+    void verify_boundary() const;
 
     std::filesystem::path directory_;
     AnyLost any_lost_;

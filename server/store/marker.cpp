@@ -15,6 +15,17 @@ std::array<double, 2> parse_range(const JsonReader& value) {
     return {items[0].number(), items[1].number()};
 }
 
+CellExtreme parse_extreme(const JsonReader& value) {
+    CellExtreme extreme;
+    const std::uint64_t cell = value.at("cell").count();
+    if (cell >= none) value.at("cell").refuse("is larger than any cell's id");
+    extreme.cell = static_cast<Index>(cell);
+    const auto place = value.at("place").items();
+    if (place.size() != 3) value.at("place").refuse("must be [x, y, z]");
+    for (std::size_t axis = 0; axis < 3; ++axis) extreme.place[axis] = place[axis].number();
+    return extreme;
+}
+
 std::optional<ArrayStep> parse_statistics(const JsonReader& value) {
     const auto range = value.find("range"), components = value.find("component_ranges");
     if (!range || !components) return std::nullopt;
@@ -22,6 +33,9 @@ std::optional<ArrayStep> parse_statistics(const JsonReader& value) {
     statistics.range = parse_range(*range);
     for (const JsonReader& item : components->items()) statistics.component_ranges.push_back(parse_range(item));
     if (const auto invalid = value.find("invalid")) statistics.invalid = invalid->count();
+    if (const auto extremes = value.find("extremes"))
+        for (const JsonReader& item : extremes->items())
+            statistics.extremes.push_back({parse_extreme(item.at("lowest")), parse_extreme(item.at("highest"))});
     return statistics;
 }
 
@@ -53,6 +67,8 @@ MarkedStep parse_step(const JsonReader& value, std::vector<std::uint64_t>& steps
     return step;
 }
 
+nlohmann::json to_json(const CellExtreme& extreme) { return {{"cell", extreme.cell}, {"place", extreme.place}}; }
+
 nlohmann::json to_json(const MarkedArray& array) {
     nlohmann::json json{{"chunk", array.chunk}};
     if (!array.checksum.empty()) json["checksum"] = array.checksum;
@@ -61,6 +77,8 @@ nlohmann::json to_json(const MarkedArray& array) {
         json["range"] = array.statistics->range;
         json["component_ranges"] = array.statistics->component_ranges;
         if (array.statistics->invalid > 0) json["invalid"] = array.statistics->invalid;
+        for (const auto& [lowest, highest] : array.statistics->extremes)
+            json["extremes"].push_back({{"lowest", to_json(lowest)}, {"highest", to_json(highest)}});
     }
     return json;
 }

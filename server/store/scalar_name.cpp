@@ -1,6 +1,7 @@
-// Names of scalars: an array, or one component or the magnitude of a vector.
+// Names of scalars: an array, or one component or the magnitude of a vector or tensor.
 #include "ciel/printable.hpp"
 #include "store/dataset.hpp"
+#include "store/no_value.hpp"
 
 #include <algorithm>
 
@@ -8,39 +9,96 @@ namespace ciel::store {
 namespace {
 
 std::string component_name(const ArrayInfo& array, int component) {
+    if (!array.component_names.empty()) return array.component_names[static_cast<std::size_t>(component)];
     if (array.components <= 3) return std::string(1, "xyz"[component]);
     return std::to_string(component);
 }
 
+// A tensor's components by their names alone: which number is which differs from format to format.
 std::optional<ScalarName> parse_suffix(const ArrayInfo& array, const std::string& suffix) {
-    if (suffix == "magnitude") return ScalarName{array.name, std::nullopt, true};
+    if (suffix == "magnitude" && has_magnitude(array)) return ScalarName{array.name, std::nullopt, true};
     for (int c = 0; c < array.components; ++c)
-        if (suffix == component_name(array, c) || suffix == std::to_string(c)) return ScalarName{array.name, c, false};
+        if (suffix == component_name(array, c) || (array.component_names.empty() && suffix == std::to_string(c)))
+            return ScalarName{array.name, c, false};
     return std::nullopt;
+}
+
+std::string listed(const std::vector<std::string>& names) {
+    std::string text;
+    for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
+    return text;
+}
+
+// The array that a name is of, with its suffix; null where it begins with none.
+std::pair<const ArrayInfo*, std::string> split(const Dataset& dataset, const std::string& name) {
+    if (const auto colon = name.rfind(':'); colon != std::string::npos)
+        if (const ArrayInfo* array = dataset.find(name.substr(0, colon)); array != nullptr && array->components > 1)
+            return {array, name.substr(colon + 1)};
+    return {nullptr, {}};
+}
+
+// Every other entry of a symmetric tensor's six components stands for two of its matrix.
+double weight(const ArrayInfo& array, std::size_t component) {
+    if (array.component_names.size() != 6) return 1;
+    const std::string& name = array.component_names[component];
+    return name.size() == 2 && name[0] != name[1] ? 2 : 1;
 }
 
 } // namespace
 
+bool has_magnitude(const ArrayInfo& array) {
+    return array.components == 2 || array.components == 3 || !array.component_names.empty();
+}
+
+double magnitude_of(const ArrayInfo& array, std::span<const float> tuple) {
+    double squares = 0;
+    for (std::size_t c = 0; c < tuple.size(); ++c) squares += weight(array, c) * (double{tuple[c]} * tuple[c]);
+    return std::sqrt(squares);
+}
+
+float scalar_of(const ArrayInfo& array, std::span<const float> tuple, const ScalarName& scalar) {
+    if (scalar.component) return tuple[static_cast<std::size_t>(*scalar.component)];
+    if (!scalar.magnitude) return tuple[0];
+    if (std::ranges::any_of(tuple, is_no_value)) return no_value;
+    return static_cast<float>(magnitude_of(array, tuple));
+}
+
 std::vector<std::string> scalar_names(const ArrayInfo& array) {
     if (array.components == 1) return {array.name};
-    std::vector<std::string> names{array.name + ":magnitude"};
+    std::vector<std::string> names;
+    if (has_magnitude(array)) names.push_back(array.name + ":magnitude");
     for (int c = 0; c < array.components; ++c) names.push_back(array.name + ":" + component_name(array, c));
     return names;
 }
 
 ScalarName parse_scalar(const Dataset& dataset, const std::string& name) {
-    // A vector's bare name is its magnitude: what most people mean who colour by U.
-    if (const ArrayInfo* array = dataset.find(name)) return {array->name, std::nullopt, array->components > 1};
-    if (const auto colon = name.rfind(':'); colon != std::string::npos)
-        if (const ArrayInfo* array = dataset.find(name.substr(0, colon)); array != nullptr && array->components > 1)
-            if (auto scalar = parse_suffix(*array, name.substr(colon + 1))) return *scalar;
-    std::string names;
-    for (const ArrayInfo& array : dataset.info().arrays) {
-        if (array.association == Association::cell) continue;
-        for (const std::string& each : scalar_names(array)) names += (names.empty() ? "" : ", ") + each;
+    if (const ArrayInfo* array = dataset.find(name)) {
+        // A vector's bare name is its magnitude: what most people mean who colour by U.
+        if (array->components == 1 || has_magnitude(*array)) return {array->name, std::nullopt, array->components > 1};
+        throw Error("'" + printable(name) + "' has " + std::to_string(array->components) +
+                    " components and no magnitude; choose one of " + listed(scalar_names(*array)));
     }
+    if (const auto [array, suffix] = split(dataset, name); array != nullptr) {
+        if (auto scalar = parse_suffix(*array, suffix)) return *scalar;
+        throw Error("array '" + printable(array->name) + "' has no component '" + printable(suffix) +
+                    "'; choose one of " + listed(scalar_names(*array)));
+    }
+    std::vector<std::string> names;
+    for (const ArrayInfo& array : dataset.info().arrays)
+        if (array.association == Association::point)
+            for (std::string& each : scalar_names(array)) names.push_back(std::move(each));
     throw Error("dataset '" + dataset.info().name + "' has no scalar '" + printable(name) + "'; it has " +
-                (names.empty() ? std::string("none") : names));
+                (names.empty() ? std::string("none") : listed(names)));
+}
+
+std::string cell_scalar(const Dataset& dataset, const std::string& name) {
+    const ArrayInfo& array = *dataset.find(parse_scalar(dataset, name).array);
+    if (array.association == Association::cell) return name;
+    if (array.association != Association::point || array.source.origin != Origin::interpolated) return {};
+    const ArrayInfo* cells = dataset.find("cell:" + array.name);
+    const bool is_the_same =
+        cells != nullptr && cells->association == Association::cell && cells->components == array.components;
+    return is_the_same ? "cell:" + name : std::string();
 }
 
 } // namespace ciel::store

@@ -6,41 +6,64 @@
 namespace ciel::store {
 namespace {
 
+// The first item that has it, where several do.
 class Range {
 public:
-    void add(double value) {
-        low_ = std::min(low_, value);
-        high_ = std::max(high_, value);
+    void add(double value, Index item) {
+        if (value < low_) {
+            low_ = value;
+            lowest_ = item;
+        }
+        if (value > high_) {
+            high_ = value;
+            highest_ = item;
+        }
     }
-    [[nodiscard]] std::array<double, 2> get() const {
-        return low_ <= high_ ? std::array{low_, high_} : std::array{0.0, 0.0};
-    }
+    [[nodiscard]] bool empty() const { return low_ > high_; }
+    [[nodiscard]] std::array<double, 2> get() const { return empty() ? std::array{0.0, 0.0} : std::array{low_, high_}; }
+    [[nodiscard]] CellExtremes extremes() const { return {{lowest_, {}}, {highest_, {}}}; }
 
 private:
     double low_ = std::numeric_limits<double>::infinity(), high_ = -low_;
+    Index lowest_ = 0, highest_ = 0;
 };
+
+// Where one component has no finite value there is nothing to point at, and then of none: they stand in a row.
+std::vector<CellExtremes> extremes_of(const Range& all, const std::vector<Range>& of_component) {
+    const auto is_empty = [](const Range& range) { return range.empty(); };
+    if (all.empty() || std::ranges::any_of(of_component, is_empty)) return {};
+    std::vector<CellExtremes> extremes{all.extremes()};
+    if (of_component.size() > 1)
+        for (const Range& range : of_component) extremes.push_back(range.extremes());
+    return extremes;
+}
 
 } // namespace
 
-ArrayStep statistics(std::span<const float> values, int components) {
-    const auto width = static_cast<std::size_t>(components);
+ArrayStep statistics(std::span<const float> values, const ArrayInfo& array) {
+    const auto width = static_cast<std::size_t>(array.components);
+    const bool by_magnitude = width > 1 && has_magnitude(array);
     std::vector<Range> of_component(width);
-    Range of_magnitude;
+    Range all;
     ArrayStep result;
     for (std::size_t at = 0; at + width <= values.size(); at += width) {
-        double squares = 0;
+        const auto item = static_cast<Index>(at / width);
         for (std::size_t c = 0; c < width; ++c) {
             const double value = values[at + c];
-            if (std::isfinite(value))
-                of_component[c].add(value);
-            else
+            if (!std::isfinite(value)) {
                 ++result.invalid;
-            squares += value * value;
+                continue;
+            }
+            of_component[c].add(value, item);
+            if (!by_magnitude) all.add(value, item);
         }
-        if (std::isfinite(squares)) of_magnitude.add(std::sqrt(squares));
+        if (!by_magnitude) continue;
+        const double magnitude = magnitude_of(array, values.subspan(at, width));
+        if (std::isfinite(magnitude)) all.add(magnitude, item);
     }
     for (const Range& range : of_component) result.component_ranges.push_back(range.get());
-    result.range = components == 1 ? result.component_ranges[0] : of_magnitude.get();
+    result.range = all.get();
+    if (array.association == Association::cell) result.extremes = extremes_of(all, of_component);
     return result;
 }
 

@@ -36,6 +36,12 @@ void check_sizes(const FaceMesh& mesh, std::span<const Index> original_vertex, s
     check_finite(mesh.positions);
 }
 
+void check_solver_ids(const SolverIds& solver, std::size_t vertices, std::size_t cells) {
+    if ((!solver.vertex.empty() && solver.vertex.size() != vertices) ||
+        (!solver.cell.empty() && solver.cell.size() != cells))
+        throw Error("the solver's ids are not one for each vertex and cell");
+}
+
 void check_group(const NamedGroup& group, std::size_t limit) {
     for (const Index id : group.ids)
         if (id >= limit)
@@ -65,8 +71,10 @@ ZarrArray values_shape(std::uint64_t steps, std::uint64_t items, int components)
 }
 
 MeshAttributes write_mesh(const fs::path& directory, const FaceMesh& mesh, std::span<const Index> original_vertex,
-                          std::span<const Index> original_cell, std::span<const NamedGroup> groups) {
+                          std::span<const Index> original_cell, std::span<const NamedGroup> groups,
+                          const SolverIds& solver) {
     check_sizes(mesh, original_vertex, original_cell);
+    check_solver_ids(solver, original_vertex.size(), original_cell.size());
     MeshAttributes attributes;
     attributes.origin = mesh.origin;
     attributes.info = count_mesh(mesh.view());
@@ -82,6 +90,8 @@ MeshAttributes write_mesh(const fs::path& directory, const FaceMesh& mesh, std::
     write("neighbour", ElementType::u4, std::as_bytes(std::span(mesh.neighbour)));
     write("original_vertex", ElementType::u4, std::as_bytes(original_vertex));
     write("original_cell", ElementType::u4, std::as_bytes(original_cell));
+    if (!solver.vertex.empty()) write("solver_vertex", ElementType::i8, std::as_bytes(solver.vertex));
+    if (!solver.cell.empty()) write("solver_cell", ElementType::i8, std::as_bytes(solver.cell));
     for (std::size_t i = 0; i < groups.size(); ++i) {
         check_group(groups[i], groups[i].of == Group::Of::faces ? mesh.owner.size() : mesh.cell_types.size());
         std::vector<Index> ids = groups[i].ids;

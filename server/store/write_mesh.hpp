@@ -11,7 +11,7 @@ namespace ciel::store {
 // a wrong size, a group an id out of range, or a coordinate is not finite.
 [[nodiscard]] MeshAttributes write_mesh(const std::filesystem::path& directory, const FaceMesh& mesh,
                                         std::span<const Index> original_vertex, std::span<const Index> original_cell,
-                                        std::span<const NamedGroup> groups);
+                                        std::span<const NamedGroup> groups, const SolverIds& solver);
 
 void check_finite(std::span<const float> positions);
 

@@ -1,5 +1,6 @@
 #include "store/writer.hpp"
 
+#include "store/cell_places.hpp"
 #include "store/checksum.hpp"
 #include "store/files.hpp"
 #include "store/import_missing.hpp"
@@ -46,7 +47,7 @@ struct WrittenMesh {
     std::uint64_t steps = 0;
 
     [[nodiscard]] std::uint64_t items(const ArrayInfo& array) const {
-        return array.association == Association::point ? attributes.info.vertices : attributes.info.cells;
+        return items_of(attributes.info, array.association);
     }
 };
 
@@ -58,8 +59,47 @@ struct StepUnderWay {
 };
 
 ArrayInfo with_valid_text(const ArrayInfo& info) {
-    return {valid_utf8(info.name), info.association, info.components, valid_utf8(info.units),
-            valid_utf8(info.description)};
+    ArrayInfo valid = info;
+    for (std::string* text : {&valid.name, &valid.units, &valid.description, &valid.source.type, &valid.source.file})
+        *text = valid_utf8(*text);
+    for (std::string& name : valid.component_names) name = valid_utf8(name);
+    return valid;
+}
+
+// A mesh that was written, mapped: nobody else writes to it meanwhile.
+class WrittenFaces {
+public:
+    WrittenFaces(const fs::path& mesh, const MeshAttributes& attributes, std::size_t coordinates)
+        : origin_(attributes.origin),
+          positions_(layout::chunk(mesh / "positions", coordinates, 3), 3 * attributes.info.vertices * sizeof(float)),
+          types_(whole(mesh, "cell_types")), offset_(whole(mesh, "face_offset")), vertex_(whole(mesh, "face_vertex")),
+          owner_(whole(mesh, "owner")), neighbour_(whole(mesh, "neighbour")) {}
+
+    [[nodiscard]] FaceMeshView view() const {
+        return face_mesh_view(origin_, positions_.as<float>(), types_.as<std::uint8_t>(), offset_.as<std::uint64_t>(),
+                              vertex_.as<Index>(), owner_.as<Index>(), neighbour_.as<Index>());
+    }
+
+private:
+    [[nodiscard]] static MappedFile whole(const fs::path& mesh, const char* name) {
+        const fs::path file = layout::chunk(mesh / name, 0, 1);
+        return {file, static_cast<std::size_t>(fs::file_size(file))};
+    }
+
+    Vec3d origin_;
+    MappedFile positions_, types_, offset_, vertex_, owner_, neighbour_;
+};
+
+// For each extreme of the step's arrays.
+template <class F>
+void for_extremes(MarkedStep& step, F&& f) {
+    for (auto& [name, array] : step.arrays) {
+        if (!array.statistics) continue;
+        for (CellExtremes& extremes : array.statistics->extremes) {
+            f(extremes.lowest);
+            f(extremes.highest);
+        }
+    }
 }
 
 // Coordinates that came by plain Zarr have no checksum yet.
@@ -155,12 +195,22 @@ struct Writer::State {
         const auto bytes = std::as_bytes(values);
         put(under_way->chunks.back(), bytes);
         under_way->arrays.push_back(array);
-        step.arrays.emplace(array.name, MarkedArray{row, checksum(bytes), statistics(values, array.components), false});
+        step.arrays.emplace(array.name, MarkedArray{row, checksum(bytes), statistics(values, array), false});
     }
 
     void put_documents() const {
         for (std::size_t m = 0; m < meshes.size(); ++m) put_mesh(m);
         if (info_changed) put_root();
+    }
+
+    // Once a step, for it looks at all faces.
+    void place_extremes(MarkedStep& step) {
+        std::vector<Index> cells;
+        for_extremes(step, [&](CellExtreme& extreme) { cells.push_back(extreme.cell); });
+        if (cells.empty()) return;
+        const WrittenFaces faces(layout::mesh(directory, step.mesh), mesh(step.mesh).attributes, step.coordinates);
+        const auto places = cell_places(faces.view(), std::move(cells));
+        for_extremes(step, [&](CellExtreme& extreme) { extreme.place = places.at(extreme.cell); });
     }
 
     void learn_arrays(const StepUnderWay& of) {
@@ -249,7 +299,8 @@ Writer Writer::append(std::shared_ptr<Dataset> dataset) {
 const std::shared_ptr<Dataset>& Writer::before() const { return state_->before; }
 
 std::size_t Writer::add_mesh(const FaceMesh& mesh, std::span<const Index> original_vertex,
-                             std::span<const Index> original_cell, std::span<const NamedGroup> groups) {
+                             std::span<const Index> original_cell, std::span<const NamedGroup> groups,
+                             const SolverIds& solver) {
     const std::size_t index = state_->meshes.size();
     const fs::path path = layout::mesh(state_->directory, index);
     fs::remove_all(path); // left by an append that did not reach its commit
@@ -262,7 +313,7 @@ std::size_t Writer::add_mesh(const FaceMesh& mesh, std::span<const Index> origin
             conditions.emplace(valid_utf8(array), valid_utf8(condition));
         group.facts.conditions = std::move(conditions);
     }
-    state_->meshes.push_back({write_mesh(path, mesh, original_vertex, original_cell, named), {}, 0});
+    state_->meshes.push_back({write_mesh(path, mesh, original_vertex, original_cell, named, solver), {}, 0});
     return index;
 }
 
@@ -336,6 +387,12 @@ void Writer::add_values(const ArrayValues& array) {
 void Writer::end_step() {
     State& state = *state_;
     if (!state.under_way) throw Error("there is no step to end; begin one");
+    try {
+        state.place_extremes(state.under_way->step);
+    } catch (...) {
+        state.take_back();
+        throw;
+    }
     if (!state.appending()) {
         state.learn_arrays(*state.under_way);
         state.marker.steps.push_back(std::move(state.under_way->step));

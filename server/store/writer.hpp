@@ -20,6 +20,11 @@ struct DatasetHeader {
     std::vector<std::string> notes;
 };
 
+// The numbers that the solver gave to vertices and cells, in stored order, -1 where it gave none; or empty.
+struct SolverIds {
+    std::span<const std::int64_t> vertex, cell;
+};
+
 struct ArrayValues {
     ArrayInfo info;
     std::span<const float> values; // in stored order
@@ -40,7 +45,8 @@ public:
 
     // Counts edges, components and bounds for `info`, checksums everything. Returns the mesh's index.
     std::size_t add_mesh(const FaceMesh& mesh, std::span<const Index> original_vertex,
-                         std::span<const Index> original_cell, std::span<const NamedGroup> groups);
+                         std::span<const Index> original_cell, std::span<const NamedGroup> groups,
+                         const SolverIds& solver = {});
     // New positions of an existing mesh (offsets from its origin). Returns the coordinates' index.
     std::size_t add_coordinates(std::size_t mesh, std::span<const float> positions);
     // The coordinates of the mesh that are the same to the bit, the latest where there are several.

@@ -16,7 +16,8 @@ struct TypeRow {
     std::size_t bytes;
 };
 constexpr std::array type_table{TypeRow{ElementType::u1, "|u1", 1}, TypeRow{ElementType::u4, "<u4", 4},
-                                TypeRow{ElementType::u8, "<u8", 8}, TypeRow{ElementType::f4, "<f4", 4}};
+                                TypeRow{ElementType::u8, "<u8", 8}, TypeRow{ElementType::i8, "<i8", 8},
+                                TypeRow{ElementType::f4, "<f4", 4}};
 
 const TypeRow& row(ElementType type) {
     return *std::find_if(type_table.begin(), type_table.end(), [&](const TypeRow& r) { return r.type == type; });

@@ -45,6 +45,33 @@ TEST_F(Methods, dataset_describe) {
     EXPECT_EQ(client.error_code("dataset.describe", {{"dataset", "/etc/passwd"}}), -32001);
 }
 
+// cell:q is the cell's id.
+TEST_F(Methods, tell_which_cells_have_the_extremes) {
+    const json box = client.call("dataset.describe", {{"dataset", "box"}});
+    std::map<std::string, json> arrays;
+    for (const json& array : box["arrays"]) arrays[array["name"]] = array;
+    const json of_all = arrays["cell:q"];
+    const json highest = of_all["extremes"]["highest"];
+    EXPECT_EQ(highest["cell"], highest["value"]);
+    EXPECT_GT(highest["cell"], 50);
+    EXPECT_EQ(highest["time"], 0) << "the first of the steps that have it";
+    EXPECT_EQ(of_all["origin"], "original");
+    EXPECT_EQ(of_all["invalid"], 0);
+    EXPECT_FALSE(arrays["p"].contains("extremes")) << "it was not made from cells";
+
+    const json histogram = client.call("dataset.histogram", {{"dataset", "box"}, {"array", "cell:q"}, {"time", 1}});
+    EXPECT_EQ(histogram["cells"]["highest"]["cell"], highest["cell"]);
+    EXPECT_EQ(histogram["cells"]["highest"]["time"], 1);
+    EXPECT_FALSE(client.call("dataset.histogram", {{"dataset", "box"}, {"array", "p"}}).contains("cells"));
+
+    const json scene{{"dataset", "box"}};
+    const json probed = client.call("probe.point", {{"scene", scene}, {"position", highest["place"]}});
+    EXPECT_EQ(probed["cell"], highest["cell"]) << "its place is in it";
+    EXPECT_EQ(probed["values"]["cell:q"], highest["value"]);
+    EXPECT_EQ(probed["extremes"]["cell:q"]["highest"]["cell"], highest["cell"]);
+    EXPECT_FALSE(probed.contains("solver_cell")) << "the source had none";
+}
+
 TEST_F(Methods, histogram_counts_every_vertex_once) {
     const json vertices = client.call("dataset.describe", {{"dataset", "box"}})["mesh"]["vertices"];
     json params{{"dataset", "box"}, {"array", "p"}, {"bins", 10}};

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstring>
 #include <gmock/gmock.h>
+#include <set>
 
 namespace ciel::test {
 namespace {
@@ -197,6 +198,31 @@ TEST_F(Methods, surfaces_are_exported) {
     EXPECT_EQ(count, stl["polygons"]);
     params["layer"] = "nope";
     EXPECT_EQ(client.error_code("surface.export", params), -32001);
+}
+
+// The floats of an array in an appended VTP file.
+std::vector<float> appended_floats(const std::string& file, const std::string& name) {
+    const std::size_t declared = file.find("Name=\"" + name + "\""), offset = file.find("offset=\"", declared) + 8;
+    std::size_t at = file.find("_", file.find("<AppendedData")) + 1 + std::stoul(file.substr(offset));
+    std::uint64_t bytes = 0;
+    std::memcpy(&bytes, &file[at], sizeof bytes);
+    std::vector<float> values(bytes / sizeof(float));
+    std::memcpy(values.data(), &file[at + sizeof bytes], bytes);
+    return values;
+}
+
+// cell:q is the cell's id, and the slice has one polygon of each cell that it cuts.
+TEST_F(Methods, values_of_cells_are_exported_as_they_are) {
+    json params{{"scene", colored_scene}, {"layer", "s"}, {"format", "vtp"}};
+    json& layer = params["scene"]["layers"]["s"];
+    layer = {{"type", "slice"}, {"axis", "x"}, {"value", box_origin[0] + 1.5}, {"color", {{"array", "cell:q"}}}};
+    const json flat = client.call("surface.export", params);
+    const std::vector<float> values = appended_floats(decoded(flat["data"]), "cell:q");
+    EXPECT_EQ(values.size(), flat["vertices"]);
+    for (const float value : values) EXPECT_EQ(value, std::round(value)) << "nothing is mixed";
+    EXPECT_EQ(std::set<float>(values.begin(), values.end()).size(), flat["polygons"]);
+    layer["color"] = {{"array", "p"}};
+    EXPECT_LT(client.call("surface.export", params)["vertices"], flat["vertices"]) << "there they are shared";
 }
 
 // The box of 6 x 6 x 6 with a hole of 2 x 2 x 2, cut in the middle: its file is closed, and is the half that is seen.

@@ -19,14 +19,14 @@ def test_arrays_that_are_left_out_are_named(tmp_path):
     field.InsertNextValue(9.81)
     grid.GetFieldData().AddArray(field)
     ids = vtk.vtkIdTypeArray()
-    ids.SetName("GlobalNodeId")
+    ids.SetName("vtkOriginalPointIds")
     for i in range(8):
         ids.InsertNextValue(i)
     grid.GetPointData().AddArray(ids)
     notes = imported(tmp_path, write(vtk.vtkXMLUnstructuredGridWriter(), tmp_path / "a.vtu", grid)).notes
     assert "Arrays of text were left out: material." in notes
     assert "Field data was left out: gravity." in notes
-    assert "Flags and ids were left out: GlobalNodeId." in notes
+    assert "Flags and ids were left out: vtkOriginalPointIds." in notes
 
 
 def test_arrays_that_differ_between_blocks_are_named(tmp_path):
@@ -36,7 +36,7 @@ def test_arrays_that_differ_between_blocks_are_named(tmp_path):
         add_array(grid.GetPointData(), "stress", values)
         add_array(grid.GetPointData(), "f", np.arange(8.0))
         blocks.append((f"b{i}", grid))
-    dataset = imported(tmp_path, write(vtk.vtkXMLMultiBlockDataWriter(), tmp_path / "a.vtm", multi_block(*blocks)))
+    dataset = imported(tmp_path, write(vtk.vtkXMLMultiBlockDataWriter(), tmp_path / "a.vtm", multi_block(*blocks)), code=3)
     assert dataset.array_names() == ["f"]
     assert "Arrays whose numbers of components differ between blocks were left out: stress." in dataset.notes
 
@@ -95,3 +95,19 @@ def test_positions_that_floats_cannot_tell_apart_are_counted(tmp_path):
     notes = imported(tmp_path, write(vtk.vtkXMLUnstructuredGridWriter(), tmp_path / "a.vtu", grid)).notes
     assert "1 cell has corners that are apart in the input and one point here" in notes
     assert "The volume of 1 cell changes by more than 1 %" in notes
+
+
+@pytest.mark.parametrize("corners, sentence", [
+    ([0, 0, 0, 0, 4, 5, 6, 7], "1 cell has corners that are one point, and was kept (first ids: 1)."),
+    ([0, 1, 2, 3, 0, 1, 2, 3], "1 cell has corners that are one point, and was kept (first ids: 1)."),
+    ([3] * 8, "1 cell has fewer than four different corners, so no volume, and was kept (first ids: 1)."),
+])
+def test_cells_with_repeated_corners_are_told(tmp_path, corners, sentence):
+    grid = unstructured([*HEXAHEDRON, (vtk.VTK_HEXAHEDRON, corners)], CUBE)
+    dataset = imported(tmp_path, write(vtk.vtkXMLUnstructuredGridWriter(), tmp_path / "a.vtu", grid))
+    assert sentence in dataset.notes and dataset.counts()["cells"] == 2
+
+
+def test_cells_without_repeated_corners_are_not(tmp_path):
+    notes = imported(tmp_path, write(vtk.vtkXMLUnstructuredGridWriter(), tmp_path / "a.vtu", unstructured(HEXAHEDRON, CUBE))).notes
+    assert "corners" not in notes

@@ -60,7 +60,7 @@ def test_an_array_is_looked_for_at_all_times_before_reading(tmp_path):
     case = write_case(tmp_path / "case")
     (case / "1/p").unlink()
     (case / "2/phi").write_text(header("surfaceScalarField", "phi"))
-    assert imported(tmp_path, case, "--array", "p").array_names() == ["cell:p", "p"]
+    assert imported(tmp_path, case, "--array", "p").array_names() == ["cell:p", "p", "patch:p"]
     done = run_import(case, "-o", tmp_path / "out.ciel", "--force", "--array", "T")
     assert done.returncode == 1 and 'no array "T"; there are: U, cell:U, cell:p, p' in done.stderr
     assert "%" not in done.stdout, "nothing was read"

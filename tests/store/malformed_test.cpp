@@ -124,6 +124,37 @@ const std::vector<Malformed> table{
               j["steps"][0]["arrays"]["U"]["component_ranges"] = {{0, 1}};
           }),
      "steps.json", "one entry per component"},
+    {"extremes of one component",
+     edit("steps.json",
+          [](json& j) {
+              j["steps"][0]["arrays"]["cell:p"]["extremes"].push_back(j["steps"][0]["arrays"]["cell:p"]["extremes"][0]);
+          }),
+     "steps.json", "'extremes' of 'cell:p'"},
+    {"extreme in a cell that is not there",
+     edit("steps.json", [](json& j) { j["steps"][0]["arrays"]["cell:p"]["extremes"][0]["lowest"]["cell"] = 4000; }),
+     "steps.json", "must name cells of the mesh"},
+    {"extreme in no cell",
+     edit("steps.json",
+          [](json& j) { j["steps"][0]["arrays"]["cell:p"]["extremes"][0]["lowest"]["cell"] = 4294967295U; }),
+     "steps.json", "larger than any cell's id"},
+    {"extreme without a place",
+     edit("steps.json",
+          [](json& j) {
+              j["steps"][0]["arrays"]["cell:p"]["extremes"][0]["highest"]["place"] = {1, 2};
+          }),
+     "steps.json", "must be [x, y, z]"},
+    {"origin of another kind", edit("meshes/0/arrays/p/.zattrs", [](json& j) { j["ciel"]["origin"] = "guessed"; }),
+     "arrays/p/.zattrs", "\"interpolated\""},
+    {"too few names of components",
+     edit("meshes/0/arrays/U/.zattrs", [](json& j) { j["ciel"]["component_names"] = {"xx"}; }), "arrays/U/.zattrs",
+     "must name each of the components"},
+    {"another number of boundary faces",
+     edit("meshes/0/.zattrs",
+          [](json& j) {
+              auto& count = j["ciel"]["counts"]["boundary_faces"];
+              count = count.get<int>() + 1;
+          }),
+     "meshes/0/.zattrs", "boundary faces, but there are"},
     {"chunk truncated", resize("meshes/0/arrays/p/0.0", -4), "arrays/p/0.0", "bytes where"},
     {"chunk missing", remove("meshes/0/arrays/U/1.0.0"), "arrays/U/1.0.0", "is missing"},
     {"array compressed",

@@ -1,10 +1,12 @@
 // What is written is what is read: topology, groups, values, gaps, moved meshes, remeshing, appended steps.
 #include "store/box/box.hpp"
+#include "store/no_value.hpp"
 
 #include <cmath>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <limits>
+#include <numeric>
 
 namespace ciel::store {
 namespace {
@@ -136,6 +138,109 @@ TEST(RoundTrip, RangesAreOfMagnitudeAndIgnoreWhatIsNotFinite) {
     EXPECT_EQ(step.invalid, 2U);
     EXPECT_THAT(dataset->steps()[0].arrays.at("s").range, ElementsAre(0, 0));
     EXPECT_EQ(dataset->steps()[0].arrays.at("s").invalid, 8U);
+}
+
+// Two cells side by side along x.
+std::shared_ptr<Dataset> two_cells(const Folder& scratch, const std::vector<ArrayValues>& arrays,
+                                   const SolverIds& ids = {}) {
+    FaceMesh mesh = box(2, 1, 1);
+    mesh.origin = {100, 0, 0};
+    Writer writer(scratch / "two.ciel", {});
+    writer.add_mesh(mesh, identity(12), identity(2), {}, ids);
+    writer.add_step(0, 0, 0, arrays);
+    writer.finish();
+    return Dataset::open(scratch / "two.ciel");
+}
+
+TEST(RoundTrip, ExtremesOfCellsWithTheirPlaces) {
+    const Folder scratch;
+    const std::vector<float> p{7, -2}, u{0, 9, 0, 1, 1, 1};
+    const auto dataset = two_cells(
+        scratch, {{{"cell:p", Association::cell, 1, "", ""}, p}, {{"cell:U", Association::cell, 3, "", ""}, u}});
+    const auto& scalar = dataset->steps()[0].arrays.at("cell:p").extremes;
+    ASSERT_EQ(scalar.size(), 1U);
+    EXPECT_EQ(scalar[0].lowest.cell, 1U);
+    EXPECT_THAT(scalar[0].lowest.place, ElementsAre(101.5, 0.5, 0.5));
+    EXPECT_EQ(scalar[0].highest.cell, 0U);
+    EXPECT_THAT(scalar[0].highest.place, ElementsAre(100.5, 0.5, 0.5));
+    const auto& vector = dataset->steps()[0].arrays.at("cell:U").extremes;
+    ASSERT_EQ(vector.size(), 4U) << "of the magnitude and of each component";
+    EXPECT_EQ(vector[0].highest.cell, 0U);
+    EXPECT_EQ(vector[1].highest.cell, 1U);
+}
+
+TEST(RoundTrip, NoExtremesOfPointsAndOfNoNumbers) {
+    const Folder scratch;
+    constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+    const std::vector<float> points(12, 1), cells{nan, nan};
+    const auto dataset = two_cells(
+        scratch, {{{"p", Association::point, 1, "", ""}, points}, {{"cell:p", Association::cell, 1, "", ""}, cells}});
+    for (const char* name : {"p", "cell:p"}) EXPECT_TRUE(dataset->steps()[0].arrays.at(name).extremes.empty()) << name;
+}
+
+TEST(RoundTrip, IdsOfTheSolver) {
+    const Folder scratch;
+    std::vector<std::int64_t> vertices(12), cells{5'000'000'000, -1};
+    std::iota(vertices.begin(), vertices.end(), 100);
+    const auto dataset = two_cells(scratch, {}, {vertices, cells});
+    EXPECT_THAT(dataset->solver_vertex(0), ElementsAreArray(vertices));
+    EXPECT_THAT(dataset->solver_cell(0), ElementsAreArray(cells));
+    const Folder other;
+    EXPECT_TRUE(two_cells(other, {})->solver_cell(0).empty());
+    const std::vector<std::int64_t> too_few{1};
+    EXPECT_THROW((void)two_cells(Folder(), {}, {{}, too_few}), Error);
+}
+
+TEST(RoundTrip, ValuesOfTheBoundarysFacesAndWhereArraysComeFrom) {
+    const Folder scratch;
+    ArrayInfo info{"patch:p", Association::boundary_face, 1, "Pa", ""};
+    info.source = {Origin::derived, "float64", "processor*/0/p"};
+    const std::vector<float> faces{0, 1, 2, 3, 4, 5, 6, 7, 8, no_value};
+    const auto dataset = two_cells(scratch, {{info, faces}});
+    const ArrayInfo& read = *dataset->find("patch:p");
+    EXPECT_EQ(read.association, Association::boundary_face);
+    EXPECT_EQ(read.source.origin, Origin::derived);
+    EXPECT_EQ(read.source.type, "float64");
+    EXPECT_EQ(read.source.file, "processor*/0/p");
+    const auto values = dataset->values("patch:p", 0);
+    ASSERT_EQ(values.size(), 10U);
+    EXPECT_EQ(values[8], 8);
+    EXPECT_TRUE(is_no_value(values[9])) << "which value is none survives the disk";
+}
+
+TEST(RoundTrip, TensorsHaveNamesAndTheFrobeniusNorm) {
+    const Folder scratch;
+    ArrayInfo symmetric{"R", Association::cell, 6, "", ""};
+    symmetric.component_names = {"xx", "xy", "xz", "yy", "yz", "zz"};
+    ArrayInfo full = symmetric;
+    full.name = "T";
+    full.components = 9;
+    full.component_names = {"xx", "xy", "xz", "yx", "yy", "yz", "zx", "zy", "zz"};
+    const std::vector<float> six{1, 2, 0, 3, 0, 4, 0, 0, 0, 0, 0, 0},
+        nine{1, 2, 0, 2, 3, 0, 0, 0, 4, 0, 0, 0, 0, 0, 0, 0, 0, 0};
+    const std::vector<float> four{1, -3, 5, 2, 0, 0, 0, 0};
+    const auto dataset =
+        two_cells(scratch, {{symmetric, six}, {full, nine}, {{"A", Association::cell, 4, "", ""}, four}});
+    EXPECT_THAT(scalar_names(*dataset->find("R")),
+                ElementsAre("R:magnitude", "R:xx", "R:xy", "R:xz", "R:yy", "R:yz", "R:zz"));
+    EXPECT_EQ(parse_scalar(*dataset, "R:yy").component, 3);
+    EXPECT_FLOAT_EQ(static_cast<float>(dataset->steps()[0].arrays.at("R").range[1]), std::sqrt(34.0F));
+    EXPECT_FLOAT_EQ(static_cast<float>(dataset->steps()[0].arrays.at("T").range[1]), std::sqrt(34.0F));
+    EXPECT_THAT(scalar_names(*dataset->find("A")), ElementsAre("A:0", "A:1", "A:2", "A:3")) << "no magnitude";
+    EXPECT_THAT(dataset->steps()[0].arrays.at("A").range, ElementsAre(-3, 5)) << "of all components";
+    const auto refusal = [&](const std::string& name) -> std::string {
+        try {
+            (void)parse_scalar(*dataset, name);
+        } catch (const Error& error) {
+            return error.what();
+        }
+        return "";
+    };
+    EXPECT_EQ(refusal("R:1"),
+              "array 'R' has no component '1'; choose one of R:magnitude, R:xx, R:xy, R:xz, R:yy, R:yz, "
+              "R:zz");
+    EXPECT_EQ(refusal("A"), "'A' has 4 components and no magnitude; choose one of A:0, A:1, A:2, A:3");
+    EXPECT_EQ(refusal("A:magnitude"), "array 'A' has no component 'magnitude'; choose one of A:0, A:1, A:2, A:3");
 }
 
 TEST(RoundTrip, MovingMeshAndRemeshing) {

@@ -9,12 +9,13 @@ import tarfile
 import numpy as np
 import pytest
 import vtk
-from import_support import imported
+from import_support import NO_NEIGHBOUR, imported
 from openfoam_files import N, write_case, write_decomposed
 from openfoam_rewriting import as_binary, compressed
 from test_import_cgns import CELL_CENTER, STRUCTURED, VERTEX, Writer, hexahedra
 from test_import_exodus import on_side, write_exodus
 from test_import_formats import CUBE, WRITTEN, multi_block, unstructured, write_ensight
+from vtk.util.numpy_support import vtk_to_numpy
 from vtk_files import linear, with_fields, write
 from vtk_reading import Truth, reader_of
 
@@ -140,6 +141,35 @@ def foam_reader(case, is_decomposed=False):
     return reader
 
 
+def patches_of(tree):
+    """name -> {array: rows} of the patches that VTK's reader gives."""
+    for i in range(tree.GetNumberOfBlocks()):
+        block, name = tree.GetBlock(i), tree.GetMetaData(i).Get(vtk.vtkCompositeDataSet.NAME())
+        if name == "boundary":
+            for k in range(block.GetNumberOfBlocks()):
+                data = block.GetBlock(k).GetCellData()
+                arrays = {data.GetArrayName(a): vtk_to_numpy(data.GetArray(a)).astype(np.float32) for a in range(data.GetNumberOfArrays())}
+                yield block.GetMetaData(k).Get(vtk.vtkCompositeDataSet.NAME()), arrays
+        elif block is not None and block.IsA("vtkMultiBlockDataSet"):
+            yield from patches_of(block)
+
+
+def check_patches(dataset, reader, step):
+    """Of each patch the values of its faces, in any order; VTK gives some to empty patches, too."""
+    mesh, groups, compared = dataset.mesh(), dataset.groups(), 0
+    number = np.cumsum(mesh["neighbour"][:] == NO_NEIGHBOUR) - 1
+    for name, arrays in patches_of(reader.GetOutputDataObject(0)):
+        for array in set(arrays) & {key.removeprefix("patch:") for key in dataset.steps[step]["arrays"]}:
+            stored = dataset.values(f"patch:{array}", step)[number[groups[name]]]
+            if np.all(np.isnan(stored)) or len(arrays[array]) == 0:
+                continue
+            rows = [np.reshape(values, (len(values), -1)) for values in (stored, arrays[array])]
+            ours, theirs = (values[np.lexsort(values.T)] for values in rows)
+            np.testing.assert_array_equal(ours, theirs, err_msg=f"{array} on {name}")
+            compared += 1
+    assert compared > 0
+
+
 @pytest.mark.parametrize("form", ("text", "binary", "binary of 32 bits", "compressed"))
 def test_openfoam(tmp_path, form):
     case = write_case(tmp_path / "case")
@@ -148,7 +178,9 @@ def test_openfoam(tmp_path, form):
     if form == "compressed":
         compressed(case)
     dataset = imported(tmp_path, case)
-    check(dataset, foam_reader(case), (1, 2))
+    reader = foam_reader(case)
+    check(dataset, reader, (1, 2))
+    check_patches(dataset, reader, 1)
     assert {name: len(faces) for name, faces in dataset.groups().items()} == {"inlet": 16, "outlet": 16, "walls": 64}
 
 
@@ -165,7 +197,9 @@ def test_openfoam_cases(tmp_path, name, times):
         pytest.skip("CIEL_DATA does not name the folder with the real datasets")
     with tarfile.open(archive) as files:
         files.extractall(tmp_path)
-    check(imported(tmp_path, tmp_path / name), foam_reader(tmp_path / name), times)
+    dataset, reader = imported(tmp_path, tmp_path / name), foam_reader(tmp_path / name)
+    check(dataset, reader, times)
+    check_patches(dataset, reader, len(times) - 1)
 
 
 @pytest.mark.parametrize("name, solution", [("bluntfin", True), ("post", True)])

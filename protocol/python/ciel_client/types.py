@@ -233,15 +233,32 @@ class Scene(TypedDict):
     layers: NotRequired[dict[str, Layer]]  # by id, of at most 256 bytes of UTF-8; drawn by (order, id)
 
 
+class CellExtreme(TypedDict):
+    value: float
+    cell: int  # id in the imported file
+    place: Vec3  # the mean of its corners
+    time: float  # of the step
+
+
+class CellExtremes(TypedDict):
+    lowest: CellExtreme
+    highest: CellExtreme
+
+
 class ArrayInfo(TypedDict):
     name: str
-    association: Literal["point", "cell"]
+    association: Literal["point", "cell", "boundary_face"]  # boundary_face: what the solver has on the faces of patches (patch:p); surface layers alone are coloured by it
     components: int
     units: str
     description: str
     range: Range | None
-    scalars: list[str]  # names usable in layers: U:x, U:magnitude. Those of cell arrays (cell:U:x) color surfaces, flat, and choose cells; nothing else is made from them
+    scalars: list[str]  # names usable in layers: U:x, U:magnitude, R:xx. Those of cell arrays (cell:U:x) color surfaces, flat, and choose cells; nothing else is made from them
     times: list[float]  # steps at which the array was written
+    origin: Literal["original", "interpolated", "derived"]  # as the file has it; made from values of the cells; computed by the reader of the file
+    type: NotRequired[str]  # of the numbers in the file, such as float64; they are kept as float32. Absent where it is not known
+    file: NotRequired[str]  # where it was first read from; absent where it is not known
+    invalid: int  # values that are not finite, at all steps together
+    extremes: NotRequired[CellExtremes]  # of an array of the cells, or made from one: of its magnitude or only component, at all steps
 
 
 class MeshInfo(TypedDict):
@@ -338,7 +355,10 @@ class ProbeResult(TypedDict):
     cell: int | None
     layer: str | None  # the layer whose polygon is under the pixel; null for a position, and where a line or a point is
     patch: str | None  # the patch under the pixel, where that layer is a surface; null on other layers
-    values: dict[str, float | None]  # scalar name to value at the position; null where it was not written
+    values: dict[str, float | None]  # scalar name to value at the position; null where it was not written, or is no number
+    solver_cell: NotRequired[int]  # the solver's own id of the cell, where the source has one (cellProcAddressing, GlobalElementId)
+    solver_vertex: NotRequired[int]  # likewise of the nearest vertex (GlobalNodeId)
+    extremes: NotRequired[dict[str, CellExtremes]]  # array of the cells to its lowest and highest value at this step, of several components their magnitude
 
 
 class RpcDiscoverParams(TypedDict):
@@ -402,7 +422,7 @@ class DatasetHistogramParams(TypedDict):
     """dataset.histogram: Counts of a scalar's values at one time."""
 
     dataset: str  # a name of dataset.list
-    array: str  # a scalar name of an array of the points, such as `p` or `U:x`
+    array: str  # a scalar name, such as `p`, `U:x` or `cell:p`
     time: NotRequired[float]  # the first time when absent
     bins: NotRequired[int]  # of equal width; the last one holds its upper end, too
     range: NotRequired[Range]  # the array's own when absent
@@ -414,6 +434,7 @@ class DatasetHistogramResult(TypedDict):
     invalid: int  # values that are not finite
     below: int
     above: int
+    cells: NotRequired[CellExtremes]  # of the cells that the array is of, or was made from, at this step
 
 
 class SessionOpenParams(TypedDict):

@@ -11,8 +11,9 @@ namespace ciel::render {
 struct Legend { // one colour bar
     std::string name, units;
     ColorScale scale;
-    std::string layers{}; // a second line, which tells it from another legend of that name; mostly empty
-    bool missing = false; // what is coloured has places without a value: their colour is shown, too
+    std::string layers{};             // a second line, which tells it from another legend of that name; mostly empty
+    bool missing = false;             // what is coloured has places without a value: their colour is shown, too
+    std::vector<std::string> lines{}; // further ones below `layers`
 };
 
 // Text is UTF-8 and may hold anything: what the font lacks is taken from another one of the machine, and what none has

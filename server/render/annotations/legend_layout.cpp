@@ -29,7 +29,8 @@ struct Mark {
 
 struct Entry {
     const Legend& legend;
-    std::string title, layers;
+    std::string title;
+    std::vector<std::string> lines; // below it
     std::vector<Mark> ends;
     double width = 0;
 };
@@ -51,16 +52,23 @@ std::string title_of(const Legend& legend) {
     return legend.name + (units.empty() ? "" : " [" + units + "]") + times_power_of_ten(exponent_of(legend.scale));
 }
 
+std::vector<std::string> lines_of(const Legend& legend) {
+    std::vector<std::string> lines = legend.lines;
+    if (!legend.layers.empty()) lines.insert(lines.begin(), legend.layers);
+    return lines;
+}
+
 Entry entry_of(Page& page, const Legend& legend) {
     const TextSize& size = page.text();
     const double widest = widest_title * page.width();
-    Entry entry{legend, page.shortened(title_of(legend), size, widest), page.shortened(legend.layers, size, widest),
-                end_marks(legend.scale)};
+    Entry entry{legend, page.shortened(title_of(legend), size, widest), {}, end_marks(legend.scale)};
+    for (const std::string& line : lines_of(legend)) entry.lines.push_back(page.shortened(line, size, widest));
     int labels = 0;
     for (const auto& marks : {entry.ends, inner_marks(legend.scale, most_ticks)})
         for (const Mark& mark : marks) labels = std::max(labels, page.width_of(mark.label, size));
     const double scale = (bar_width + tick_end + gap) * page.em() + labels;
-    const int words = std::max(page.width_of(entry.title, size), page.width_of(entry.layers, size));
+    int words = page.width_of(entry.title, size);
+    for (const std::string& line : entry.lines) words = std::max(words, page.width_of(line, size));
     const double missing =
         legend.missing ? (bar_width + tick_end + gap) * page.em() + page.width_of(missing_text, size) : 0;
     entry.width = std::max<double>({scale, static_cast<double>(words), missing});
@@ -152,7 +160,7 @@ void draw_entry(Page& page, const Entry& entry, int left, double top, double bar
     const TextSize& size = page.text();
     int base = static_cast<int>(std::lround(top)) + size.metrics.ascent;
     page.write(entry.title, size, left, base, page.ink());
-    if (!entry.layers.empty()) page.write(entry.layers, size, left, base += size.line(), page.ink());
+    for (const std::string& line : entry.lines) page.write(line, size, left, base += size.line(), page.ink());
     const double start = std::round(base + size.metrics.descent + 0.5 * size.line());
     const Box bar{static_cast<double>(left), start, std::round(left + bar_width * page.em()),
                   start + std::round(bar_height)};
@@ -197,12 +205,12 @@ void lay_legends(Page& page, const Annotations& annotations) {
     if (annotations.legends.empty()) return;
     const double em = page.em();
     const double line = page.text().line();
-    // The title, or two lines of it, half a line at each end of the bar, and what stands below it.
-    const auto has_layers = [](const Legend& legend) { return !legend.layers.empty(); };
-    const bool two_lines = std::any_of(annotations.legends.begin(), annotations.legends.end(), has_layers);
+    // The title and the lines below it, half a line at each end of the bar, and what stands below that.
+    std::size_t most_lines = 0;
+    for (const Legend& legend : annotations.legends) most_lines = std::max(most_lines, lines_of(legend).size());
     const auto is_missing = [](const Legend& legend) { return legend.missing; };
     const bool any_missing = std::any_of(annotations.legends.begin(), annotations.legends.end(), is_missing);
-    const double around = ((two_lines ? 3 : 2) + (any_missing ? missing_line : 0)) * line;
+    const double around = (2 + static_cast<double>(most_lines) + (any_missing ? missing_line : 0)) * line;
     const double least = around + (least_bar + between) * em;
     const double height = height_for(page, annotations, least);
     double right = page.room.right;

@@ -1,0 +1,46 @@
+#include "import/solver_ids.hpp"
+
+#include <algorithm>
+#include <vtkCellData.h>
+#include <vtkDataArray.h>
+#include <vtkIdTypeArray.h>
+#include <vtkPointData.h>
+#include <vtkVariant.h>
+
+namespace ciel::importer {
+
+vtkDataArray* solver_id_array(vtkDataSet* data, FieldOf of) {
+    const bool points = of == FieldOf::points;
+    vtkDataSetAttributes* attributes = data->GetCellData();
+    if (points) attributes = data->GetPointData();
+    if (vtkDataArray* global = attributes->GetGlobalIds()) return global;
+    if (vtkDataArray* global = attributes->GetArray(points ? "GlobalNodeId" : "GlobalElementId")) return global;
+    if (auto* pedigree = vtkDataArray::SafeDownCast(attributes->GetPedigreeIds())) return pedigree;
+    return attributes->GetArray(points ? "PedigreeNodeId" : "PedigreeElementId");
+}
+
+std::vector<std::int64_t> gather_solver_ids(const std::vector<JoinedMesh::Part>& parts, FieldOf of) {
+    constexpr std::int64_t not_given = -1;
+    const bool points = of == FieldOf::points;
+    std::vector<std::int64_t> ids;
+    for (const JoinedMesh::Part& part : parts) {
+        vtkDataArray* own = solver_id_array(part.data, of);
+        if (own == nullptr || own->GetNumberOfComponents() != 1) continue;
+        const std::size_t first = points ? part.first_point : part.first_cell;
+        const auto count = static_cast<std::size_t>(own->GetNumberOfTuples());
+        ids.resize(std::max(ids.size(), first + count), not_given);
+        const auto* whole = vtkIdTypeArray::SafeDownCast(own);
+        for (std::size_t i = 0; i < count; ++i)
+            ids[first + i] = whole != nullptr ? whole->GetValue(static_cast<vtkIdType>(i))
+                                              : own->GetVariantValue(static_cast<vtkIdType>(i)).ToTypeInt64();
+    }
+    if (ids.empty()) return ids;
+    std::size_t all = 0;
+    for (const JoinedMesh::Part& part : parts)
+        all = std::max<std::size_t>(all, points ? std::size_t{part.first_point} + part.data->GetNumberOfPoints()
+                                                : std::size_t{part.first_cell} + part.data->GetNumberOfCells());
+    ids.resize(all, not_given);
+    return ids;
+}
+
+} // namespace ciel::importer

@@ -1,0 +1,16 @@
+// The numbers that the solver gave to points and cells: GlobalIds, PedigreeIds, cellProcAddressing.
+#pragma once
+
+#include "import/array_selection.hpp"
+#include "import/joined_mesh.hpp"
+
+namespace ciel::importer {
+
+// The array of numbers that a data set has for its points or cells: the one that VTK marks as global ids, or of that
+// name, else the pedigree ids. Null where there is none, or only text.
+[[nodiscard]] vtkDataArray* solver_id_array(vtkDataSet* data, FieldOf of);
+
+// By running id; -1 where a block has none. Empty where no block has any.
+[[nodiscard]] std::vector<std::int64_t> gather_solver_ids(const std::vector<JoinedMesh::Part>& parts, FieldOf of);
+
+} // namespace ciel::importer

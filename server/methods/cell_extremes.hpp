@@ -1,0 +1,11 @@
+// The lowest and the highest value of the cells, as answers have them.
+#pragma once
+
+#include "methods/context.hpp"
+#include "session/cell_extremes.hpp"
+
+namespace ciel::methods {
+
+[[nodiscard]] std::optional<protocol::CellExtremes> answer_of(const std::optional<session::LowestAndHighest>& found);
+
+} // namespace ciel::methods

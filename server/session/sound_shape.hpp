@@ -1,0 +1,19 @@
+// Surfaces without the polygons of cells that blew up: whose own value of an array is no number at a step.
+#pragma once
+
+#include "session/scene_geometry.hpp"
+
+#include <span>
+
+namespace ciel::session {
+
+// `shape` itself where all of its polygons stay, and where it has none. Empty names are passed over. Throws
+// store::NotWritten where an array was not written at the step.
+[[nodiscard]] std::shared_ptr<const Shape> sound_shape(const std::shared_ptr<const Shape>& shape,
+                                                       std::span<const std::string> arrays, std::size_t step,
+                                                       store::LoadedDataset& loaded);
+
+// "1 cell has no number for p at this time and is left out"; empty where all have.
+[[nodiscard]] std::string left_out_text(const std::string& array, std::size_t step, store::LoadedDataset& loaded);
+
+} // namespace ciel::session
