@@ -1,9 +1,13 @@
 // Exodus II: element blocks with their nodes, side sets as patches, element sets as zones.
+#include "ciel/types.hpp"
 #include "import/exodus_sets.hpp"
 #include "import/formats.hpp"
+#include "import/parsers/netcdf_extent.hpp"
 #include "import/reader_source.hpp"
 
 #include <cstring>
+#include <filesystem>
+#include <fstream>
 #include <vtkCompositeDataSet.h>
 #include <vtkExodusIIReader.h>
 #include <vtkInformation.h>
@@ -33,10 +37,35 @@ std::vector<ArrayName> arrays_of_blocks(vtkExodusIIReader& reader) {
     return arrays;
 }
 
+struct Steps {
+    std::uint64_t declared = ~std::uint64_t{0}, complete = ~std::uint64_t{0};
+};
+
+// Of a file in the classic form of netCDF, which has a record for each step. HDF5 notices itself that a file is cut
+// off. Throws Error where the mesh is not whole, or no step is.
+Steps count_steps(const std::string& file) {
+    std::ifstream stream(file, std::ios::binary);
+    const auto extent = read_netcdf_extent(stream, file);
+    const std::uint64_t size = std::filesystem::file_size(file);
+    if (!extent) return {};
+    if (extent->fixed_end > size)
+        throw Error(file + ": has " + std::to_string(size) + " of the " + std::to_string(extent->fixed_end) +
+                    " bytes that its mesh needs; copy it again");
+    if (extent->records == 0) return {};
+    const Steps steps{extent->records, extent->records_within(size)};
+    if (steps.complete == 0) throw Error(file + ": ends before its first step does; copy it again");
+    return steps;
+}
+
 class ExodusSource : public ReaderSource {
 public:
-    ExodusSource(const std::string& file, vtkExodusIIReader* reader)
-        : ReaderSource("Exodus II", file, reader, [&] { return arrays_of_blocks(*reader); }) {
+    ExodusSource(const std::string& file, vtkExodusIIReader* reader, const Steps& steps)
+        : ReaderSource(
+              "Exodus II", file, reader, [&] { return arrays_of_blocks(*reader); }, steps.complete) {
+        if (steps.complete < steps.declared)
+            lost_.push_back(
+                file + ": ends before its last step does: " + std::to_string(steps.declared - steps.complete) +
+                " of its " + std::to_string(steps.declared) + " steps are not whole and were left out; copy it again");
         for (int i = 0; i < reader->GetNumberOfObjects(vtkExodusIIReader::ELEM_BLOCK); ++i)
             block_ids_.push_back(reader->GetObjectId(vtkExodusIIReader::ELEM_BLOCK, i));
         for (int i = 0; i < reader->GetNumberOfObjects(vtkExodusIIReader::ELEM_SET); ++i)
@@ -56,7 +85,10 @@ public:
         return data;
     }
 
+    [[nodiscard]] std::vector<std::string> lost() const override { return lost_; }
+
 private:
+    std::vector<std::string> lost_;
     std::vector<std::int64_t> block_ids_; // in the order of the reader's blocks
     std::vector<std::int64_t> set_ids_;
     std::vector<ElementSet> sets_;
@@ -65,17 +97,19 @@ private:
 } // namespace
 
 std::unique_ptr<Source> open_exodus(const Inputs& inputs, const SourceOptions&) {
+    const Steps steps = count_steps(inputs.front());
     vtkNew<vtkExodusIIReader> reader;
     reader->SetFileName(inputs.front().c_str());
     reader->SetApplyDisplacements(0); // positions as the file has them; the displacement stays an array
     reader->GenerateGlobalNodeIdArrayOn();
+    reader->GenerateGlobalElementIdArrayOn();
     reader->UpdateInformation();
     for (const int type : {vtkExodusIIReader::ELEM_BLOCK, vtkExodusIIReader::SIDE_SET, vtkExodusIIReader::NODAL}) {
         for (int i = 0; i < reader->GetNumberOfObjects(type); ++i) reader->SetObjectStatus(type, i, 1);
         for (int i = 0; i < reader->GetNumberOfObjectArrays(type); ++i)
             reader->SetObjectArrayStatus(type, reader->GetObjectArrayName(type, i), 1);
     }
-    return std::make_unique<ExodusSource>(inputs.front(), reader.Get());
+    return std::make_unique<ExodusSource>(inputs.front(), reader.Get(), steps);
 }
 
 } // namespace ciel::importer

@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from import_support import imported
+from import_support import imported, run_import
 from vtk_files import hexahedra, linear
 
 netCDF4 = pytest.importorskip("netCDF4", reason="python3-netcdf4 is not installed")
@@ -18,6 +18,8 @@ def text(file, name, rows, dimension):
 
 def write_sets(file, kind, sets):
     """kind: side or elem; sets: name -> (elements, sides or None), counted from 1."""
+    if not sets:
+        return
     short = {"side": "ss", "elem": "els"}[kind]
     plural = {"side": "num_side_sets", "elem": "num_elem_sets"}[kind]
     file.createDimension(plural, len(sets))
@@ -131,3 +133,30 @@ def test_sets_of_quadratic_elements(tmp_path):
     assert dataset.cells() == {"hexahedron": N**3} and dataset.counts()["vertices"] == (N + 1) ** 3
     assert f"{N**3} quadratic hexahedra keep their corners" in dataset.notes
     assert {name: len(ids) for name, ids in dataset.groups().items()} == {"inlet": N * N, "core": 1}
+
+
+def steps_of_a_cube(tmp_path, times=(0.0, 1.0, 2.0)):
+    points, rows = hexahedra(N)
+    path = tmp_path / "a.exo"
+    write_exodus(path, {"block": rows}, points, "HEX8", {}, {}, nodal=lambda step: linear(points) + step + 10, times=times)
+    return path, path.read_bytes()
+
+
+@pytest.mark.parametrize("bytes_lost, steps", [(0, 3), (1, 2), (8, 2), (600, 1)])
+def test_a_file_that_was_cut_off_costs_the_steps_that_are_not_whole(tmp_path, bytes_lost, steps):
+    path, content = steps_of_a_cube(tmp_path)
+    path.write_bytes(content[: len(content) - bytes_lost])
+    dataset = imported(tmp_path, path, code=0 if steps == 3 else 3)
+    assert dataset.times == [0, 1, 2][:steps]
+    assert ("are not whole and were left out" in dataset.notes) == (steps < 3)
+    assert all(dataset.values("f", step).min() > 0 for step in range(steps)), "nothing is zero that is not"
+
+
+def test_a_file_without_its_whole_mesh_is_refused(tmp_path):
+    path, content = steps_of_a_cube(tmp_path)
+    path.write_bytes(content[: len(content) // 2])
+    refused = run_import(path, "-o", tmp_path / "out.ciel")
+    assert refused.returncode == 1 and "bytes that its mesh needs; copy it again" in refused.stderr
+    path.write_bytes(content[:100])
+    refused = run_import(path, "-o", tmp_path / "out.ciel")
+    assert refused.returncode == 1 and "its netCDF header is cut off" in refused.stderr
