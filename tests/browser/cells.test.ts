@@ -1,55 +1,16 @@
 // Values of cells, as they are: flat in the picture and in the page's own polygons, chosen in the menu; and a case of one layer
 // of cells is first seen from before it.
 import assert from "node:assert/strict";
-import { spawnSync } from "node:child_process";
-import { mkdtempSync, rmSync, writeFileSync } from "node:fs";
+import { mkdtempSync, rmSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, before, describe, test } from "node:test";
 import { fragmentOf } from "./link.ts";
 import type { Client } from "./page.ts";
 import { distance } from "./png.ts";
-import { binary, Server } from "./server.ts";
+import { CELLS, rowIn } from "./row.ts";
+import { Server } from "./server.ts";
 import { skip, Stage } from "./stage.ts";
-
-const CELLS = 4;
-
-/** A bar of cubes along x, with q = 0, 1, 2, 3 in them and p = x at their corners. */
-function rowIn(folder: string): string {
-  const points = [0, 1].flatMap((z) =>
-    [0, 1].flatMap((y) => Array.from({ length: CELLS + 1 }, (_, x) => [x, y, z].join(" "))),
-  );
-  const row = CELLS + 1;
-  const corners = (x: number): number[] => [x, x + 1, x + 1 + row, x + row].flatMap((at) => [at]);
-  const cells = Array.from({ length: CELLS }, (_, x) =>
-    ["8", ...corners(x), ...corners(x).map((at) => at + 2 * row)].join(" "),
-  );
-  const lines = [
-    "# vtk DataFile Version 3.0",
-    "row",
-    "ASCII",
-    "DATASET UNSTRUCTURED_GRID",
-    `POINTS ${points.length} float`,
-    ...points,
-    `CELLS ${CELLS} ${9 * CELLS}`,
-    ...cells,
-    `CELL_TYPES ${CELLS}`,
-    ...cells.map(() => "12"),
-    `CELL_DATA ${CELLS}`,
-    "SCALARS q float 1",
-    "LOOKUP_TABLE default",
-    ...cells.map((_, x) => String(x)),
-    `POINT_DATA ${points.length}`,
-    "SCALARS p float 1",
-    "LOOKUP_TABLE default",
-    ...points.map((point) => point.split(" ")[0] ?? ""),
-  ];
-  const [input, output] = [join(folder, "row.vtk"), join(folder, "row.ciel")];
-  writeFileSync(input, `${lines.join("\n")}\n`);
-  const { status, stderr } = spawnSync(binary, ["import", input, "-o", output], { encoding: "utf8" });
-  assert.equal(status, 0, stderr);
-  return output;
-}
 
 describe("values of cells", { skip }, () => {
   const stage = new Stage();

@@ -10,6 +10,7 @@ test("a line each with all digits; what is not written is empty", () => {
     layer: "surface",
     patch: "wall",
     values: { p: 101325.123456789, late: null },
+    solver_cell: 4711,
   };
   const context = {
     dataset: "box",
@@ -25,6 +26,7 @@ test("a line each with all digits; what is not written is empty", () => {
     "z\t-3\tm",
     "patch\twall",
     "cell\t7",
+    "solver's cell\t4711",
     "p\t101325.123456789\tPa",
     "late",
   ]);

@@ -1,6 +1,8 @@
 import { describe, expect, test } from "vitest";
 import type { ArrayInfo, Coloring, Contours, DatasetDescription, Layer, Scene } from "../src/generated/protocol";
 import {
+  arrayOf,
+  boundaryScalarsOf,
   firstScalar,
   freeId,
   layersOf,
@@ -21,6 +23,8 @@ const array = (name: string, components: number, scalars: string[]): ArrayInfo =
   range: [-1, 5],
   scalars,
   times: [0],
+  origin: "original",
+  invalid: 0,
 });
 const description = {
   arrays: [
@@ -28,6 +32,7 @@ const description = {
     array("U", 3, ["U:x", "U:y", "U:z", "U:magnitude"]),
     { ...array("cell:p", 1, ["cell:p"]), association: "cell" },
     { ...array("cell:U", 3, ["cell:U:magnitude"]), association: "cell" },
+    { ...array("patch:p", 1, ["patch:p"]), association: "boundary_face" },
   ],
 } as unknown as DatasetDescription;
 const scene: Scene = {
@@ -106,4 +111,10 @@ describe("scalars", () => {
       ["U:x", { layers: [], contours: ["b", "c"] }],
     ]);
   });
+});
+
+test("values of patches color boundaries, and nothing else", () => {
+  const names = (scalars: { name: string }[]): string[] => scalars.map(({ name }) => name);
+  expect(names(boundaryScalarsOf(description))).toEqual([...names(allScalarsOf(description)), "patch:p"]);
+  expect(arrayOf(description, "patch:p")?.association).toBe("boundary_face");
 });

@@ -1,6 +1,6 @@
 // Everything that the panels show. Changed by session/ and app/ only, never by a panel itself.
 import type { FullCamera, Size } from "../camera/camera";
-import type { DatasetDescription, EmptyLayer, ProbeResult, Range, Scene } from "../generated/protocol";
+import type { CellExtremes, DatasetDescription, EmptyLayer, ProbeResult, Range, Scene } from "../generated/protocol";
 import type { Box } from "../display/overlay_room";
 import type { ConnectionState } from "../protocol/connection";
 import type { Result } from "../protocol/rpc";
@@ -43,6 +43,8 @@ export interface Histogram {
   range: Range;
   counts: number[];
   invalid: number;
+  /** Of the cells that the array is of or was made from. */
+  cells?: CellExtremes | undefined;
 }
 
 export interface AppState {

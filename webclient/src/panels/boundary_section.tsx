@@ -14,7 +14,7 @@ import { ThresholdFields } from "./threshold_fields";
 function LookFields({ id, layer }: { id: string; layer: SurfaceLayer }): JSX.Element {
   return (
     <>
-      <ColoringFields of={{ layers: [id] }} coloring={layer.color ?? {}} />
+      <ColoringFields of={{ layers: [id] }} coloring={layer.color ?? {}} ofPatches />
       <OpacityField id={id} opacity={layer.opacity ?? 1} />
       <ThresholdFields id={id} threshold={layer.threshold} color={layer.color?.array} />
       <EdgesFields id={id} edges={layer.edges} />

@@ -3,7 +3,7 @@ import type { JSX } from "preact";
 import type { Coloring } from "../generated/protocol";
 import { DEFAULT_MAP, colorMapNames } from "../display/color_maps";
 import { withMap } from "../scene/color_edit";
-import { allScalarsOf, scalarsOf, type Colored, type ScaledColoring } from "../scene/scalars";
+import { allScalarsOf, boundaryScalarsOf, scalarsOf, type Colored, type ScaledColoring } from "../scene/scalars";
 import { SelectField, Slider } from "./controls";
 import { ColorScalePanel } from "./color_scale_panel";
 import { useApp, useAppState } from "./context";
@@ -24,6 +24,8 @@ interface ColoringProps {
   ofArray?: boolean;
   /** Lines and points lie between cells, and have no colours of theirs. */
   ofPoints?: boolean;
+  /** The boundary alone has values of patches. */
+  ofPatches?: boolean;
   mapLabel?: string;
 }
 
@@ -32,11 +34,13 @@ export function ColoringFields({
   coloring,
   ofArray = false,
   ofPoints = false,
+  ofPatches = false,
   mapLabel = "Map",
 }: ColoringProps): JSX.Element {
   const { actions } = useApp();
   const description = useAppState((state) => state.description);
-  const scalars = ofPoints ? scalarsOf(description) : allScalarsOf(description);
+  const ofCells = ofPatches ? boundaryScalarsOf : allScalarsOf;
+  const scalars = (ofPoints ? scalarsOf : ofCells)(description);
   const arrays = [
     { value: SOLID, text: "One colour" },
     ...scalars.map(({ name, units }) => ({ value: name, text: units === "" ? name : `${name} (${units})` })),

@@ -1,9 +1,10 @@
+import type { Histogram } from "../app/state";
 import type { Range } from "../generated/protocol";
 import { arrayOf, shownTime } from "../scene/scalars";
 import { useApp, useAppState } from "./context";
 
 /** Of a scalar at the shown time, as soon as it is known; until then and where it was not written, null. */
-export function useDataRange(array: string): { range: Range; invalid: number } | null {
+export function useDataRange(array: string): Histogram | null {
   const { histograms } = useApp();
   const scene = useAppState((state) => state.scene);
   const description = useAppState((state) => state.description);

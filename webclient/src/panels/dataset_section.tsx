@@ -1,6 +1,8 @@
 // What the dataset is: in a few words at the top of the panel, and unfolded in all its numbers.
 import type { JSX } from "preact";
 import type { DatasetDescription } from "../generated/protocol";
+import { arrayFacts } from "../scene/array_facts";
+import { extremesText } from "../scene/cell_extremes";
 import { datasetFacts } from "../scene/dataset_facts";
 import { formatCount, formatNumber, prettyUnits } from "../scene/numbers";
 import { Section } from "./controls";
@@ -74,8 +76,11 @@ export function DatasetSection(): JSX.Element | null {
             <tr key={`${array.association} ${array.name}`} title={array.description}>
               <th scope="row">
                 {array.name}
-                {array.association === "cell" && <small> cell</small>}
                 {array.components > 1 && <small> {array.components} components</small>}
+                <small class="array-facts">{arrayFacts(array, times.length).join(" \u00b7 ")}</small>
+                {array.association === "cell" && array.extremes !== undefined && (
+                  <small class="array-facts">{extremesText(array.extremes)}</small>
+                )}
               </th>
               <td>
                 {array.range === null

@@ -9,7 +9,9 @@ import { withRangeEnd } from "../scene/color_edit";
 import { rangeOf, scaleOf } from "../scene/color_range";
 import { colorTicks, exponentOf, labelOn, type ColorTick } from "../scene/color_ticks";
 import { clamp, formatNumber } from "../scene/numbers";
+import { cellsText, extremesText } from "../scene/cell_extremes";
 import {
+  arrayOf,
   legendsOf,
   rangeOfAllSteps,
   unitsOf,
@@ -192,6 +194,7 @@ function LegendEntry({ coloring, of, name, text }: LegendOf & { text: number }):
   const description = useAppState((state) => state.description);
   const missing = useAppState((state) => state.missing);
   const units = unitsOf(description, coloring.array);
+  const array = arrayOf(description, coloring.array);
   const data = useDataRange(coloring.array);
   const known = data?.range ?? coloring.range ?? null;
   const range = known === null ? null : rangeOf(coloring, known);
@@ -205,6 +208,11 @@ function LegendEntry({ coloring, of, name, text }: LegendOf & { text: number }):
           {title}
         </span>
         {name !== "" && <small class="legend-of">{name}</small>}
+        {data?.cells !== undefined && array?.association === "point" && (
+          <small class="legend-of" title={extremesText(data.cells)}>
+            {cellsText(data.cells)}
+          </small>
+        )}
       </figcaption>
       <div class="legend-scale">
         <ColorBar scale={scale} />

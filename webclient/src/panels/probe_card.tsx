@@ -1,6 +1,7 @@
 // The values where the canvas was clicked, and a mark there.
 import type { JSX } from "preact";
 import { project } from "../camera/camera";
+import { extremesText } from "../scene/cell_extremes";
 import { formatNumber } from "../scene/numbers";
 import { unitsOf } from "../scene/scalars";
 import { IconButton } from "./controls";
@@ -25,6 +26,8 @@ function PatchRow({ layer, patch }: { layer: string; patch: string }): JSX.Eleme
     </div>
   );
 }
+
+const solverId = (id: number | undefined): string => (id === undefined ? "" : ` (${id} to the solver)`);
 
 export function ProbeCard(): JSX.Element | null {
   const { actions, store } = useApp();
@@ -55,22 +58,23 @@ export function ProbeCard(): JSX.Element | null {
             <div key={name}>
               <dt>{name}</dt>
               <dd>
-                {value === null
-                  ? "not written at this time"
-                  : `${formatNumber(value)} ${unitsOf(description, name)}`.trim()}
+                {value === null ? "no value here" : `${formatNumber(value)} ${unitsOf(description, name)}`.trim()}
               </dd>
             </div>
           ))}
         </dl>
         <p class="hint">
           {[
-            result.cell === null ? "" : `cell ${result.cell}`,
-            result.vertex === null ? "" : `nearest vertex ${result.vertex}`,
+            result.cell === null ? "" : `cell ${result.cell}${solverId(result.solver_cell)}`,
+            result.vertex === null ? "" : `nearest vertex ${result.vertex}${solverId(result.solver_vertex)}`,
             probe.time === shownTime ? "" : `at t = ${formatNumber(probe.time)}`,
           ]
             .filter((part) => part !== "")
             .join(", ")}
         </p>
+        {Object.entries(result.extremes ?? {}).map(([name, extremes]) => (
+          <p key={name} class="hint">{`${name}: ${extremesText(extremes)}`}</p>
+        ))}
       </aside>
     </>
   );

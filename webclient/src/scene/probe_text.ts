@@ -8,14 +8,17 @@ export interface ProbeContext {
   unitsOf: (name: string) => string;
 }
 
-export function probeText({ position, cell, vertex, patch, values }: ProbeResult, context: ProbeContext): string {
+export function probeText(result: ProbeResult, context: ProbeContext): string {
+  const { position, cell, vertex, patch, values, solver_cell, solver_vertex } = result;
   const rows: (string | number)[][] = [
     ["dataset", context.dataset],
     ["time", context.time],
     ...(["x", "y", "z"] as const).map((axis, i) => [axis, position?.[i] ?? "", context.lengthUnits]),
     ...(patch === null ? [] : [["patch", patch]]),
     ...(cell === null ? [] : [["cell", cell]]),
+    ...(solver_cell === undefined ? [] : [["solver's cell", solver_cell]]),
     ...(vertex === null ? [] : [["nearest vertex", vertex]]),
+    ...(solver_vertex === undefined ? [] : [["solver's nearest vertex", solver_vertex]]),
     ...Object.entries(values).map(([name, value]) => [name, value ?? "", context.unitsOf(name)]),
   ];
   return rows.map((row) => row.join("\t").trimEnd()).join("\n");

@@ -11,15 +11,19 @@ export interface Scalar {
   array: ArrayInfo;
 }
 
-/** What surfaces can be coloured by and cells chosen by: those of points first, then those with a value per cell. */
-export function allScalarsOf(description: DatasetDescription | null): Scalar[] {
+/** What boundaries can be coloured by: scalars of points first, then those of cells, then those of patches. */
+export function boundaryScalarsOf(description: DatasetDescription | null): Scalar[] {
   const arrays = description?.arrays ?? [];
-  return (["point", "cell"] as const).flatMap((of) =>
+  return (["point", "cell", "boundary_face"] as const).flatMap((of) =>
     arrays
       .filter(({ association }) => association === of)
       .flatMap((array) => array.scalars.map((name) => ({ name, units: prettyUnits(array.units), array }))),
   );
 }
+
+/** What any surface can be coloured by and cells chosen by. */
+export const allScalarsOf = (description: DatasetDescription | null): Scalar[] =>
+  boundaryScalarsOf(description).filter(({ array }) => array.association !== "boundary_face");
 
 /** What layers are made from: values at points. */
 export const scalarsOf = (description: DatasetDescription | null): Scalar[] =>
@@ -48,7 +52,7 @@ export function fullName(description: Pick<DatasetDescription, "arrays"> | null,
 
 /** The array that the scalar is made from. */
 export const arrayOf = (description: DatasetDescription | null, scalar: string): ArrayInfo | undefined =>
-  allScalarsOf(description).find(({ name }) => name === scalar)?.array;
+  boundaryScalarsOf(description).find(({ name }) => name === scalar)?.array;
 
 /** Also of an array's own name: a probe reads whole vectors. */
 export function unitsOf(description: DatasetDescription | null, name: string): string {

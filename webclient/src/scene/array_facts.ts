@@ -1,0 +1,27 @@
+// Where an array's values come from, and what is wrong with them, in words.
+import type { ArrayInfo } from "../generated/protocol";
+import { formatCount } from "./numbers";
+
+const ORIGINS: Record<ArrayInfo["origin"], string> = {
+  original: "original",
+  interpolated: "interpolated from cells",
+  derived: "computed by the reader",
+};
+
+const PLACES: Record<ArrayInfo["association"], string> = { point: "points", cell: "cells", boundary_face: "patches" };
+
+function noNumbers(count: number): string {
+  if (count === 0) return "";
+  return count === 1 ? "1 value is no number" : `${formatCount(count)} values are no numbers`;
+}
+
+export function arrayFacts(array: ArrayInfo, steps: number): string[] {
+  const missing = steps - array.times.length;
+  return [
+    `on ${PLACES[array.association]}`,
+    [ORIGINS[array.origin], array.type ?? ""].join(" ").trim(),
+    array.file ?? "",
+    missing === 0 ? "" : `missing at ${missing} of ${steps} times`,
+    noNumbers(array.invalid),
+  ].filter((fact) => fact !== "");
+}

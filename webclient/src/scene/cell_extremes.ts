@@ -1,0 +1,13 @@
+// Which cells have the lowest and the highest value of an array, in words: interpolation to points never shows them.
+import type { CellExtreme, CellExtremes } from "../generated/protocol";
+import { formatNumber } from "./numbers";
+
+/** For a line in a legend. */
+export const cellsText = ({ lowest, highest }: CellExtremes): string =>
+  `cells: ${formatNumber(lowest.value)} to ${formatNumber(highest.value)}`;
+
+export const extremeText = ({ value, cell, place }: CellExtreme): string =>
+  `${formatNumber(value)} in cell ${cell} at (${place.map((x) => formatNumber(x)).join(", ")})`;
+
+export const extremesText = ({ lowest, highest }: CellExtremes): string =>
+  `Lowest ${extremeText(lowest)}; highest ${extremeText(highest)}`;
