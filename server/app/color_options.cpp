@@ -47,7 +47,10 @@ void check_map(const std::string& option, const std::string& name) {
 }
 
 void ColorOptions::add_to(CLI::App& command) {
-    command.add_option("--color", array, "Point scalar that colours the layers.")->type_name("ARRAY");
+    command
+        .add_option("--color", array,
+                    "Scalar that colours the layers: of points, of cells (cell:NAME), of patches (patch:NAME).")
+        ->type_name("ARRAY");
     command.add_option("--map", map, "Colour map: " + map_names() + ".")->type_name("NAME")->default_str("viridis");
     command.add_option("--color-points", points, "Colours of your own instead of a map, from 0 to 1 along the range.")
         ->type_name(points_form);

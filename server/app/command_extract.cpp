@@ -92,12 +92,13 @@ std::string why_empty(const scene::Scene& scene, const session::Geometry& geomet
 // A file has no place for the cells that blew up.
 void tell_left_out(const scene::Scene& scene, const std::vector<std::string>& colors, std::size_t step,
                    store::LoadedDataset& loaded) {
-    std::set<std::string> arrays(colors.begin(), colors.end());
+    std::set<std::string> sentences;
+    for (const std::string& color : colors) sentences.insert(session::left_out_text(color, false, step, loaded));
     for (const scene::Layer& layer : scene.layers)
-        if (const auto* iso = std::get_if<scene::IsoLayer>(&layer.kind)) arrays.insert(iso->array);
-    for (const std::string& array : arrays)
-        if (const std::string text = session::left_out_text(array, step, loaded); !text.empty())
-            std::cerr << "ciel: " << text << '\n';
+        if (const auto* iso = std::get_if<scene::IsoLayer>(&layer.kind))
+            sentences.insert(session::left_out_text(iso->array, true, step, loaded));
+    for (const std::string& sentence : sentences)
+        if (!sentence.empty()) std::cerr << "ciel: " << sentence << '\n';
 }
 
 wire::SurfaceFormat format_of(const std::string& output) {

@@ -68,17 +68,18 @@ json extreme_json(const session::CellValue& found) {
 
 json array_json(const Dataset& dataset, const store::ArrayInfo& array) {
     json times = json::array(), range;
-    std::uint64_t invalid = 0;
+    std::uint64_t invalid = 0, missing = 0;
     for (const store::Step& step : dataset.steps()) {
         const auto found = step.arrays.find(array.name);
         if (found == step.arrays.end()) continue;
         times.push_back(step.time);
         invalid += found->second.invalid;
+        missing += found->second.missing;
         const auto& [low, high] = found->second.range;
         range = range.is_null() ? json{low, high}
                                 : json{std::min(low, range[0].get<double>()), std::max(high, range[1].get<double>())};
     }
-    const auto extremes = session::cell_extremes_of_all_steps(dataset, store::scalar_names(array).front());
+    const auto extremes = session::range_extremes(dataset, array);
     return {{"name", array.name},
             {"association", store::to_text(array.association)},
             {"component_names", array.component_names},
@@ -94,7 +95,8 @@ json array_json(const Dataset& dataset, const store::ArrayInfo& array) {
             {"units", array.units},
             {"description", array.description},
             {"times", times},
-            {"missing", dataset.steps().size() - times.size()},
+            {"missing", missing},
+            {"missing_steps", dataset.steps().size() - times.size()},
             {"ambiguous_faces", ambiguous_faces(dataset, array)}};
 }
 
@@ -193,13 +195,14 @@ std::string source_of(const json& array) {
 
 std::string describe(const json& array) {
     std::ostringstream text;
-    text << std::left << std::setw(7) << array["association"].get<std::string>() << "x"
+    text << std::left << std::setw(14) << array["association"].get<std::string>() << "x"
          << array["components"].get<int>() << "  ";
     if (!array["range"].is_null())
         text << "[" << number(array["range"][0]) << ", " << number(array["range"][1]) << "] ";
     text << array["units"].get<std::string>() << "  at " << array["times"].size() << " times";
-    if (array["missing"] > 0) text << ", missing at " << array["missing"];
+    if (array["missing_steps"] > 0) text << ", missing at " << array["missing_steps"];
     if (!array["ambiguous_faces"].is_null()) text << ", " << grouped(array["ambiguous_faces"]) << " ambiguous faces";
+    if (array["missing"] > 0) text << ", " << grouped(array["missing"]) << " values missing";
     if (array["invalid"] > 0) text << ", " << grouped(array["invalid"]) << " values not finite";
     text << "; " << source_of(array);
     return text.str();

@@ -45,7 +45,8 @@ std::string type_name(vtkDataArray* array) {
 std::vector<std::string> tensor_component_names(vtkDataSetAttributes* attributes, vtkDataArray* array) {
     const int components = array->GetNumberOfComponents();
     if (components != 6 && components != 9) return {};
-    if (array->HasAComponentName()) return given_names(array);
+    if (array->HasAComponentName())
+        if (std::vector<std::string> names = given_names(array); !names.empty()) return names;
     if (attributes->GetTensors() != array) return {};
     if (components == 6) return {"xx", "yy", "zz", "xy", "yz", "xz"}; // vtkDataSetAttributes::TENSORS
     return {"xx", "xy", "xz", "yx", "yy", "yz", "zx", "zy", "zz"};

@@ -1,5 +1,5 @@
-// How many components each array has at each step. Where steps differ, the number that most steps have is the array's,
-// whichever comes first: the first step may be the bad one.
+// Which components each array has at each step. Where steps differ, what most steps have is the array's, whichever
+// comes first: the first step may be the bad one.
 #pragma once
 
 #include <map>
@@ -7,7 +7,7 @@
 
 namespace ciel::importer {
 
-using ComponentsOf = std::map<std::string, int>; // by the name in the dataset
+using ComponentsOf = std::map<std::string, std::string>; // name in the dataset -> components_text (fields.hpp)
 
 class FieldComponents {
 public:
@@ -15,13 +15,13 @@ public:
     explicit FieldComponents(ComponentsOf chosen = {}) : chosen_(std::move(chosen)) {}
 
     // Whether the array is taken at this step: it has what was chosen, or what the first step with it has.
-    [[nodiscard]] bool accept(const std::string& array, int components) {
+    [[nodiscard]] bool accept(const std::string& array, const std::string& components) {
         ++steps_[array][components];
         return chosen_.try_emplace(array, components).first->second == components;
     }
-    [[nodiscard]] int chosen(const std::string& array) const { return chosen_.at(array); }
+    [[nodiscard]] const std::string& chosen(const std::string& array) const { return chosen_.at(array); }
 
-    // What most steps have; of as many the number that was chosen.
+    // What most steps have; of as many what was chosen.
     [[nodiscard]] ComponentsOf of_most_steps() const {
         ComponentsOf most = chosen_;
         for (const auto& [array, steps] : steps_)
@@ -35,7 +35,7 @@ public:
 
 private:
     ComponentsOf chosen_;
-    std::map<std::string, std::map<int, std::size_t>> steps_; // array -> components -> at how many steps
+    std::map<std::string, std::map<std::string, std::size_t>> steps_; // array -> components -> at how many steps
 };
 
 } // namespace ciel::importer

@@ -53,9 +53,25 @@ void collect(const JoinedMesh::Part& part, FieldOf of, Found& found) {
 }
 
 bool have_equal_components(const std::vector<FieldName>& fields) {
-    const int components = fields.front().components;
-    return std::all_of(fields.begin(), fields.end(),
-                       [components](const FieldName& field) { return field.components == components; });
+    const std::string first = components_text(fields.front());
+    return std::ranges::all_of(fields, [&](const FieldName& field) { return components_text(field) == first; });
+}
+
+// wanted[i] is own[result[i]]; nothing where they are in one order, or are not the same names.
+std::vector<std::size_t> permutation(const std::vector<std::string>& own, const std::vector<std::string>& wanted) {
+    if (own == wanted || !std::ranges::is_permutation(own, wanted)) return {};
+    std::vector<std::size_t> from;
+    for (const std::string& name : wanted)
+        from.push_back(static_cast<std::size_t>(std::ranges::find(own, name) - own.begin()));
+    return from;
+}
+
+void permute(std::vector<float>& values, const std::vector<std::size_t>& from) {
+    std::vector<float> tuple(from.size());
+    for (std::size_t at = 0; at + from.size() <= values.size() && !from.empty(); at += from.size()) {
+        for (std::size_t c = 0; c < from.size(); ++c) tuple[c] = values[at + from[c]];
+        std::ranges::copy(tuple, values.begin() + static_cast<std::ptrdiff_t>(at));
+    }
 }
 
 Found found_in(const std::vector<JoinedMesh::Part>& parts, FieldOf of) {
@@ -71,6 +87,14 @@ std::string listed(const std::set<std::string>& names) {
 }
 
 } // namespace
+
+std::string components_text(const FieldName& field) {
+    std::string text = std::to_string(field.components) + (field.components == 1 ? " component" : " components");
+    std::vector<std::string> names = field.component_names;
+    std::sort(names.begin(), names.end());
+    for (std::size_t i = 0; i < names.size(); ++i) text += (i == 0 ? " (" : ", ") + names[i];
+    return names.empty() ? text : text + ")";
+}
 
 std::vector<FieldName> field_names(const std::vector<JoinedMesh::Part>& parts) {
     std::vector<FieldName> names;
@@ -113,7 +137,7 @@ std::vector<std::string> lost_arrays(const std::vector<JoinedMesh::Part>& parts)
         for (const auto& [name, fields] : found_in(parts, of))
             if (!have_equal_components(fields)) differing.insert(name);
     if (differing.empty()) return {};
-    return {"Arrays whose numbers of components differ between blocks were left out: " + listed(differing) + "."};
+    return {"Arrays whose components differ between blocks were left out: " + listed(differing) + "."};
 }
 
 std::vector<FieldName> field_names(const Blocks& blocks) {
@@ -128,7 +152,10 @@ std::vector<float> array_values(vtkDataSet* data, const FieldName& field) {
     vtkNew<vtkFloatArray> floats;
     floats->DeepCopy(array); // converts
     const float* begin = floats->GetPointer(0);
-    return {begin, begin + floats->GetNumberOfValues()};
+    std::vector<float> values(begin, begin + floats->GetNumberOfValues());
+    if (!field.component_names.empty())
+        permute(values, permutation(tensor_component_names(attributes(data, field.of), array), field.component_names));
+    return values;
 }
 
 std::vector<float> gather_field(const std::vector<JoinedMesh::Part>& parts, const FieldName& field) {

@@ -26,7 +26,10 @@ struct FieldName : ArrayName {
 // components values per running point or cell. Blocks that lack the array give store::no_value.
 [[nodiscard]] std::vector<float> gather_field(const std::vector<JoinedMesh::Part>& parts, const FieldName& field);
 
-// The same for one array of one data set, as floats.
+// "3 components", "6 components (xx, xy, xz, yy, yz, zz)": what has to be the same wherever an array is.
+[[nodiscard]] std::string components_text(const FieldName& field);
+
+// The same for one array of one data set, as floats; a tensor's components in the order of `field`.
 [[nodiscard]] std::vector<float> array_values(vtkDataSet* data, const FieldName& field);
 
 } // namespace ciel::importer

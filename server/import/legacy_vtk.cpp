@@ -1,11 +1,14 @@
 // Legacy VTK files of any data set type; what they declare is held against their size first.
+#include "ciel/types.hpp"
 #include "import/formats.hpp"
 #include "import/parsers/legacy_vtk_counts.hpp"
 #include "import/parsers/legacy_vtk_numbers.hpp"
 #include "import/reader_source.hpp"
 
+#include <algorithm>
+#include <cctype>
 #include <fstream>
-#include <iterator>
+#include <limits>
 #include <vtkCellData.h>
 #include <vtkDataSet.h>
 #include <vtkDoubleArray.h>
@@ -13,6 +16,8 @@
 #include <vtkGenericDataObjectReader.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
+#include <vtkPointSet.h>
+#include <vtkRectilinearGrid.h>
 
 namespace ciel::importer {
 
@@ -29,31 +34,55 @@ void put_back(vtkDataArray* array) {
                 own->SetValue(i, static_cast<Value>(stand_in.value));
 }
 
-// An ascii file that holds values which are no numbers.
+void put_back(vtkDataArray* array) {
+    put_back<vtkFloatArray>(array);
+    put_back<vtkDoubleArray>(array);
+}
+
+// Coordinates, too: a point that is no number is refused with its cell, one of 3e38 would not be.
+void put_back(vtkDataSet& set) {
+    for (vtkDataSetAttributes* arrays : {static_cast<vtkDataSetAttributes*>(set.GetPointData()),
+                                         static_cast<vtkDataSetAttributes*>(set.GetCellData())})
+        for (int i = 0; i < arrays->GetNumberOfArrays(); ++i) put_back(arrays->GetArray(i));
+    if (auto* points = vtkPointSet::SafeDownCast(&set); points != nullptr && points->GetPoints() != nullptr)
+        put_back(points->GetPoints()->GetData());
+    if (auto* grid = vtkRectilinearGrid::SafeDownCast(&set))
+        for (vtkDataArray* axis : {grid->GetXCoordinates(), grid->GetYCoordinates(), grid->GetZCoordinates()})
+            put_back(axis);
+}
+
+// A file of text that holds values which are no numbers.
 class StandInSource : public ReaderSource {
 public:
-    using ReaderSource::ReaderSource;
+    StandInSource(const std::string& file, vtkSmartPointer<vtkAlgorithm> reader)
+        : ReaderSource("legacy VTK", file, std::move(reader)), file_(file) {}
 
     [[nodiscard]] vtkSmartPointer<vtkDataObject> read(std::size_t step, const ReadProgress& progress) override {
-        auto data = ReaderSource::read(step, progress);
-        if (auto* set = vtkDataSet::SafeDownCast(data))
-            for (vtkDataSetAttributes* arrays : {static_cast<vtkDataSetAttributes*>(set->GetPointData()),
-                                                 static_cast<vtkDataSetAttributes*>(set->GetCellData())})
-                for (int i = 0; i < arrays->GetNumberOfArrays(); ++i) {
-                    put_back<vtkFloatArray>(arrays->GetArray(i));
-                    put_back<vtkDoubleArray>(arrays->GetArray(i));
-                }
-        return data;
+        try {
+            auto data = ReaderSource::read(step, progress);
+            if (auto* set = vtkDataSet::SafeDownCast(data)) put_back(*set);
+            return data;
+        } catch (const Error& error) {
+            const std::string what = error.what();
+            for (const StandIn& stand_in : stand_ins) // an array of integers takes the first digit of it
+                if (what.find(std::string(stand_in.text).substr(2)) != std::string::npos)
+                    throw Error(file_ + ": holds nan or inf where whole numbers are declared");
+            throw;
+        }
     }
+
+private:
+    std::string file_;
 };
 
 // The third line says whether a file is text.
 bool is_ascii(std::istream& stream) {
     std::string line;
     for (int i = 0; i < 3; ++i) std::getline(stream, line);
+    std::transform(line.begin(), line.end(), line.begin(), [](unsigned char c) { return std::toupper(c); });
     stream.clear();
     stream.seekg(0);
-    return line.starts_with("ASCII");
+    return line.find("ASCII") != std::string::npos;
 }
 
 } // namespace
@@ -71,15 +100,17 @@ std::unique_ptr<Source> open_legacy_vtk(const Inputs& inputs, const SourceOption
     reader->ReadAllNormalsOn();
     reader->ReadAllTensorsOn();
     reader->ReadAllFieldsOn();
-    if (!is_ascii(stream) || !may_hold_no_numbers(stream))
+    if (!is_ascii(stream) || !holds_no_numbers(stream))
         return std::make_unique<ReaderSource>("legacy VTK", file, reader.Get());
     stream.clear();
     stream.seekg(0);
-    const std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-    const std::string readable = with_stand_ins(text);
+    const std::string readable = with_stand_ins(stream);
+    if (readable.size() > static_cast<std::size_t>(std::numeric_limits<int>::max()))
+        throw Error(file +
+                    ": has more than 2 GiB of text with nan or inf in it, which cannot be read; write it in binary");
     reader->ReadFromInputStringOn();
-    reader->SetBinaryInputString(readable.data(), static_cast<vtkIdType>(readable.size()));
-    return std::make_unique<StandInSource>("legacy VTK", file, reader.Get());
+    reader->SetBinaryInputString(readable.data(), static_cast<int>(readable.size()));
+    return std::make_unique<StandInSource>(file, reader.Get());
 }
 
 } // namespace ciel::importer

@@ -84,13 +84,16 @@ public:
         }
     }
 
-    // "0.5/p", "processor*/0.5/p"; of the first region.
+    // "0.5/p", "processor*/0.5/p", "0.5/*/p" of several regions.
     [[nodiscard]] std::string file_of(const ArrayName& array, std::size_t step) const override {
         const FoamPart& part = foam_.parts.front();
         const auto at = part.times.find(foam_.times[step]);
         if (at == part.times.end()) return "";
-        const std::string file =
-            (at->second / foam_.regions.front() / array.name).lexically_relative(part.directory).string();
+        const bool has_regions = foam_.regions.size() > 1;
+        const std::filesystem::path one = plain_or_compressed(at->second / foam_.regions.front() / array.name);
+        const std::string name = one.empty() ? array.name : one.filename().string();
+        const std::filesystem::path in = at->second / (has_regions ? "*" : foam_.regions.front());
+        const std::string file = (in / name).lexically_relative(part.directory).string();
         return foam_.is_decomposed ? "processor*/" + file : file;
     }
 

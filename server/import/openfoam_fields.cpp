@@ -255,6 +255,7 @@ private:
 FoamFieldInfos list_foam_fields(const FoamCase& foam) {
     FoamFieldInfos infos;
     std::map<std::string, std::map<int, std::size_t>> times; // name -> components -> in how many files
+    std::map<std::string, std::map<int, std::string>> units; // name -> components -> of the first of them
     for (const auto& [time, directory] : foam.parts.front().times)
         for (const std::string& region : foam.regions)
             for (const auto& [name, file] : files_in(directory / region)) {
@@ -262,13 +263,15 @@ FoamFieldInfos list_foam_fields(const FoamCase& foam) {
                 const int components = foam_field_components(head.class_name);
                 if (components == 0) continue;
                 ++times[name][components];
-                if (infos[name].units.empty()) infos[name].units = head.units;
+                units[name].try_emplace(components, head.units);
+                infos[name];
             }
     for (auto& [name, info] : infos) {
         const auto& found = times[name];
         info.components = std::max_element(found.begin(), found.end(), [](const auto& a, const auto& b) {
                               return a.second < b.second;
                           })->first;
+        info.units = units[name][info.components];
     }
     return infos;
 }

@@ -53,6 +53,8 @@ private:
         try {
             files_.push_back(read_foam_piece(from, region_, time_));
             part_.push_back(part);
+            const std::vector<std::string>& lost = files_.back().lost;
+            mesh_.lost.insert(mesh_.lost.end(), lost.begin(), lost.end());
         } catch (const Error& error) {
             if (first_reason_.empty()) first_reason_ = error.what();
             mesh_.lost.push_back("The part of " + (from.name.empty() ? "the case" : from.name) +

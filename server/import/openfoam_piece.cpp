@@ -90,6 +90,16 @@ private:
                         fail("zone " + zone.name + " names " + std::to_string(label) + ", which is not in the mesh");
         }
         if (part_.mesh_file(region_, "cellProcAddressing", time_).empty()) return;
+        try {
+            read_addressing();
+        } catch (const Error& error) {
+            piece_.cell_addressing.clear();
+            piece_.lost.push_back("The solver's ids of the cells of " + part_.name +
+                                  " could not be read: " + error.what());
+        }
+    }
+
+    void read_addressing() {
         piece_.cell_addressing = parse_foam_labels(read("cellProcAddressing"), name_, piece_.cell_count);
         if (piece_.cell_addressing.size() != piece_.cell_count)
             fail("has " + std::to_string(piece_.cell_addressing.size()) + " labels for " +

@@ -14,11 +14,12 @@ struct FoamPieceFiles {
     std::vector<FoamZone> cell_zones, face_zones;
     std::vector<std::int64_t> cell_addressing; // cell -> cell of the whole case; empty where the files do not say
     std::size_t cell_count = 0;
+    std::vector<std::string> lost; // sentences on what could not be read and is not needed
 
     [[nodiscard]] std::size_t face_count() const { return owner.size(); }
 };
 
-// Throws Error naming the file.
+// Throws Error naming the file that the mesh cannot do without.
 [[nodiscard]] FoamPieceFiles read_foam_piece(const FoamPart& part, const std::string& region, double time);
 
 } // namespace ciel::importer

@@ -9,11 +9,13 @@ namespace ciel::importer {
 
 PatchFaces::PatchFaces(const FaceMeshView& mesh, const std::vector<Patch>& patches) : entries_(patches.size()) {
     for (Index face = 0; face < mesh.face_count(); ++face) count_ += mesh.neighbour[face] == none ? 1 : 0;
-    for (std::size_t patch = 0; patch < patches.size(); ++patch) {
-        const std::vector<Index> numbers = boundary_numbers(mesh, patches[patch].faces);
-        for (std::size_t i = 0; i < numbers.size(); ++i)
-            if (numbers[i] != none) entries_[patch].push_back({numbers[i], patches[patch].cells[i]});
-    }
+    std::vector<Index> faces; // of all patches, so that the mesh is looked at once
+    for (const Patch& patch : patches) faces.insert(faces.end(), patch.faces.begin(), patch.faces.end());
+    const std::vector<Index> numbers = boundary_numbers(mesh, faces);
+    auto number = numbers.begin();
+    for (std::size_t patch = 0; patch < patches.size(); ++patch)
+        for (const std::size_t cell : patches[patch].cells)
+            if (const Index of_face = *number++; of_face != none) entries_[patch].push_back({of_face, cell});
 }
 
 std::vector<float> PatchFaces::values(const std::vector<PatchValues>& of_patches, int components) const {

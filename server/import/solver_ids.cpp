@@ -9,14 +9,24 @@
 
 namespace ciel::importer {
 
+namespace {
+
+bool are_whole_numbers(vtkDataArray* ids) {
+    return ids->GetNumberOfComponents() == 1 && ids->GetDataType() != VTK_FLOAT && ids->GetDataType() != VTK_DOUBLE;
+}
+
+} // namespace
+
 vtkDataArray* solver_id_array(vtkDataSet* data, FieldOf of) {
     const bool points = of == FieldOf::points;
     vtkDataSetAttributes* attributes = data->GetCellData();
     if (points) attributes = data->GetPointData();
-    if (vtkDataArray* global = attributes->GetGlobalIds()) return global;
-    if (vtkDataArray* global = attributes->GetArray(points ? "GlobalNodeId" : "GlobalElementId")) return global;
-    if (auto* pedigree = vtkDataArray::SafeDownCast(attributes->GetPedigreeIds())) return pedigree;
-    return attributes->GetArray(points ? "PedigreeNodeId" : "PedigreeElementId");
+    for (vtkDataArray* ids :
+         {attributes->GetGlobalIds(), attributes->GetArray(points ? "GlobalNodeId" : "GlobalElementId"),
+          vtkDataArray::SafeDownCast(attributes->GetPedigreeIds()),
+          attributes->GetArray(points ? "PedigreeNodeId" : "PedigreeElementId")})
+        if (ids != nullptr && are_whole_numbers(ids)) return ids;
+    return nullptr;
 }
 
 std::vector<std::int64_t> gather_solver_ids(const std::vector<JoinedMesh::Part>& parts, FieldOf of) {
@@ -25,7 +35,7 @@ std::vector<std::int64_t> gather_solver_ids(const std::vector<JoinedMesh::Part>&
     std::vector<std::int64_t> ids;
     for (const JoinedMesh::Part& part : parts) {
         vtkDataArray* own = solver_id_array(part.data, of);
-        if (own == nullptr || own->GetNumberOfComponents() != 1) continue;
+        if (own == nullptr) continue;
         const std::size_t first = points ? part.first_point : part.first_cell;
         const auto count = static_cast<std::size_t>(own->GetNumberOfTuples());
         ids.resize(std::max(ids.size(), first + count), not_given);

@@ -7,7 +7,7 @@
 namespace ciel::importer {
 
 // The array of numbers that a data set has for its points or cells: the one that VTK marks as global ids, or of that
-// name, else the pedigree ids. Null where there is none, or only text.
+// name, else the pedigree ids. Null where there is none of whole numbers.
 [[nodiscard]] vtkDataArray* solver_id_array(vtkDataSet* data, FieldOf of);
 
 // By running id; -1 where a block has none. Empty where no block has any.

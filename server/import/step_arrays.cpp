@@ -81,13 +81,16 @@ store::Origin StepArrays::origin_of(const FieldName& field) const {
     return source_.is_derived(field) ? store::Origin::derived : store::Origin::original;
 }
 
-// Arrays of one name have the same number of components at all steps, on points, cells and patches.
-bool StepArrays::accept(const FieldName& field, const std::string& stored) {
-    if (components_.accept(stored, field.components)) return true;
+// An array has the same components at all steps, and a tensor's in the order of the first.
+bool StepArrays::accept(FieldName& field, const std::string& stored) {
+    const std::string components = components_text(field);
+    if (components_.accept(stored, components)) {
+        field.component_names = order_.try_emplace(stored, field.component_names).first->second;
+        return true;
+    }
     std::ostringstream sentence;
-    sentence << "The array " << stored << " has " << field.components << " components at time "
-             << source_.times()[step_] << " where it has " << components_.chosen(stored)
-             << " at other times: it was left out there.";
+    sentence << "The array " << stored << " has " << components << " at time " << source_.times()[step_]
+             << " where it has " << components_.chosen(stored) << " at other times: it was left out there.";
     lost_.insert(sentence.str());
     return false;
 }
@@ -107,11 +110,12 @@ void StepArrays::add(const FieldName& field, const std::string& name, store::Ass
     arrays_.push_back(array);
 }
 
-void StepArrays::add_cell_field(const StepMesh& mesh, const Blocks& blocks, const FieldName& field,
-                                bool point_field_exists, std::unique_ptr<PointMaker>& maker) {
+void StepArrays::add_cell_field(const StepMesh& mesh, const Blocks& blocks, FieldName field, bool point_field_exists,
+                                std::unique_ptr<PointMaker>& maker) {
     const std::string name = stored_name(field.name);
     std::vector<float> cells = to_stored(gather_field(mesh.parts, field), mesh.cell_of_cell, field.components);
-    if (!point_field_exists && selection_.wants(name, false)) {
+    // At other steps the file may have values of points under this name.
+    if (!point_field_exists && selection_.wants(name, false) && accept(field, name)) {
         if (!maker)
             maker = std::make_unique<PointMaker>(PointMaker{PointInterpolation(mesh.view()),
                                                             WallValues(mesh.view(), mesh.patches),
@@ -148,7 +152,7 @@ const std::vector<store::ArrayValues>& StepArrays::make(std::size_t step, const 
     for (std::string& sentence : left_out_arrays(mesh.parts)) notes_.insert(std::move(sentence));
     for (std::string& sentence : lost_arrays(mesh.parts)) lost_.insert(std::move(sentence));
     std::set<std::string> taken;
-    for (const FieldName& field : fields) {
+    for (FieldName field : fields) {
         const std::string name = stored_name(field.name);
         const bool cell = field.of == FieldOf::cells;
         selection_.saw(field);

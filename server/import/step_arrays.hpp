@@ -43,9 +43,9 @@ public:
 private:
     void add(const FieldName& field, const std::string& name, store::Association association, store::Origin origin,
              std::vector<float> values);
-    [[nodiscard]] bool accept(const FieldName& field, const std::string& stored);
+    [[nodiscard]] bool accept(FieldName& field, const std::string& stored);
     [[nodiscard]] store::Origin origin_of(const FieldName& field) const;
-    void add_cell_field(const StepMesh& mesh, const Blocks& blocks, const FieldName& field, bool point_field_exists,
+    void add_cell_field(const StepMesh& mesh, const Blocks& blocks, FieldName field, bool point_field_exists,
                         std::unique_ptr<PointMaker>& maker);
     void note_unknown_conditions(const StepMesh& mesh, const Blocks& blocks, const FieldName& field);
 
@@ -53,6 +53,7 @@ private:
     const Source& source_;
     std::map<std::string, std::string> units_;
     FieldComponents components_;
+    std::map<std::string, std::vector<std::string>> order_; // of a tensor's components, by name in the dataset
     std::size_t step_ = 0;
     ValueLoss loss_;
     std::set<std::string> notes_, lost_;

@@ -29,12 +29,13 @@ protocol::ArrayInfo array_of(const store::Dataset& dataset, const store::ArrayIn
     info.origin = store::to_text(array.source.origin);
     if (!array.source.type.empty()) info.type = array.source.type;
     if (!array.source.file.empty()) info.file = array.source.file;
-    info.extremes = answer_of(session::cell_extremes_of_all_steps(dataset, info.scalars.front()));
+    info.extremes = answer_of(session::range_extremes(dataset, array));
     for (const store::Step& step : dataset.steps()) {
         const auto written = step.arrays.find(array.name);
         if (written == step.arrays.end()) continue;
         info.times.push_back(step.time);
         info.invalid += static_cast<std::int64_t>(written->second.invalid);
+        info.missing += static_cast<std::int64_t>(written->second.missing);
         const auto& range = written->second.range;
         if (!info.range) info.range = range;
         info.range = {std::min((*info.range)[0], range[0]), std::max((*info.range)[1], range[1])};

@@ -32,7 +32,7 @@ std::optional<std::map<std::string, protocol::CellExtremes>> extremes_at(const s
     std::map<std::string, protocol::CellExtremes> found;
     for (const store::ArrayInfo& array : dataset.info().arrays)
         if (array.association == store::Association::cell)
-            if (auto extremes = answer_of(session::cell_extremes(dataset, store::scalar_names(array).front(), step)))
+            if (auto extremes = answer_of(session::range_extremes(dataset, array, step)))
                 found.emplace(array.name, *extremes);
     return found.empty() ? std::nullopt : std::optional(std::move(found));
 }

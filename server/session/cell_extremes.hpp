@@ -21,7 +21,10 @@ struct LowestAndHighest {
 // Of a scalar of the cells, or of the points where it was made from the cells. Nothing where they are not known.
 [[nodiscard]] std::optional<LowestAndHighest> cell_extremes(const store::Dataset& dataset, const std::string& scalar,
                                                             std::size_t step);
-[[nodiscard]] std::optional<LowestAndHighest> cell_extremes_of_all_steps(const store::Dataset& dataset,
-                                                                         const std::string& scalar);
+// Of the range of an array, as its steps have it: of its magnitude, of several components without one of all.
+[[nodiscard]] std::optional<LowestAndHighest> range_extremes(const store::Dataset& dataset,
+                                                             const store::ArrayInfo& array, std::size_t step);
+[[nodiscard]] std::optional<LowestAndHighest> range_extremes(const store::Dataset& dataset,
+                                                             const store::ArrayInfo& array); // of all steps
 
 } // namespace ciel::session

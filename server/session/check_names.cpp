@@ -20,8 +20,9 @@ struct Check {
             const store::ScalarName parsed = store::parse_scalar(dataset, name);
             const store::Association association = dataset.find(parsed.array)->association;
             if (association == store::Association::boundary_face && !has_faces)
-                throw Error(printable(name) + " has values on the faces of patches alone, and only a surface layer "
-                                              "shows those; choose an array on points");
+                throw Error(printable(name) +
+                            " has values on the faces of patches alone, which color surface layers and "
+                            "nothing else; choose an array on points");
             if (*why_points != '\0' && association == store::Association::cell)
                 throw Error(printable(name) + " has a value per cell, and " + why_points +
                             "; choose an array on points");

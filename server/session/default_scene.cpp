@@ -23,7 +23,7 @@ struct Candidate {
     std::size_t step = 0;
 };
 
-// One scalar per point array that varies, at its first step that varies: vectors by their magnitude.
+// One scalar per point array that varies, at its first step that varies: vectors and tensors by their magnitude.
 std::vector<Candidate> candidates(const store::Dataset& dataset) {
     std::vector<Candidate> found;
     for (const store::ArrayInfo& array : dataset.info().arrays) {
@@ -32,7 +32,7 @@ std::vector<Candidate> candidates(const store::Dataset& dataset) {
             const auto& arrays = dataset.steps()[step].arrays;
             const auto here = arrays.find(array.name);
             if (here == arrays.end() || !(here->second.range[0] < here->second.range[1])) continue;
-            found.push_back({array.components == 1 ? array.name : array.name + ":magnitude", step});
+            found.push_back({store::scalar_names(array).front(), step});
             break;
         }
     }
@@ -80,9 +80,12 @@ BoundingBox domain_of(const store::Dataset& dataset, const store::Step& step) {
     return {{b[0], b[2], b[4]}, {b[1], b[3], b[5]}};
 }
 
+// The cells that an array of the points was made from tell more of a run that blew up than the points do.
 bool is_finite(const store::Step& step, const std::string& array) {
     const auto written = step.arrays.find(array);
     if (written == step.arrays.end() || written->second.invalid > 0) return false;
+    const auto cells = step.arrays.find("cell:" + array);
+    if (cells != step.arrays.end() && cells->second.invalid > 0) return false;
     return std::isfinite(written->second.range[0]) && std::isfinite(written->second.range[1]);
 }
 
@@ -149,7 +152,7 @@ std::optional<std::size_t> thin_axis(std::span<const Patch> patches, const Bound
 
 json color_by(const store::ArrayInfo* array) {
     if (array == nullptr) return json::object();
-    return {{"array", array->components == 1 ? array->name : array->name + ":magnitude"}};
+    return {{"array", store::scalar_names(*array).front()}};
 }
 
 json slice_across(std::size_t axis, const BoundingBox& box, const store::ArrayInfo* array) {

@@ -88,18 +88,23 @@ public:
 
     [[nodiscard]] std::optional<EmptyLayer> operator()(const scene::Layer& layer) const {
         bool is_there = false;
-        bool has_pieces = false;
+        bool has_pieces = false, blew_up = false;
         for (const Drawable& drawable : geometry_.drawables) {
             if (drawable.layer != layer.id) continue;
+            blew_up = blew_up || drawable.all_left_out;
             has_pieces = has_pieces || !drawable.indices().empty();
             is_there = is_there || (has_pieces && !is_transparent(layer) && is_seen(drawable, cutter_));
         }
         for (const VolumeDrawable& volume : geometry_.volumes) {
             if (volume.layer != layer.id) continue;
+            blew_up = blew_up || volume.all_left_out;
             has_pieces = has_pieces || !volume.slabs->boundary->vertices.empty();
             is_there = is_there || (!is_transparent(layer) && is_seen(*volume.slabs->boundary, geometry_));
         }
         if (is_there) return {};
+        if (!has_pieces && blew_up)
+            return EmptyLayer{layer.id, EmptyLayer::Why::nothing,
+                              "No cell that it would show has a number for its array at this time."};
         if (!has_pieces) return std::visit(Absence{geometry_, dataset_, layer.id}, layer.kind);
         if (is_transparent(layer)) return EmptyLayer{layer.id, EmptyLayer::Why::opacity, "Its opacity is 0."};
         return EmptyLayer{layer.id, EmptyLayer::Why::clipped, "All of it is clipped away."};

@@ -1,12 +1,13 @@
 #include "session/layer_update.hpp"
 
-#include "render/annotations/ticks.hpp"
 #include "session/cell_extremes.hpp"
 #include "session/color_scale_of.hpp"
 #include "session/errors.hpp"
 #include "session/sound_shape.hpp"
 
 #include <algorithm>
+#include <iomanip>
+#include <sstream>
 
 namespace ciel::session {
 std::array<float, 2> range_of(const store::Dataset& dataset, const std::string& scalar, std::size_t step) {
@@ -24,6 +25,17 @@ std::string full_name(const store::Dataset& dataset, const std::string& scalar) 
     const store::ScalarName name = store::parse_scalar(dataset, scalar);
     return name.magnitude ? name.array + ":magnitude" : scalar;
 }
+
+namespace {
+
+// Of a line in a legend, which is as narrow as a picture can be.
+std::string short_number(double value) {
+    std::ostringstream text;
+    text << std::setprecision(4) << value;
+    return text.str();
+}
+
+} // namespace
 
 std::string bits_of(double number) { return {reinterpret_cast<const char*>(&number), sizeof number}; }
 
@@ -62,12 +74,16 @@ void LayerUpdate::add(Painted& painted, const std::shared_ptr<const Shape>& shap
         shown.array.clear();
         painted.paint(shape, shown.array, out.step, *loaded, {of.array, {}});
     }
-    for (const std::string& array : {of.array, shown.array}) tell_left_out(array);
+    if (!shape->lines && !shape->points) {
+        tell_left_out(of.array, true);
+        tell_left_out(shown.array, false);
+    }
     Drawable drawable;
     drawable.layer = layer.id;
     drawable.shape = painted.shown();
     drawable.scalars = painted.scalars;
     drawable.missing = painted.missing;
+    drawable.all_left_out = painted.sound->indices.empty() && !shape->indices.empty();
     drawable.lit = lit;
     drawable.identity = painted.identity;
     drawable.revision = painted.revision;
@@ -81,16 +97,15 @@ std::vector<std::string> LayerUpdate::legend_lines(const std::string& scalar) co
     const bool is_of_points =
         dataset->find(store::parse_scalar(*dataset, scalar).array)->association == store::Association::point;
     if (const auto found = cell_extremes(*dataset, scalar, out.step); found && is_of_points)
-        lines.push_back("cells: " + render::number_label(found->lowest.value) + " to " +
-                        render::number_label(found->highest.value));
+        lines.push_back("cells: " + short_number(found->lowest.value) + " to " + short_number(found->highest.value));
     if (const auto sound = loaded->sound_cells(scalar, out.step))
         lines.push_back(std::to_string(sound->left_out) + (sound->left_out == 1 ? " cell" : " cells") + " left out");
     return lines;
 }
 
-void LayerUpdate::tell_left_out(const std::string& array) const {
-    if (array.empty()) return;
-    std::string text = left_out_text(full_name(*dataset, array), out.step, *loaded);
+void LayerUpdate::tell_left_out(const std::string& scalar, bool is_cut) const {
+    if (scalar.empty()) return;
+    std::string text = left_out_text(scalar, is_cut, out.step, *loaded);
     if (!text.empty() && std::ranges::find(out.remarks, text) == out.remarks.end())
         out.remarks.push_back(std::move(text));
 }

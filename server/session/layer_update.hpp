@@ -46,7 +46,7 @@ private:
     // The extremes of the cells that it was made from, and how many of them blew up.
     [[nodiscard]] std::vector<std::string> legend_lines(const std::string& scalar) const;
     // How many cells blew up, once for each array that is shown.
-    void tell_left_out(const std::string& array) const;
+    void tell_left_out(const std::string& scalar, bool is_cut) const;
     // By its scalars, or in the solid colour; and says where a scale has no place for them.
     void colour(Drawable& drawable, const scene::Coloring& coloring, const scene::Layer& layer) const;
     void add_edges(Outlined& outlined, const std::shared_ptr<const Shape>& shape,

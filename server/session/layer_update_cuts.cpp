@@ -97,7 +97,7 @@ void LayerUpdate::add_contours(Contoured& contoured, const std::shared_ptr<const
         out.remarks.push_back("layer " + layer.id + " has no contour lines: " + contours->array +
                               " has none of their values on it, and goes from " + render::number_label(own[0]) +
                               " to " + render::number_label(own[1]) + " in all of the data at this time");
-    tell_left_out(contours->array);
+    tell_left_out(contours->array, true);
     Drawable& lines = add_lines(contoured.lines, contours->line, layer, contoured.identity, contoured.revision);
     lines.contours = true;
     if (!contours->coloring) return;

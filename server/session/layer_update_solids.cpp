@@ -58,6 +58,7 @@ Boundary* LayerUpdate::solid(const scene::Layer& layer, const std::vector<std::s
     key += ' ' + std::to_string(step().mesh) + ' ' + std::to_string(step().coordinates);
     for (const auto& group : groups) key += '\0' + group;
     if (!threshold) return &boundary(layer, key);
+    tell_left_out(threshold->array, false);
     const auto [low, high] = threshold->range;
     key += '\0' + std::to_string(out.step) + (threshold->any ? " any " : " all ") + bits_of(low) + bits_of(high) +
            threshold->array;

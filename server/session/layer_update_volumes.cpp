@@ -27,7 +27,7 @@ bool LayerUpdate::operator()(const scene::Layer& layer, const scene::VolumeLayer
     const std::size_t stride = moving ? moving_stride(slices, vertices, loss) : 1;
     if (!kept.cut(place, planes, normal, slices, stride, extraction, stop)) return false;
     out.volumes.push_back(drawable_of(layer, volume, kept, stride));
-    tell_left_out(volume.array);
+    tell_left_out(volume.array, true);
     count(before, kept.memory_bytes());
     return true;
 }
@@ -45,6 +45,8 @@ VolumeDrawable LayerUpdate::drawable_of(const scene::Layer& layer, const scene::
     drawable.array = full_name(*dataset, volume.array);
     drawable.units = dataset->find(store::parse_scalar(*dataset, volume.array).array)->units;
     drawable.legend_lines = legend_lines(volume.array);
+    const auto sound = loaded->sound_cells(volume.array, out.step);
+    drawable.all_left_out = sound && sound->left_out == sound->kept.size();
     drawable.scale = color_scale_of(volume.color, range_of(*dataset, volume.array, out.step));
     drawable.opacity_points = volume.opacity_points;
     drawable.unit_length = unit_length_of(volume);

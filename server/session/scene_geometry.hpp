@@ -35,6 +35,7 @@ struct Drawable { // one iso-value, slice, boundary surface or outline of a laye
     std::vector<std::string> legend_lines;             // what a legend says of the array at this step besides
     render::ColorScale scale;                          // of the scalars
     bool missing = false;                              // some of the scalars are no numbers
+    bool all_left_out = false;                         // its polygons were all of cells that blew up
     std::array<float, 4> color{0.8F, 0.8F, 0.8F, 1};   // alpha: the layer's opacity
     bool lit = true;
     bool contours = false;      // lines on the layer, whose colours are on a scale of their own
@@ -56,6 +57,7 @@ struct VolumeDrawable {
     std::size_t stride = 1; // one slice in so many is drawn
     std::string array, units;
     std::vector<std::string> legend_lines;
+    bool all_left_out = false;
     render::ColorScale scale;
     std::vector<std::array<double, 2>> opacity_points; // as in the scene
     double unit_length = 1;

@@ -21,12 +21,16 @@ std::shared_ptr<const Shape> sound_shape(const std::shared_ptr<const Shape>& sha
     return sound;
 }
 
-std::string left_out_text(const std::string& array, std::size_t step, store::LoadedDataset& loaded) {
-    const auto cells = loaded.sound_cells(array, step);
-    if (!cells) return {};
-    const bool one = cells->left_out == 1;
-    return std::to_string(cells->left_out) + (one ? " cell has" : " cells have") + " no number for " + array +
-           " at this time and " + (one ? "is" : "are") + " left out";
+std::string left_out_text(const std::string& scalar, bool is_cut, std::size_t step, store::LoadedDataset& loaded) {
+    const auto sentence = [&](std::size_t count, const std::string& what) {
+        return std::to_string(count) + (count == 1 ? " cell has " : " cells have ") + what + " at this time and " +
+               (count == 1 ? "is" : "are") + " left out";
+    };
+    const auto dataset = loaded.dataset();
+    const std::string array = store::parse_scalar(*dataset, scalar).array;
+    if (const auto cells = loaded.sound_cells(scalar, step)) return sentence(cells->left_out, "no number for " + array);
+    const std::size_t corners = is_cut ? loaded.cells_with_bad_corners(scalar, step) : 0;
+    return corners == 0 ? std::string() : sentence(corners, "a corner without a number for " + array);
 }
 
 } // namespace ciel::session

@@ -13,7 +13,9 @@ namespace ciel::session {
                                                        std::span<const std::string> arrays, std::size_t step,
                                                        store::LoadedDataset& loaded);
 
-// "1 cell has no number for p at this time and is left out"; empty where all have.
-[[nodiscard]] std::string left_out_text(const std::string& array, std::size_t step, store::LoadedDataset& loaded);
+// "1 cell has no number for p at this time and is left out"; empty where all have. `is_cut`: the array's own surface,
+// which leaves out cells that have a corner without a number, too.
+[[nodiscard]] std::string left_out_text(const std::string& scalar, bool is_cut, std::size_t step,
+                                        store::LoadedDataset& loaded);
 
 } // namespace ciel::session

@@ -36,7 +36,7 @@ struct OriginName {
     Origin origin;
     const char* name;
 };
-constexpr std::array origin_names{OriginName{Origin::original, "original"},
+constexpr std::array origin_names{OriginName{Origin::unknown, "unknown"}, OriginName{Origin::original, "original"},
                                   OriginName{Origin::interpolated, "interpolated"},
                                   OriginName{Origin::derived, "derived"}};
 
@@ -192,7 +192,8 @@ ArrayInfo parse_array_attributes(std::string_view text, const std::filesystem::p
     array.description = text_or_empty(ciel, "description");
     if (const auto names = ciel.find("component_names"))
         array.component_names = parse_component_names(*names, components);
-    if (const auto origin = ciel.find("origin")) array.source.origin = parse_origin(*origin);
+    const auto origin = ciel.find("origin");
+    array.source.origin = origin ? parse_origin(*origin) : Origin::unknown;
     array.source.type = text_or_empty(ciel, "type");
     array.source.file = text_or_empty(ciel, "file");
     return array;

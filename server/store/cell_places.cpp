@@ -6,16 +6,17 @@
 
 namespace ciel::store {
 
-std::map<Index, Vec3d> cell_places(const FaceMeshView& mesh, std::vector<Index> cells) {
+std::map<Index, Vec3d> cell_places(const FaceMeshView& mesh, const std::vector<Index>& cells) {
     std::map<Index, Vec3d> places;
     if (cells.empty()) return places;
-    std::sort(cells.begin(), cells.end());
+    std::vector<bool> is_wanted(mesh.cell_count());
+    for (const Index cell : cells) is_wanted[cell] = true;
     std::map<Index, std::vector<Index>> corners;
     std::vector<Index> loop;
     for (Index face = 0; face < mesh.face_count(); ++face) {
         const FaceCells beside = read_cells(mesh, face);
         for (const Index cell : {beside.owner, beside.neighbour}) {
-            if (cell == none || !std::binary_search(cells.begin(), cells.end(), cell)) continue;
+            if (cell == none || !is_wanted[cell]) continue;
             read_loop(mesh, face, loop);
             corners[cell].insert(corners[cell].end(), loop.begin(), loop.end());
         }

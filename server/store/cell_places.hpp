@@ -7,8 +7,8 @@
 
 namespace ciel::store {
 
-// For each of `cells` the mean of its corners, in the dataset's coordinates. Looks at all faces once, however many
-// cells are asked for. Throws Error when an index leads out of the mesh.
-[[nodiscard]] std::map<Index, Vec3d> cell_places(const FaceMeshView& mesh, std::vector<Index> cells);
+// For each of `cells`, which exist, the mean of its corners, in the dataset's coordinates. Looks at all faces once,
+// however many cells are asked for. Throws Error when an index leads out of the mesh.
+[[nodiscard]] std::map<Index, Vec3d> cell_places(const FaceMeshView& mesh, const std::vector<Index>& cells);
 
 } // namespace ciel::store

@@ -18,8 +18,9 @@ namespace ciel::store {
 // Of the faces only those of the boundary, in the order of their ids; they are what patches are made of.
 enum class Association { point, cell, boundary_face };
 
-// How the values came to be: as the file has them, from values of the cells, or by the formulas of a reader.
-enum class Origin { original, interpolated, derived };
+// How the values came to be: as the file has them, from values of the cells, or by the formulas of a reader. A dataset
+// that was written by others, or before origins were kept, does not say.
+enum class Origin { unknown, original, interpolated, derived };
 
 struct ArraySource {
     Origin origin = Origin::original;
@@ -40,7 +41,7 @@ struct ArrayInfo {
 struct MeshInfo;
 [[nodiscard]] std::uint64_t items_of(const MeshInfo& mesh, Association association);
 [[nodiscard]] std::string to_text(Association association); // "point", "cell", "boundary_face"
-[[nodiscard]] std::string to_text(Origin origin);           // "original", "interpolated", "derived"
+[[nodiscard]] std::string to_text(Origin origin);           // "original", "interpolated", "derived"; "unknown"
 
 struct CellExtreme {
     Index cell = 0; // stored id
@@ -54,7 +55,8 @@ struct CellExtremes {
 struct ArrayStep {                 // one array at one step
     std::array<double, 2> range{}; // of the magnitude, where there is none of all components; finite values only
     std::vector<std::array<double, 2>> component_ranges;
-    std::uint64_t invalid = 0; // NaN or infinite values
+    std::uint64_t invalid = 0; // NaN or infinite values that the solver came to...
+    std::uint64_t missing = 0; // ...and those that are not there (no_value.hpp)
     // Of an array of the cells: which of them have the ends of `range`, and, of several components, those of each of
     // component_ranges. Empty where no value is finite, or where it is not known.
     std::vector<CellExtremes> extremes;

@@ -41,6 +41,41 @@ const char* name_of(Association association) {
     return "the faces of patches";
 }
 
+// The array of the cells that tells where this one went wrong; null where there is none.
+const ArrayInfo* cells_of(const Dataset& dataset, const ArrayInfo& array) {
+    constexpr std::string_view patch = "patch:";
+    const bool of_patches = array.association == Association::boundary_face && array.name.starts_with(patch);
+    const std::string name =
+        of_patches ? "cell:" + array.name.substr(patch.size()) : cell_scalar(dataset, scalar_names(array).front());
+    if (name.empty()) return nullptr;
+    const ArrayInfo* cells = of_patches ? dataset.find(name) : dataset.find(parse_scalar(dataset, name).array);
+    return cells != nullptr && cells->association == Association::cell ? cells : nullptr;
+}
+
+bool any_went_wrong(const Step& step, const ArrayInfo* array) {
+    if (array == nullptr) return false;
+    const auto written = step.arrays.find(array->name);
+    return written != step.arrays.end() && written->second.invalid > 0;
+}
+
+bool went_wrong_at(std::span<const float> values, std::size_t width, std::size_t item) {
+    return std::ranges::any_of(values.subspan(width * item, width), went_wrong);
+}
+
+void leave_out_cells(const ArrayInfo& array, std::span<const float> values, std::vector<std::uint8_t>& kept) {
+    const auto width = static_cast<std::size_t>(array.components);
+    for (std::size_t cell = 0; cell < kept.size(); ++cell)
+        if (went_wrong_at(values, width, cell)) kept[cell] = 0;
+}
+
+void leave_out_owners(const FaceMeshView& mesh, const ArrayInfo& array, std::span<const float> values,
+                      std::vector<std::uint8_t>& kept) {
+    const auto width = static_cast<std::size_t>(array.components);
+    std::size_t number = 0; // among the boundary's faces
+    for (Index face = 0; face < mesh.face_count(); ++face)
+        if (mesh.neighbour[face] == none && went_wrong_at(values, width, number++)) kept[mesh.owner[face]] = 0;
+}
+
 std::string step_key(const char* kind, const std::string& name, std::size_t step) {
     return std::string(kind) + "/" + std::to_string(step) + "/" + name;
 }
@@ -207,19 +242,43 @@ std::shared_ptr<const std::vector<float>> LoadedDataset::face_values(const std::
 std::shared_ptr<const SoundCells> LoadedDataset::sound_cells(const std::string& name, std::size_t step) {
     const auto of = state_->current();
     const Step& at = State::step_of(*of, step);
-    const std::string of_cells = cell_scalar(*of, name);
-    if (of_cells.empty()) return nullptr;
-    const auto written = at.arrays.find(parse_scalar(*of, of_cells).array);
-    if (written == at.arrays.end() || written->second.invalid == 0) return nullptr;
-    const auto values = cell_values(of_cells, step);
-    auto sound = state_->fields.get<SoundCells>(step_key("sound", of_cells, step), [&]() -> Cache::Made {
+    const ArrayInfo& array = *of->find(parse_scalar(*of, name).array);
+    const ArrayInfo* cells = cells_of(*of, array);
+    const ArrayInfo* faces = array.association == Association::boundary_face ? &array : nullptr;
+    if (!any_went_wrong(at, cells) && !any_went_wrong(at, faces)) return nullptr;
+    auto sound = state_->fields.get<SoundCells>(step_key("sound", array.name, step), [&]() -> Cache::Made {
+        const FaceMeshView mesh = of->mesh(at.mesh, at.coordinates);
         auto made = std::make_shared<SoundCells>();
-        made->kept.reserve(values->size());
-        for (const float value : *values) made->kept.push_back(went_wrong(value) ? 0 : 1);
+        made->kept.assign(mesh.cell_count(), 1);
+        if (any_went_wrong(at, cells)) leave_out_cells(*cells, of->values(cells->name, step), made->kept);
+        if (any_went_wrong(at, faces)) leave_out_owners(mesh, *faces, of->values(faces->name, step), made->kept);
         made->left_out = static_cast<std::size_t>(std::ranges::count(made->kept, 0));
         return {made, made->kept.size()};
     });
+    of->check_intact();
     return sound->left_out > 0 ? sound : nullptr;
+}
+
+std::size_t LoadedDataset::cells_with_bad_corners(const std::string& name, std::size_t step) {
+    const auto of = state_->current();
+    const Step& at = State::step_of(*of, step);
+    const ArrayInfo& array = *of->find(parse_scalar(*of, name).array);
+    if (array.association != Association::point || cells_of(*of, array) != nullptr || !any_went_wrong(at, &array))
+        return 0;
+    const auto values = scalar_values(name, step);
+    const auto counted = state_->fields.get<std::size_t>(step_key("bad corners", name, step), [&]() -> Cache::Made {
+        const FaceMeshView mesh = of->mesh(at.mesh, at.coordinates);
+        std::vector<std::uint8_t> kept(mesh.cell_count(), 1);
+        for (Index face = 0; face < mesh.face_count(); ++face) {
+            const auto loop = mesh.loop(face);
+            if (std::ranges::none_of(loop, [&](Index vertex) { return went_wrong((*values)[vertex]); })) continue;
+            for (const Index cell : {mesh.owner[face], mesh.neighbour[face]})
+                if (cell != none) kept[cell] = 0;
+        }
+        return {std::make_shared<std::size_t>(std::ranges::count(kept, 0)), sizeof(std::size_t)};
+    });
+    of->check_intact();
+    return *counted;
 }
 
 ScalarField LoadedDataset::plane(std::size_t step, Vec3d origin, Vec3d normal) {

@@ -42,9 +42,13 @@ public:
     // Likewise of an array of the cells or of the boundary's faces: one value each.
     [[nodiscard]] std::shared_ptr<const std::vector<float>> cell_values(const std::string& name, std::size_t step);
     [[nodiscard]] std::shared_ptr<const std::vector<float>> face_values(const std::string& name, std::size_t step);
-    // The cells that have a value of `name` at the step, or none of an array made from values of the cells: all but
-    // those where it went wrong. Null where none did, and of an array whose cells are not known.
+    // Of the array that `name` is a scalar of, at the step: all cells but those where it went wrong, in any component.
+    // Of an array on points that was made from the cells, by the values of these; of one of patches by these and those
+    // of its own faces. Null where none went wrong.
     [[nodiscard]] std::shared_ptr<const SoundCells> sound_cells(const std::string& name, std::size_t step);
+    // How many cells have a corner whose value went wrong, of an array that the file has on points: what is cut leaves
+    // them out.
+    [[nodiscard]] std::size_t cells_with_bad_corners(const std::string& name, std::size_t step);
     // nu = dot(normal, position - origin).
     [[nodiscard]] ScalarField plane(std::size_t step, Vec3d origin, Vec3d normal);
 

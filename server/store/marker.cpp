@@ -33,6 +33,7 @@ std::optional<ArrayStep> parse_statistics(const JsonReader& value) {
     statistics.range = parse_range(*range);
     for (const JsonReader& item : components->items()) statistics.component_ranges.push_back(parse_range(item));
     if (const auto invalid = value.find("invalid")) statistics.invalid = invalid->count();
+    if (const auto missing = value.find("missing")) statistics.missing = missing->count();
     if (const auto extremes = value.find("extremes"))
         for (const JsonReader& item : extremes->items())
             statistics.extremes.push_back({parse_extreme(item.at("lowest")), parse_extreme(item.at("highest"))});
@@ -77,6 +78,7 @@ nlohmann::json to_json(const MarkedArray& array) {
         json["range"] = array.statistics->range;
         json["component_ranges"] = array.statistics->component_ranges;
         if (array.statistics->invalid > 0) json["invalid"] = array.statistics->invalid;
+        if (array.statistics->missing > 0) json["missing"] = array.statistics->missing;
         for (const auto& [lowest, highest] : array.statistics->extremes)
             json["extremes"].push_back({{"lowest", to_json(lowest)}, {"highest", to_json(highest)}});
     }

@@ -94,7 +94,9 @@ ScalarName parse_scalar(const Dataset& dataset, const std::string& name) {
 std::string cell_scalar(const Dataset& dataset, const std::string& name) {
     const ArrayInfo& array = *dataset.find(parse_scalar(dataset, name).array);
     if (array.association == Association::cell) return name;
-    if (array.association != Association::point || array.source.origin != Origin::interpolated) return {};
+    if (array.association != Association::point || array.source.origin == Origin::original ||
+        array.source.origin == Origin::derived)
+        return {};
     const ArrayInfo* cells = dataset.find("cell:" + array.name);
     const bool is_the_same =
         cells != nullptr && cells->association == Association::cell && cells->components == array.components;

@@ -1,5 +1,7 @@
 #include "store/statistics.hpp"
 
+#include "store/no_value.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -51,7 +53,7 @@ ArrayStep statistics(std::span<const float> values, const ArrayInfo& array) {
         for (std::size_t c = 0; c < width; ++c) {
             const double value = values[at + c];
             if (!std::isfinite(value)) {
-                ++result.invalid;
+                ++(is_no_value(values[at + c]) ? result.missing : result.invalid);
                 continue;
             }
             of_component[c].add(value, item);

@@ -209,7 +209,7 @@ struct Writer::State {
         for_extremes(step, [&](CellExtreme& extreme) { cells.push_back(extreme.cell); });
         if (cells.empty()) return;
         const WrittenFaces faces(layout::mesh(directory, step.mesh), mesh(step.mesh).attributes, step.coordinates);
-        const auto places = cell_places(faces.view(), std::move(cells));
+        const auto places = cell_places(faces.view(), cells);
         for_extremes(step, [&](CellExtreme& extreme) { extreme.place = places.at(extreme.cell); });
     }
 

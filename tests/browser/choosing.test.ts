@@ -95,7 +95,12 @@ describe("choosing another dataset", { skip }, () => {
     const client = await onFirst();
     // Times and frames per second go on being measured.
     const kept = async (): Promise<string> => (await visibleNumbers(client)).replace(/[\d.]+ (ms|fps)/g, "");
-    const before = await kept();
+    // The legends take their height when the layout has settled.
+    let before = await kept();
+    for (let last = ""; last !== before; before = await kept()) {
+      last = before;
+      await client.page.waitForTimeout(300);
+    }
     await client.page.evaluate(() => {
       const select = document.querySelector<HTMLSelectElement>(".dataset-select select");
       const option = document.createElement("option");

@@ -225,7 +225,7 @@ def test_components_that_differ_at_one_step_cost_that_array_there(tmp_path, bad)
     assert dataset.times == [0, 1, 2] and dataset.array("p").attrs["ciel"]["components"] == 1
     assert [step["arrays"].keys() >= {"q"} for step in dataset.steps] == [True] * 3
     assert [("p" in step["arrays"]) for step in dataset.steps] == [time != bad for time in range(3)]
-    assert f"The array p has 3 components at time {bad} where it has 1 at other times: it was left out there." in dataset.notes
+    assert f"The array p has 3 components at time {bad} where it has 1 component at other times: it was left out there." in dataset.notes
 
 
 def blown_up(folder, value, writer, name):

@@ -38,7 +38,7 @@ def test_arrays_that_differ_between_blocks_are_named(tmp_path):
         blocks.append((f"b{i}", grid))
     dataset = imported(tmp_path, write(vtk.vtkXMLMultiBlockDataWriter(), tmp_path / "a.vtm", multi_block(*blocks)), code=3)
     assert dataset.array_names() == ["f"]
-    assert "Arrays whose numbers of components differ between blocks were left out: stress." in dataset.notes
+    assert "Arrays whose components differ between blocks were left out: stress." in dataset.notes
 
 
 def test_the_second_array_of_one_name_is_named(tmp_path):

@@ -139,6 +139,19 @@ TEST_F(bad_cells, are_left_out_of_volumes) {
     EXPECT_EQ(without.second, whole.second + 12) << "the six sides of the hole";
 }
 
+TEST_F(bad_cells, that_are_all_there_is_say_why_nothing_is_seen) {
+    std::set<Index> all;
+    for (Index cell = 0; cell < edge * edge * edge; ++cell) all.insert(cell);
+    write("burst", all);
+    for (const json& layer : {layer_of(slice, by_cells), layer_of(boundary, by_cells),
+                              json{{"type", "volume"}, {"array", "p"}, {"slices", 5}}}) {
+        const auto shown = show("burst", {{"a", layer}});
+        ASSERT_EQ(shown->empty.size(), 1U) << layer;
+        EXPECT_EQ(shown->empty[0].reason, "No cell that it would show has a number for its array at this time.")
+            << layer;
+    }
+}
+
 TEST_F(bad_cells, are_counted_in_words) {
     for (const json& layer : {iso, layer_of(slice, by_points)}) {
         const auto shown = show("bad", {{"a", layer}, {"b", layer}});

@@ -14,6 +14,7 @@ const array: ArrayInfo = {
   times: [0, 1],
   origin: "interpolated",
   invalid: 0,
+  missing: 0,
 };
 
 test("where an array comes from, and what is wrong with it", () => {

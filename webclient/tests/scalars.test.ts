@@ -25,6 +25,7 @@ const array = (name: string, components: number, scalars: string[]): ArrayInfo =
   times: [0],
   origin: "original",
   invalid: 0,
+  missing: 0,
 });
 const description = {
   arrays: [

@@ -254,11 +254,12 @@ class ArrayInfo(TypedDict):
     range: Range | None
     scalars: list[str]  # names usable in layers: U:x, U:magnitude, R:xx. Those of cell arrays (cell:U:x) color surfaces, flat, and choose cells; nothing else is made from them
     times: list[float]  # steps at which the array was written
-    origin: Literal["original", "interpolated", "derived"]  # as the file has it; made from values of the cells; computed by the reader of the file
+    origin: Literal["unknown", "original", "interpolated", "derived"]  # as the file has it; made from values of the cells; computed by the reader of the file
     type: NotRequired[str]  # of the numbers in the file, such as float64; they are kept as float32. Absent where it is not known
     file: NotRequired[str]  # where it was first read from; absent where it is not known
     invalid: int  # values that are not finite, at all steps together
-    extremes: NotRequired[CellExtremes]  # of an array of the cells, or made from one: of its magnitude or only component, at all steps
+    missing: int  # values that are not there: of blocks without the array, of parts that could not be read
+    extremes: NotRequired[CellExtremes]  # of an array of the cells, or made from one: the ends of its range, at all steps
 
 
 class MeshInfo(TypedDict):
@@ -358,7 +359,7 @@ class ProbeResult(TypedDict):
     values: dict[str, float | None]  # scalar name to value at the position; null where it was not written, or is no number
     solver_cell: NotRequired[int]  # the solver's own id of the cell, where the source has one (cellProcAddressing, GlobalElementId)
     solver_vertex: NotRequired[int]  # likewise of the nearest vertex (GlobalNodeId)
-    extremes: NotRequired[dict[str, CellExtremes]]  # array of the cells to its lowest and highest value at this step, of several components their magnitude
+    extremes: NotRequired[dict[str, CellExtremes]]  # array of the cells to its lowest and highest value at this step, of the magnitude where it has one
 
 
 class RpcDiscoverParams(TypedDict):

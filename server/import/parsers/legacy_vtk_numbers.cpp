@@ -18,8 +18,10 @@ bool is_equal(std::string_view word, std::string_view lower_case) {
 const StandIn* stand_in_for(std::string_view word) {
     const bool is_negative = word.starts_with('-');
     if (is_negative || word.starts_with('+')) word.remove_prefix(1);
-    if (is_equal(word, "nan")) return stand_ins.data();
-    if (is_equal(word, "inf") || is_equal(word, "infinity")) return &stand_ins[is_negative ? 2 : 1];
+    const std::string_view name = word.substr(0, word.find('(')); // nan(ind)
+    if (is_equal(name, "nan") || is_equal(word, "1.#ind") || is_equal(word, "1.#qnan")) return stand_ins.data();
+    if (is_equal(word, "inf") || is_equal(word, "infinity") || is_equal(word, "1.#inf"))
+        return &stand_ins[is_negative ? 2 : 1];
     return nullptr;
 }
 
@@ -46,8 +48,11 @@ bool holds_values(std::string_view line) {
     return all;
 }
 
+// No number has the letter n, and all that are none do.
+bool may_hold_some(std::string_view line) { return line.find_first_of("nN") != std::string_view::npos; }
+
 void append_line(std::string_view line, std::string& out) {
-    if (!holds_values(line)) {
+    if (!may_hold_some(line) || !holds_values(line)) {
         out += line;
         return;
     }
@@ -64,31 +69,17 @@ void append_line(std::string_view line, std::string& out) {
 
 } // namespace
 
-bool may_hold_no_numbers(std::istream& file) {
-    constexpr std::size_t block = std::size_t{1} << 20;
-    constexpr std::size_t overlap = 2; // a word may lie on both sides of a block's end
-    const auto is_letter = [](char found, char letter) { return lower(found) == letter; };
-    std::string text;
-    while (file) {
-        const std::string kept = text.size() > overlap ? text.substr(text.size() - overlap) : text;
-        text.resize(block);
-        file.read(text.data(), static_cast<std::streamsize>(block));
-        text.resize(static_cast<std::size_t>(file.gcount()));
-        text.insert(0, kept);
-        for (const std::string_view word : {"nan", "inf"})
-            if (std::search(text.begin(), text.end(), word.begin(), word.end(), is_letter) != text.end()) return true;
-    }
+bool holds_no_numbers(std::istream& file) {
+    for (std::string line; std::getline(file, line);)
+        if (may_hold_some(line) && holds_values(line)) return true;
     return false;
 }
 
-std::string with_stand_ins(const std::string& text) {
+std::string with_stand_ins(std::istream& file) {
     std::string out;
-    out.reserve(text.size());
-    for (std::size_t begin = 0; begin < text.size();) {
-        const std::size_t end = std::min(text.find('\n', begin), text.size());
-        append_line(std::string_view(text).substr(begin, end - begin), out);
-        if (end < text.size()) out += '\n';
-        begin = end + 1;
+    for (std::string line; std::getline(file, line);) {
+        append_line(line, out);
+        if (!file.eof()) out += '\n';
     }
     return out;
 }

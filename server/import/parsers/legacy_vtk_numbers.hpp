@@ -1,5 +1,5 @@
-// The values of an ascii legacy VTK file that are no numbers. VTK's reader stops at "nan" and "inf", so they go through
-// it as numbers that stand for them.
+// The values of a legacy VTK file of text that are no numbers. VTK's reader stops at "nan" and "inf", so they go
+// through it as numbers that stand for them.
 #pragma once
 
 #include <array>
@@ -20,10 +20,11 @@ inline constexpr std::array<StandIn, 3> stand_ins{
     StandIn{"3.3302200913e38", 3.3302200913e38, std::numeric_limits<double>::infinity()},
     StandIn{"-3.3302300917e38", -3.3302300917e38, -std::numeric_limits<double>::infinity()}};
 
-// Whether an ascii file holds "nan" or "inf" anywhere, in a name perhaps.
-[[nodiscard]] bool may_hold_no_numbers(std::istream& file);
+// Whether there is a value that is no number, as C libraries write those: nan, -nan(ind), inf, Infinity, 1.#QNAN. Lines
+// that hold any other word name arrays.
+[[nodiscard]] bool holds_no_numbers(std::istream& file);
 
-// The text with stand-ins. Lines that hold a word that is no number are left alone: they name arrays.
-[[nodiscard]] std::string with_stand_ins(const std::string& text);
+// The whole text, with stand-ins for these values.
+[[nodiscard]] std::string with_stand_ins(std::istream& file);
 
 } // namespace ciel::importer

@@ -3,6 +3,7 @@ import type { ArrayInfo } from "../generated/protocol";
 import { formatCount } from "./numbers";
 
 const ORIGINS: Record<ArrayInfo["origin"], string> = {
+  unknown: "",
   original: "original",
   interpolated: "interpolated from cells",
   derived: "computed by the reader",
@@ -22,6 +23,7 @@ export function arrayFacts(array: ArrayInfo, steps: number): string[] {
     [ORIGINS[array.origin], array.type ?? ""].join(" ").trim(),
     array.file ?? "",
     missing === 0 ? "" : `missing at ${missing} of ${steps} times`,
+    array.missing === 0 ? "" : `${formatCount(array.missing)} values are not there`,
     noNumbers(array.invalid),
   ].filter((fact) => fact !== "");
 }

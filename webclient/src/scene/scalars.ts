@@ -46,8 +46,9 @@ export function firstScalar(description: DatasetDescription | null): string | un
 
 /** A vector's bare name with what it stands for, "U:magnitude"; other names as they are. */
 export function fullName(description: Pick<DatasetDescription, "arrays"> | null, scalar: string): string {
-  const isVector = description?.arrays.some(({ name, components }) => name === scalar && components > 1);
-  return isVector === true ? `${scalar}:magnitude` : scalar;
+  const magnitude = `${scalar}:magnitude`;
+  const hasMagnitude = description?.arrays.some(({ name, scalars }) => name === scalar && scalars.includes(magnitude));
+  return hasMagnitude === true ? magnitude : scalar;
 }
 
 /** The array that the scalar is made from. */

@@ -1,0 +1,18 @@
+// The bytes are a file. Every value that is no number gets its stand-in, so that none is found afterwards; and a file
+// without any is as it was.
+#include "import/parsers/legacy_vtk_numbers.hpp"
+
+#include <cstdint>
+#include <cstdlib>
+#include <sstream>
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    const std::string content(reinterpret_cast<const char*>(data), size);
+    std::istringstream looked_at(content), read(content);
+    const bool holds_some = ciel::importer::holds_no_numbers(looked_at);
+    const std::string readable = ciel::importer::with_stand_ins(read);
+    if (!holds_some && readable != content) std::abort();
+    std::istringstream again(readable);
+    if (ciel::importer::holds_no_numbers(again)) std::abort();
+    return 0;
+}
