@@ -61,6 +61,7 @@ bool have_equal_components(const std::vector<FieldName>& fields) {
 std::vector<std::size_t> permutation(const std::vector<std::string>& own, const std::vector<std::string>& wanted) {
     if (own == wanted || !std::ranges::is_permutation(own, wanted)) return {};
     std::vector<std::size_t> from;
+    from.reserve(wanted.size());
     for (const std::string& name : wanted)
         from.push_back(static_cast<std::size_t>(std::ranges::find(own, name) - own.begin()));
     return from;

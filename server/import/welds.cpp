@@ -195,7 +195,7 @@ void join_cut(const Cut& cut, DisjointSets& sets, Welds& welds) {
 
 // Every set of points with the same coordinates, to the bit.
 template <typename Visit>
-void for_each_coincident(const JoinedMesh& mesh, Visit&& visit) {
+void for_each_coincident(const JoinedMesh& mesh, const std::vector<bool>& looked_at, Visit&& visit) {
     struct Hash {
         std::size_t operator()(const std::array<float, 3>& p) const {
             std::uint64_t hash = 0;
@@ -206,6 +206,7 @@ void for_each_coincident(const JoinedMesh& mesh, Visit&& visit) {
     std::unordered_map<std::array<float, 3>, Index, Hash> first;
     first.reserve(mesh.point_count);
     for (Index i = 0; i < mesh.point_count; ++i) {
+        if (!looked_at[i]) continue;
         const float* p = &mesh.positions[3 * std::size_t{i}];
         const auto [at, is_new] = first.try_emplace({p[0] + 0.0F, p[1] + 0.0F, p[2] + 0.0F}, i);
         if (!is_new) visit(at->second, i);
@@ -232,8 +233,12 @@ Welds find_welds(const JoinedMesh& mesh, Weld mode, const Cut& cut) {
     if (mode == Weld::seams) weld_seams(mesh, sets, welds);
     std::uint64_t coincident = 0;
     const bool look = mode == Weld::all || mesh.parts.size() > 1;
+    // Points that no cell uses are of ghosts, and go with those.
+    std::vector<bool> looked_at(look ? mesh.point_count : 0, mode == Weld::all);
     if (look)
-        for_each_coincident(mesh, [&](Index a, Index b) {
+        for (const Index point : mesh.face_vertex) looked_at[point] = true;
+    if (look)
+        for_each_coincident(mesh, looked_at, [&](Index a, Index b) {
             coincident += sets.find(a) == sets.find(b) ? 0 : 1; // pieces were joined already
             if (mode == Weld::all) sets.join(a, b);
         });
