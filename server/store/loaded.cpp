@@ -73,7 +73,10 @@ void leave_out_owners(const FaceMeshView& mesh, const ArrayInfo& array, std::spa
     const auto width = static_cast<std::size_t>(array.components);
     std::size_t number = 0; // among the boundary's faces
     for (Index face = 0; face < mesh.face_count(); ++face)
-        if (mesh.neighbour[face] == none && went_wrong_at(values, width, number++)) kept[mesh.owner[face]] = 0;
+        if (mesh.neighbour[face] == none) {
+            if ((number + 1) * width > values.size()) mesh.neighbour.refuse(); // changed since it was counted
+            if (went_wrong_at(values, width, number++)) kept[mesh.owner[face]] = 0;
+        }
 }
 
 std::string step_key(const char* kind, const std::string& name, std::size_t step) {
