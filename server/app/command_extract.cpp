@@ -32,8 +32,8 @@ bool is_of_cells(store::LoadedDataset& loaded, const std::string& scalar) {
     return dataset->find(store::parse_scalar(*dataset, scalar).array)->association == store::Association::cell;
 }
 
-// Without the cells that blew up. By values of cells no two polygons have a vertex in common: each has that of its own
-// cell.
+// The polygons of cells that blew up are left out. Where a scalar is of the cells, no two polygons share a vertex, so
+// that each has the value of its cell.
 std::shared_ptr<const session::Shape> shape_for(const session::Drawable& drawable,
                                                 const std::vector<std::string>& scalars, std::size_t step,
                                                 store::LoadedDataset& loaded) {

@@ -22,8 +22,8 @@ public:
         : source_(source), options_(options), selection_(options.arrays),
           arrays_(selection_, source, FieldComponents(std::move(components))) {}
 
-    // Nothing where most steps turned out to have another number of components of an array than was taken: components()
-    // says which. What was written is gone then.
+    // Nothing where most steps turned out to have other components of an array than were taken: components() has those
+    // of most steps. What was written is gone then.
     std::optional<ConvertResult> run() {
         const std::vector<double>& times = source_.times();
         check_listing();

@@ -16,8 +16,8 @@ struct OfArray {
     std::optional<double> value; // that the shape has everywhere of the array it is coloured by
 };
 
-// Scalars of one shape by one array, interpolated again only when either changes. By an array of the cells or of the
-// boundary's faces the shape's polygons are separated, and each has the value of its own.
+// Scalars of one shape by one array, interpolated again only when either changes. Where the array is of
+// the cells or of the boundary's faces, the polygons share no vertices, and each has the value of its cell or face.
 struct Painted {
     std::shared_ptr<const Shape> shape;
     std::shared_ptr<const Shape> sound; // without the cells that blew up (sound_shape.hpp); mostly `shape` itself

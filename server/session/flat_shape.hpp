@@ -1,5 +1,4 @@
-// Values of cells or of faces on a surface, as they are: every polygon has that of its own, and none is mixed with its
-// neighbours'.
+// Values of cells or of faces on a surface. Every polygon has the value of its cell or face; nothing is interpolated.
 #pragma once
 
 #include "session/scene_geometry.hpp"

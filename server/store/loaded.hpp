@@ -42,9 +42,9 @@ public:
     // Likewise of an array of the cells or of the boundary's faces: one value each.
     [[nodiscard]] std::shared_ptr<const std::vector<float>> cell_values(const std::string& name, std::size_t step);
     [[nodiscard]] std::shared_ptr<const std::vector<float>> face_values(const std::string& name, std::size_t step);
-    // Of the array that `name` is a scalar of, at the step: all cells but those where it went wrong, in any component.
-    // Of an array on points that was made from the cells, by the values of these; of one of patches by these and those
-    // of its own faces. Null where none went wrong.
+    // All cells but those where the array of the scalar went wrong at the step, in any component; null where none did.
+    // An array on points that was made from the cells is judged by the values of the cells. An array of patches is
+    // judged by the values of the cells and of its faces.
     [[nodiscard]] std::shared_ptr<const SoundCells> sound_cells(const std::string& name, std::size_t step);
     // How many cells have a corner whose value went wrong, of an array that the file has on points: what is cut leaves
     // them out.

@@ -152,7 +152,7 @@ bool MappedMesh::has_its_checksum(const std::string& name, const MappedFile& fil
     return checksum(file.bytes()) == attributes_.checksums.at(name);
 }
 
-// Arrays of the boundary's faces have so many values.
+// An array of the boundary's faces has as many values as the attributes count faces.
 void MappedMesh::verify_boundary() const {
     const auto count = static_cast<std::uint64_t>(std::ranges::count(array("neighbour").as<Index>(), none));
     if (count != attributes_.info.boundary_faces)

@@ -66,7 +66,7 @@ ArrayInfo with_valid_text(const ArrayInfo& info) {
     return valid;
 }
 
-// A mesh that was written, mapped: nobody else writes to it meanwhile.
+// The files of a mesh that this writer has written or holds the lock of, mapped.
 class WrittenFaces {
 public:
     WrittenFaces(const fs::path& mesh, const MeshAttributes& attributes, std::size_t coordinates)
