@@ -2,6 +2,7 @@
 
 #include "app/commands.hpp"
 #include "app/scene_options.hpp"
+#include "geometry/viewpoint.hpp"
 
 #include <CLI/CLI.hpp>
 #include <cmath>
@@ -58,12 +59,12 @@ void CameraOptions::project(scene::Scene& scene) const {
     scene.camera->parallel_height = height_of(*scene.camera);
 }
 
-void CameraOptions::stand_back(scene::Scene& scene, const session::Geometry& geometry, session::ViewSize size,
-                               const session::BoundingBox& box) const {
+void CameraOptions::stand_back(scene::Scene& scene, const geometry::Geometry& geometry, geometry::ViewSize size,
+                               const geometry::BoundingBox& box) const {
     if (scene.camera) return;
-    const render::Camera seen =
-        session::default_view(geometry, scene, static_cast<int>(size.width), static_cast<int>(size.height),
-                              field_of_view.value_or(render::Camera{}.fov_degrees), parallel, box);
+    const annotations::Camera seen =
+        geometry::default_view(geometry, scene, static_cast<int>(size.width), static_cast<int>(size.height),
+                               field_of_view.value_or(annotations::Camera{}.fov_degrees), parallel, box);
     scene.camera = {seen.position, seen.target, seen.up, seen.fov_degrees, seen.parallel, seen.parallel_height};
 }
 

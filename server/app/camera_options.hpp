@@ -1,8 +1,8 @@
 // How `ciel render` is asked to look, as options.
 #pragma once
 
-#include "session/scene_geometry.hpp"
-#include "session/view.hpp"
+#include "engine/view.hpp"
+#include "geometry/scene_geometry.hpp"
 
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
@@ -25,8 +25,8 @@ struct CameraOptions {
     // How a camera that is known looks: from where it stands.
     void project(scene::Scene& scene) const;
     // A scene without a camera gets one that shows the whole box.
-    void stand_back(scene::Scene& scene, const session::Geometry& geometry, session::ViewSize size,
-                    const session::BoundingBox& box) const;
+    void stand_back(scene::Scene& scene, const geometry::Geometry& geometry, geometry::ViewSize size,
+                    const geometry::BoundingBox& box) const;
 };
 
 } // namespace ciel::app

@@ -2,7 +2,7 @@
 
 #include "app/commands.hpp"
 #include "app/scene_options.hpp"
-#include "render/color_map.hpp"
+#include "color/color_map.hpp"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -19,7 +19,7 @@ std::vector<double> parse_range(const std::string& text) {
     return range;
 }
 
-// Whether colours and places are good is for the scene's own checks to say.
+// Whether colors and places are good is for the scene's own checks to say.
 nlohmann::json parse_points(const std::string& text) {
     nlohmann::json points = nlohmann::json::array();
     for (const std::string& point : CLI::detail::split(text, ',')) {
@@ -34,38 +34,38 @@ nlohmann::json parse_points(const std::string& text) {
 
 std::string map_names() {
     std::string names;
-    for (const std::string& name : render::color_map_names()) names += (names.empty() ? "" : ", ") + name;
+    for (const std::string& name : color::color_map_names()) names += (names.empty() ? "" : ", ") + name;
     return names;
 }
 
 } // namespace
 
 void check_map(const std::string& option, const std::string& name) {
-    const auto& known = render::color_map_names();
+    const auto& known = color::color_map_names();
     if (std::find(known.begin(), known.end(), name) == known.end())
-        throw UsageError(option + " " + name + ": there is no such colour map; there are " + map_names());
+        throw UsageError(option + " " + name + ": there is no such color map; there are " + map_names());
 }
 
 void ColorOptions::add_to(CLI::App& command) {
     command
         .add_option("--color", array,
-                    "Scalar that colours the layers: of points, of cells (cell:NAME), of patches (patch:NAME).")
+                    "Scalar that colors the layers: of points, of cells (cell:NAME), of patches (patch:NAME).")
         ->type_name("ARRAY");
-    command.add_option("--map", map, "Colour map: " + map_names() + ".")->type_name("NAME")->default_str("viridis");
-    command.add_option("--color-points", points, "Colours of your own instead of a map, from 0 to 1 along the range.")
+    command.add_option("--map", map, "Color map: " + map_names() + ".")->type_name("NAME")->default_str("viridis");
+    command.add_option("--color-points", points, "Colors of your own instead of a map, from 0 to 1 along the range.")
         ->type_name(points_form);
     command.add_option("--range", range, "Values of the map's two ends; the array's range by default.")
         ->type_name("MIN,MAX");
     command.add_flag("--reverse", reverse, "The map the other way round.");
     command.add_flag("--log", log, "Logarithmic scale.");
     command.add_flag("--symmetric", symmetric, "As much of the range below zero as above it.");
-    command.add_option("--steps", steps, "So many colours instead of a smooth map.")->type_name("N");
+    command.add_option("--steps", steps, "So many colors instead of a smooth map.")->type_name("N");
     command.add_option("--nan-color", nan, "Of values that are missing.")
         ->type_name("#rrggbb")
         ->default_str("\"#808080\"");
-    command.add_option("--below-color", below, "Of values below the range; the lowest colour by default.")
+    command.add_option("--below-color", below, "Of values below the range; the lowest color by default.")
         ->type_name("#rrggbb");
-    command.add_option("--above-color", above, "Of values above the range; the highest colour by default.")
+    command.add_option("--above-color", above, "Of values above the range; the highest color by default.")
         ->type_name("#rrggbb");
 }
 

@@ -1,4 +1,4 @@
-// How `ciel render` is asked to colour layers, as options; the result is a colouring of the scene document.
+// How `ciel render` is asked to color layers, as options; the result is a coloring of the scene document.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -18,7 +18,7 @@ struct ColorOptions {
 
     void add_to(CLI::App& command);
     [[nodiscard]] bool any() const;
-    // Puts what was asked for into the colouring of a layer, over what is there. Throws UsageError on an option that
+    // Puts what was asked for into the coloring of a layer, over what is there. Throws UsageError on an option that
     // cannot be read.
     void apply_to(nlohmann::json& color) const;
 };

@@ -1,7 +1,7 @@
 // ciel append: adds time steps to a dataset, also while it is served.
 #include "app/commands.hpp"
 #include "store/append.hpp"
-#include "store/npy.hpp"
+#include "store/format/npy.hpp"
 
 #include <CLI/CLI.hpp>
 #include <iostream>

@@ -2,7 +2,7 @@
 #include "app/commands.hpp"
 #include "bench/case.hpp"
 #include "ciel/parallel.hpp"
-#include "store/files.hpp"
+#include "store/files/files.hpp"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>

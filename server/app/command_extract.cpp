@@ -1,11 +1,12 @@
 // ciel extract NAME.ciel --iso ARRAY=VALUE -o FILE: iso-surfaces and slices as one file.
 #include "app/commands.hpp"
 #include "app/scene_options.hpp"
-#include "session/flat_shape.hpp"
-#include "session/sound_shape.hpp"
-#include "store/files.hpp"
+#include "geometry/flat_shape.hpp"
+#include "geometry/sound_shape.hpp"
+#include "store/files/files.hpp"
 #include "store/statistics.hpp"
-#include "wire/joined_surface.hpp"
+#include "wire/files/joined_surface.hpp"
+#include "wire/files/surface_files.hpp"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -34,13 +35,13 @@ bool is_of_cells(store::LoadedDataset& loaded, const std::string& scalar) {
 
 // The polygons of cells that blew up are left out. Where a scalar is of the cells, no two polygons share a vertex, so
 // that each has the value of its cell.
-std::shared_ptr<const session::Shape> shape_for(const session::Drawable& drawable,
-                                                const std::vector<std::string>& scalars, std::size_t step,
-                                                store::LoadedDataset& loaded) {
-    const auto sound = session::sound_shape(drawable.shape, scalars, step, loaded);
+std::shared_ptr<const geometry::Shape> shape_for(const geometry::Drawable& drawable,
+                                                 const std::vector<std::string>& scalars, std::size_t step,
+                                                 store::LoadedDataset& loaded) {
+    const auto sound = geometry::sound_shape(drawable.shape, scalars, step, loaded);
     const bool flat =
         std::ranges::any_of(scalars, [&](const std::string& scalar) { return is_of_cells(loaded, scalar); });
-    return flat ? session::separated(*sound) : sound;
+    return flat ? geometry::separated(*sound) : sound;
 }
 
 std::vector<wire::NamedValues> values_of(const Surface& surface, const std::vector<std::string>& scalars,
@@ -52,7 +53,7 @@ std::vector<wire::NamedValues> values_of(const Surface& surface, const std::vect
         wire::NamedValues values{name.magnitude ? name.array + ":magnitude" : scalar,
                                  std::vector<float>(surface.points.size())};
         if (is_of_cells(loaded, scalar))
-            values.values = session::flat_values(surface, surface.polygon_cell, *loaded.cell_values(scalar, step));
+            values.values = geometry::flat_values(surface, surface.polygon_cell, *loaded.cell_values(scalar, step));
         else
             interpolate(surface.points, *loaded.scalar_values(scalar, step), 1, values.values);
         all.push_back(std::move(values));
@@ -70,7 +71,7 @@ std::string range_of(const std::string& scalar, store::LoadedDataset& loaded, st
 }
 
 // What an iso-value or a slice would have had to be.
-std::string why_empty(const scene::Scene& scene, const session::Geometry& geometry, store::LoadedDataset& loaded) {
+std::string why_empty(const scene::Scene& scene, const geometry::Geometry& geometry, store::LoadedDataset& loaded) {
     std::ostringstream text;
     text << "the surface is empty: at time " << geometry.time;
     std::set<std::string> scalars;
@@ -93,10 +94,10 @@ std::string why_empty(const scene::Scene& scene, const session::Geometry& geomet
 void tell_left_out(const scene::Scene& scene, const std::vector<std::string>& colors, std::size_t step,
                    store::LoadedDataset& loaded) {
     std::set<std::string> sentences;
-    for (const std::string& color : colors) sentences.insert(session::left_out_text(color, false, step, loaded));
+    for (const std::string& color : colors) sentences.insert(geometry::left_out_text(color, false, step, loaded));
     for (const scene::Layer& layer : scene.layers)
         if (const auto* iso = std::get_if<scene::IsoLayer>(&layer.kind))
-            sentences.insert(session::left_out_text(iso->array, true, step, loaded));
+            sentences.insert(geometry::left_out_text(iso->array, true, step, loaded));
     for (const std::string& sentence : sentences)
         if (!sentence.empty()) std::cerr << "ciel: " << sentence << '\n';
 }
@@ -115,9 +116,9 @@ int run_command(const ExtractCommand& extract) {
     const auto loaded = load_dataset(extract.scene.dataset);
     const scene::Scene scene = parse_scene(extract.scene.document(*loaded->dataset()));
     const auto geometry = make_geometry(scene, loaded, extract.scene.extraction.chosen());
-    session::require_complete(*geometry);
+    geometry::require_complete(*geometry);
     wire::JoinedSurface joined;
-    for (const session::Drawable& drawable : geometry->drawables) {
+    for (const geometry::Drawable& drawable : geometry->drawables) {
         if (!drawable.polygons()) continue;
         const auto shape = shape_for(drawable, extract.colors, geometry->step, *loaded);
         const Surface& surface = shape->surface;
@@ -125,7 +126,7 @@ int run_command(const ExtractCommand& extract) {
     }
     std::ostringstream bytes;
     const bool is_moved = extract.from_origin || wire::has_floats(format);
-    const Vec3d origin = is_moved ? geometry->file_origin : Vec3d{};
+    const Vec3d origin = is_moved ? wire::file_origin(geometry->first_mesh_bounds) : Vec3d{};
     const wire::ExportedCounts written = wire::write_surface(
         format, {joined.surface(), geometry->origin, joined.values(), extract.triangles, origin}, bytes);
     const std::string text = std::move(bytes).str();

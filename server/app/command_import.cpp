@@ -13,12 +13,12 @@ namespace ciel::app {
 namespace {
 
 struct ImportCommand {
-    store::ImportValues values;
-    store::ImportLimits limits;
+    importing::ImportValues values;
+    importing::ImportLimits limits;
 };
 
 void add_options(CLI::App& command, ImportCommand& import) {
-    for (const store::ImportOption& option : store::import_options) {
+    for (const importing::ImportOption& option : importing::import_options) {
         auto& given = import.values[std::string(option.name)];
         const std::string names(option.names);
         const std::string help(option.help);
@@ -65,10 +65,10 @@ int run_command(const ImportCommand& import) {
     ImportView view(stdout);
     const auto& output = import.values.at("output");
     const bool list = !import.values.at("list").empty();
-    store::ImportListener listener = view.listener();
+    importing::ImportListener listener = view.listener();
     if (list) listener.progress = [](double, const std::string&) {};
     const CancelOnSignal signals;
-    const store::ImportEnd end = store::run_import(import.values, import.limits, listener, signals.cancelled());
+    const importing::ImportEnd end = importing::run_import(import.values, import.limits, listener, signals.cancelled());
     view.clear();
     if (!end.problem.empty()) std::cerr << "ciel: " << end.problem << '\n';
     if (!list && (end.exit_code == 0 || end.exit_code == 3)) std::printf("wrote %s\n", output.back().c_str());

@@ -1,7 +1,7 @@
 // ciel info: what a dataset holds. Touches every chunk, so that every checksum is verified.
 #include "app/commands.hpp"
 #include "ciel/field.hpp"
-#include "session/cell_extremes.hpp"
+#include "store/cell_extremes.hpp"
 #include "store/dataset.hpp"
 
 #include <CLI/CLI.hpp>
@@ -62,7 +62,7 @@ json ambiguous_faces(const Dataset& dataset, const store::ArrayInfo& array) {
     return nullptr;
 }
 
-json extreme_json(const session::CellValue& found) {
+json extreme_json(const store::CellValue& found) {
     return {{"value", found.value}, {"cell", found.cell}, {"place", found.place}, {"time", found.time}};
 }
 
@@ -79,7 +79,7 @@ json array_json(const Dataset& dataset, const store::ArrayInfo& array) {
         range = range.is_null() ? json{low, high}
                                 : json{std::min(low, range[0].get<double>()), std::max(high, range[1].get<double>())};
     }
-    const auto extremes = session::range_extremes(dataset, array);
+    const auto extremes = store::range_extremes(dataset, array);
     return {{"name", array.name},
             {"association", store::to_text(array.association)},
             {"component_names", array.component_names},

@@ -6,13 +6,13 @@
 #include "app/lighting_options.hpp"
 #include "app/scene_options.hpp"
 #include "ciel/printable.hpp"
+#include "frames/picture.hpp"
+#include "geometry/default_scene.hpp"
+#include "limits/errors.hpp"
+#include "probe/shown_bounds.hpp"
 #include "scene/read_json.hpp"
-#include "session/default_scene.hpp"
-#include "session/errors.hpp"
-#include "session/picture.hpp"
-#include "session/shown_bounds.hpp"
-#include "store/files.hpp"
-#include "wire/png.hpp"
+#include "store/files/files.hpp"
+#include "wire/pictures/png.hpp"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -42,7 +42,7 @@ struct RenderCommand {
     LightingOptions lighting;
 };
 
-session::ViewSize parse_size(const std::string& text) {
+geometry::ViewSize parse_size(const std::string& text) {
     std::int64_t width = 0, height = 0;
     const char* const end = text.data() + text.size();
     const auto [cross, first] = std::from_chars(text.data(), end, width);
@@ -51,8 +51,8 @@ session::ViewSize parse_size(const std::string& text) {
     if (second != std::errc{} || stop != end || width < 1 || height < 1)
         throw UsageError("--size " + text + " is not of the form WIDTHxHEIGHT");
     try {
-        session::check_picture_size({}, width, height);
-    } catch (const session::LimitReached& error) {
+        frames::check_picture_size({}, width, height);
+    } catch (const limits::LimitReached& error) {
         throw UsageError("--size " + text + " is too large: " + error.what());
     }
     return {static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height)};
@@ -72,7 +72,7 @@ nlohmann::json read_scene_file(const std::string& path) {
     }
 }
 
-// What was asked for, on everything that can have the colours of an array.
+// What was asked for, on everything that can have the colors of an array.
 void color_layers(const RenderCommand& render, nlohmann::json& layers) {
     bool any = false;
     for (auto& layer : layers) {
@@ -81,7 +81,7 @@ void color_layers(const RenderCommand& render, nlohmann::json& layers) {
             if (render.colors.any()) {
                 any = true;
                 render.colors.apply_to(layer["color"]);
-                layer["color"].erase("array"); // a volume has its own array's colours
+                layer["color"].erase("array"); // a volume has its own array's colors
             }
             continue;
         }
@@ -93,8 +93,8 @@ void color_layers(const RenderCommand& render, nlohmann::json& layers) {
     }
     if (any || !render.colors.any()) return;
     if (render.colors.array)
-        throw UsageError("nothing has colours of an array; give --iso, --slice, --plane, --surface or --volume");
-    throw UsageError("a range, a map and the like are of an array, and nothing has the colours of one; give --color");
+        throw UsageError("nothing has colors of an array; give --iso, --slice, --plane, --surface or --volume");
+    throw UsageError("a range, a map and the like are of an array, and nothing has the colors of one; give --color");
 }
 
 nlohmann::json document_of_options(const RenderCommand& render, const store::Dataset& dataset) {
@@ -103,8 +103,8 @@ nlohmann::json document_of_options(const RenderCommand& render, const store::Dat
     return document;
 }
 
-session::DefaultScene default_document(const RenderCommand& render, store::LoadedDataset& loaded) {
-    session::DefaultScene shown = session::default_scene(loaded, loaded.dataset()->info().name);
+geometry::DefaultScene default_document(const RenderCommand& render, store::LoadedDataset& loaded) {
+    geometry::DefaultScene shown = geometry::default_scene(loaded, loaded.dataset()->info().name);
     shown.document.erase("camera"); // made for a page's canvas; the picture's own shape and annotations decide here
     if (render.scene.time) shown.document["time"] = time_of_step(*loaded.dataset(), *render.scene.time);
     return shown;
@@ -114,7 +114,7 @@ nlohmann::json document_of_file(const RenderCommand& render, const std::string& 
     if (render.scene.has_layers() || render.layers.any() || render.colors.any() || render.background)
         throw UsageError(
             "--scene says what to show and how; leave out --iso, --slice, --plane, --volume, --background, "
-            "the options of layers, and what is about colours");
+            "the options of layers, and what is about colors");
     nlohmann::json document = read_scene_file(render.scene_file);
     if (!document.is_object()) return document;                        // refused with the place by who checks it
     document = scene::merge_patch(nlohmann::json::object(), document); // null and absent mean the same in a scene
@@ -128,7 +128,7 @@ nlohmann::json document_of_file(const RenderCommand& render, const std::string& 
 
 struct Wanted { // NOLINT(bugprone-exception-escape): of what a json moves, nothing throws
     nlohmann::json document;
-    std::optional<session::BoundingBox> box; // what a camera that nobody chose looks at; none: what is shown
+    std::optional<geometry::BoundingBox> box; // what a camera that nobody chose looks at; none: what is shown
 };
 
 Wanted wanted_by(const RenderCommand& render, store::LoadedDataset& loaded) {
@@ -137,7 +137,7 @@ Wanted wanted_by(const RenderCommand& render, store::LoadedDataset& loaded) {
     if (render.scene.has_layers() || render.layers.has_layers()) {
         wanted.document = document_of_options(render, *loaded.dataset());
     } else {
-        session::DefaultScene shown = default_document(render, loaded);
+        geometry::DefaultScene shown = default_document(render, loaded);
         wanted = {std::move(shown.document), shown.box};
     }
     render.layers.apply(wanted.document["layers"]);
@@ -166,7 +166,7 @@ void annotate(const RenderCommand& render, nlohmann::json& document) {
 }
 
 int run_command(const RenderCommand& render) {
-    const session::ViewSize size = parse_size(render.size);
+    const geometry::ViewSize size = parse_size(render.size);
     const render::Backend backend = render::backend_named(render.gl);
     if (lower_case_extension(render.output) != ".png")
         throw UsageError("-o " + render.output + ": pictures are .png files");
@@ -180,11 +180,11 @@ int run_command(const RenderCommand& render) {
     scene::Scene scene = parse_scene(document);
     render.camera.project(scene);
     const auto geometry = make_geometry(scene, loaded, render.scene.extraction.chosen());
-    render.camera.stand_back(scene, *geometry, size, box.value_or(session::shown_bounds(*geometry, scene)));
+    render.camera.stand_back(scene, *geometry, size, box.value_or(probe::shown_bounds(*geometry, scene)));
     render::Image image;
     render::Renderer renderer(backend);
-    renderer.draw(session::picture_of(*geometry, scene, size), image);
-    for (const std::string& remark : session::remarks_on(*geometry, renderer))
+    renderer.draw(frames::picture_of(*geometry, scene, size), image);
+    for (const std::string& remark : frames::remarks_on(*geometry, renderer))
         std::cerr << "ciel: " << printable(remark) << '\n';
     std::vector<std::uint8_t> png;
     wire::encode_png(image.width, image.height, image.rgb, png);

@@ -1,15 +1,16 @@
 // ciel serve [DATA ...]
 #include "app/commands.hpp"
+#include "app/engine_service.hpp"
 #include "app/import_view.hpp"
 #include "app/limit_options.hpp"
 #include "app/scene_options.hpp"
 #include "ciel/parallel.hpp"
 #include "ciel/types.hpp"
+#include "engine/server.hpp"
 #include "gateway/gateway.hpp"
+#include "importing/import_missing.hpp"
+#include "logging/log.hpp"
 #include "render/renderer.hpp"
-#include "session/log.hpp"
-#include "session/server.hpp"
-#include "store/import_missing.hpp"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -38,21 +39,21 @@ struct ServeOptions {
     std::string gl = "auto", log_level = "info", log_format = "text";
     ExtractionOptions extraction;
     unsigned render_workers = 1, threads = 0;
-    int still_samples = session::default_still_samples;
-    session::Limits limits;
+    int still_samples = frames::default_still_samples;
+    limits::Limits limits;
     bool allow_append = false;
     gateway::GatewayOptions gateway;
 };
 
 // One input that cannot be imported does not take the others with it; when none can, there is nothing to serve.
-std::vector<store::Servable> import_what_is_foreign(const ServeOptions& options) {
+std::vector<importing::Servable> import_what_is_foreign(const ServeOptions& options) {
     ImportView view(stderr); // stdout has the address alone
     CancelOnSignal signals;
     auto servable =
-        store::import_missing(options.data, options.import_folder, {}, view.listener(), signals.cancelled());
+        importing::import_missing(options.data, options.import_folder, {}, view.listener(), signals.cancelled());
     view.clear();
     signals.end();
-    const auto failed = [](const store::Servable& each) { return !each.problem.empty(); };
+    const auto failed = [](const importing::Servable& each) { return !each.problem.empty(); };
     if (!servable.empty() && std::all_of(servable.begin(), servable.end(), failed)) throw Error(servable[0].problem);
     return servable;
 }
@@ -107,7 +108,7 @@ void print_address(const gateway::Listening& listening) {
               << "/?token=" << listening.token << std::endl;
 }
 
-void log_renderer(session::Server& server) {
+void log_renderer(engine::Server& server) {
     const auto readiness = server.readiness();
     if (readiness.ready)
         spdlog::info("drawing with {} ({}, OpenGL {})", readiness.gl_renderer, readiness.backend, readiness.gl_version);
@@ -116,14 +117,14 @@ void log_renderer(session::Server& server) {
 }
 
 int serve(ServeOptions& options) {
-    session::start_log(options.log_level,
-                       options.log_format == "json" ? session::LogFormat::json : session::LogFormat::text);
+    logging::start_log(options.log_level,
+                       options.log_format == "json" ? logging::LogFormat::json : logging::LogFormat::text);
     complete_token(options);
     set_thread_count(options.threads);
     if (options.gateway.webclient.empty()) options.gateway.webclient = find_webclient();
     if (options.gateway.webclient.empty()) spdlog::warn("no web client found; name its folder with --webclient");
 
-    session::ServerOptions server_options;
+    engine::ServerOptions server_options;
     const auto servable = import_what_is_foreign(options);
     for (const auto& each : servable)
         if (each.problem.empty()) server_options.data.push_back(each.path);
@@ -134,11 +135,12 @@ int serve(ServeOptions& options) {
     server_options.limits = options.limits;
     server_options.allow_append = options.allow_append;
     for (const auto& path : server_options.data) warn_of_files_to_import(path);
-    session::Server server(std::move(server_options));
+    engine::Server server(std::move(server_options));
     for (const auto& each : servable)
         if (!each.problem.empty()) server.catalog().add_failed(each.path, each.problem);
     options.gateway.version = CIEL_VERSION;
-    return gateway::serve(server, options.gateway, [&](const gateway::Listening& listening) {
+    EngineService service(server);
+    return gateway::serve(service, options.gateway, [&](const gateway::Listening& listening) {
         log_renderer(server);
         for (const auto& entry : server.catalog().list())
             entry.problem.empty() ? spdlog::info("dataset {}", entry.name)

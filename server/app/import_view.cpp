@@ -41,7 +41,7 @@ void ImportView::clear() const {
     if (terminal_) std::fprintf(stderr, "\r%*s\r", width + 52, "");
 }
 
-store::ImportListener ImportView::listener() {
+importing::ImportListener ImportView::listener() {
     return {[this](double share, const std::string& phase) { progress(share, phase); },
             [this](const std::string& text) { line(text); }};
 }

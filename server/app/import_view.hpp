@@ -1,7 +1,7 @@
 // An import as a person at a terminal sees it, for `ciel import` and for `ciel serve FILE`.
 #pragma once
 
-#include "store/importer.hpp"
+#include "importing/importer.hpp"
 
 #include <atomic>
 #include <csignal>
@@ -15,8 +15,8 @@ public:
     explicit ImportView(std::FILE* out);
     void progress(double share, const std::string& phase);
     void line(const std::string& line) const;
-    void clear() const;                             // takes the bar away
-    [[nodiscard]] store::ImportListener listener(); // borrows this view
+    void clear() const;                                 // takes the bar away
+    [[nodiscard]] importing::ImportListener listener(); // borrows this view
 
 private:
     std::FILE* out_;

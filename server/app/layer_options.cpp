@@ -112,7 +112,7 @@ void LayerOptions::add_to(CLI::App& command) {
     command.add_flag("--edges", edges, "Lines along the edges of all polygons: those of the cells.");
     command.add_option("--contours", contours, "Contour lines of a point scalar on slices: ten, or at these values.")
         ->type_name("ARRAY[=VALUE,...]");
-    command.add_option("--contour-map", contour_map, "Each contour line in the colour of its value on this map.")
+    command.add_option("--contour-map", contour_map, "Each contour line in the color of its value on this map.")
         ->type_name("NAME");
     command
         .add_option("--clip", clips,
@@ -156,7 +156,7 @@ void LayerOptions::apply(nlohmann::json& layers) const {
         throw UsageError("nothing has polygons whose edges could be drawn; give --iso, --slice or --surface");
     for (std::size_t i = 0; i < clips.size(); ++i) layers["clip" + std::to_string(i + 1)] = clip_of(clips[i]);
     if (contours.empty() && !contour_map.empty())
-        throw UsageError("--contour-map colours contour lines; give --contours");
+        throw UsageError("--contour-map colors contour lines; give --contours");
     if (contours.empty()) return;
     nlohmann::json lines = contours_of(contours);
     if (!contour_map.empty()) check_map("--contour-map", contour_map);

@@ -11,7 +11,7 @@ void LightingOptions::add_to(CLI::App& command) {
     const auto strength = [&](const char* option, std::optional<double>& value, const char* what) {
         command.add_option(option, value, what)->type_name("STRENGTH");
     };
-    command.add_flag("--unlit", unlit, "All in its own colours, without light and shade.");
+    command.add_flag("--unlit", unlit, "All in its own colors, without light and shade.");
     strength("--headlight", headlight, "Of the light at the eye; 0: off, 1 by default.");
     strength("--key-light", key_light, "Of the light over the viewer's left shoulder; 0: off, 1 by default.");
     strength("--ambient", ambient, "Of the light from everywhere; 1 by default.");

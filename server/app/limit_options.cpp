@@ -1,15 +1,15 @@
 #include "app/limit_options.hpp"
 
 #include "ciel/types.hpp"
-#include "session/limits.hpp"
+#include "limits/limits.hpp"
 
 #include <CLI/CLI.hpp>
 
 namespace ciel::app {
 namespace {
 
-const char* type_name(session::LimitRow::Unit unit) {
-    using Unit = session::LimitRow::Unit;
+const char* type_name(limits::LimitRow::Unit unit) {
+    using Unit = limits::LimitRow::Unit;
     switch (unit) {
     case Unit::bytes:
         return "BYTES";
@@ -27,19 +27,19 @@ const char* type_name(session::LimitRow::Unit unit) {
 
 } // namespace
 
-void add_limits(CLI::App& command, session::Limits& limits) {
-    for (const auto& row : session::limit_rows()) {
+void add_limits(CLI::App& command, limits::Limits& limits) {
+    for (const auto& row : limits::limit_rows()) {
         const auto set = [&limits, &row](const std::string& text) {
             try {
-                limits.*row.member = session::parse_limit(row, text);
+                limits.*row.member = limits::parse_limit(row, text);
             } catch (const Error& error) {
-                throw CLI::ValidationError(session::option_of(row), error.what());
+                throw CLI::ValidationError(limits::option_of(row), error.what());
             }
         };
-        command.add_option_function<std::string>(session::option_of(row), set, std::string(row.description))
-            ->default_str(session::limit_text(row, limits.*row.member))
+        command.add_option_function<std::string>(limits::option_of(row), set, std::string(row.description))
+            ->default_str(limits::limit_text(row, limits.*row.member))
             ->type_name(type_name(row.unit))
-            ->envname(session::environment_of(row))
+            ->envname(limits::environment_of(row))
             ->group("Limits (sizes also with K, M, G, T; memory also as a share of the machine's or the cgroup's)");
     }
 }

@@ -1,16 +1,16 @@
-// An option and an environment variable for each row of session/limits.hpp.
+// An option and an environment variable for each row of limits/limits.hpp.
 #pragma once
 
 namespace CLI {
 class App;
 }
-namespace ciel::session {
+namespace ciel::limits {
 struct Limits;
 }
 
 namespace ciel::app {
 
 // `limits` must live until the command line has been parsed.
-void add_limits(CLI::App& command, session::Limits& limits);
+void add_limits(CLI::App& command, limits::Limits& limits);
 
 } // namespace ciel::app

@@ -76,17 +76,20 @@ void SceneOptions::add_to(CLI::App& command) {
 }
 
 void ExtractionOptions::add_to(CLI::App& command) {
-    command.add_option("--engine", engine, "What extracts surfaces; also CIEL_ENGINE.")
-        ->check(CLI::IsMember({"signatures", "propagation"}))
-        ->envname("CIEL_ENGINE")
+    const CLI::IsMember known({"signatures", "propagation"});
+    command.add_option("--algorithm", algorithm, "How surfaces are extracted; also CIEL_ALGORITHM.")
+        ->check(known)
+        ->envname("CIEL_ALGORITHM")
         ->capture_default_str();
+    // The name before version 0.3, hidden from --help; 0.4 no longer takes it.
+    command.add_option("--engine", algorithm)->check(known)->envname("CIEL_ENGINE")->group("");
     command.add_option("--decider", decider, "How points on ambiguous faces are joined.")
         ->check(CLI::IsMember({"isolate-high", "asymptotic"}))
         ->capture_default_str();
 }
 
 Extraction ExtractionOptions::chosen() const {
-    return {engine == "propagation" ? Engine::propagation : Engine::signatures,
+    return {algorithm == "propagation" ? Algorithm::propagation : Algorithm::signatures,
             decider == "asymptotic" ? Decider::asymptotic : Decider::isolate_high};
 }
 
@@ -131,10 +134,10 @@ scene::Scene parse_scene(const nlohmann::json& document) {
     }
 }
 
-std::shared_ptr<const session::Geometry>
+std::shared_ptr<const geometry::Geometry>
 make_geometry(const scene::Scene& scene, const std::shared_ptr<store::LoadedDataset>& loaded, Extraction extraction) {
     try {
-        return session::SceneGeometry(extraction).update(scene, loaded);
+        return geometry::SceneGeometry(extraction).update({scene, loaded});
     } catch (const scene::Invalid& error) {
         throw Error(printable(error.path) + ": " + error.what());
     }

@@ -2,7 +2,7 @@
 // and files are made the way the server makes them.
 #pragma once
 
-#include "session/scene_geometry.hpp"
+#include "geometry/scene_geometry.hpp"
 
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
@@ -15,9 +15,9 @@ class App;
 
 namespace ciel::app {
 
-// --engine and --decider: how surfaces are made.
+// --algorithm and --decider: how surfaces are made.
 struct ExtractionOptions {
-    std::string engine = "signatures", decider = "isolate-high";
+    std::string algorithm = "signatures", decider = "isolate-high";
 
     void add_to(CLI::App& command);
     [[nodiscard]] Extraction chosen() const;
@@ -34,7 +34,7 @@ struct SceneOptions {
         return !isos.empty() || !slices.empty() || !planes.empty() || !volumes.empty();
     }
     void check_time() const; // throws UsageError where it is no finite number
-    // The layers without colours, at the asked time or else at the first step. Throws UsageError on an option that
+    // The layers without colors, at the asked time or else at the first step. Throws UsageError on an option that
     // cannot be read.
     [[nodiscard]] nlohmann::json document(const store::Dataset& dataset) const;
 };
@@ -42,7 +42,7 @@ struct SceneOptions {
 [[nodiscard]] std::shared_ptr<store::LoadedDataset> load_dataset(const std::string& path);
 // Throws Error with the place in the document when it cannot be shown.
 [[nodiscard]] scene::Scene parse_scene(const nlohmann::json& document);
-[[nodiscard]] std::shared_ptr<const session::Geometry>
+[[nodiscard]] std::shared_ptr<const geometry::Geometry>
 make_geometry(const scene::Scene& scene, const std::shared_ptr<store::LoadedDataset>& loaded, Extraction extraction);
 
 // The time of the step nearest to `time`; says so on stderr where it is another one.

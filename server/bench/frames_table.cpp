@@ -2,11 +2,12 @@
 // Moving ones are coded as JPEG too, which is not in the whole. Each change is measured twice: in one go, and with
 // every stage finished before the next begins.
 #include "bench/case.hpp"
+#include "frames/frame_of.hpp"
+#include "geometry/scene_geometry.hpp"
 #include "render/renderer.hpp"
-#include "session/scene_geometry.hpp"
-#include "wire/jpeg_stream.hpp"
-#include "wire/png.hpp"
-#include "wire/png_stream.hpp"
+#include "wire/pictures/jpeg_stream.hpp"
+#include "wire/pictures/png.hpp"
+#include "wire/pictures/png_stream.hpp"
 
 #include <algorithm>
 #include <array>
@@ -100,7 +101,7 @@ public:
             low[k] = mesh.bounds[2 * k];
             high[k] = mesh.bounds[2 * k + 1];
         }
-        const render::Camera from = render::default_camera(low, high, double{width} / height);
+        const annotations::Camera from = annotations::default_camera(low, high, double{width} / height);
         const double angle = share * pi, dx = from.position[0] - from.target[0], dy = from.position[1] - from.target[1];
         scene.camera = scene::Camera{};
         scene.camera->position = {from.target[0] + dx * std::cos(angle) - dy * std::sin(angle),
@@ -122,8 +123,8 @@ private:
 
     void frame(Laps* laps) {
         const auto geometry =
-            geometry_.update(scene_, data_.loaded, {}, std::numeric_limits<std::size_t>::max(), !still_);
-        const render::Frame drawn = session::frame_of(*geometry, scene_, width, height, still_ ? 4 : 1);
+            geometry_.update({scene_, data_.loaded}, {}, std::numeric_limits<std::size_t>::max(), !still_);
+        const render::Frame drawn = frames::frame_of(*geometry, scene_, width, height, still_ ? 4 : 1);
         if (laps != nullptr) laps->lap();
         render::AfterStage after;
         if (laps != nullptr) after = [laps](render::DrawStage) { laps->lap(); };
@@ -144,7 +145,7 @@ private:
 
     const Case& data_;
     scene::Scene scene_;
-    session::SceneGeometry geometry_{Extraction{}};
+    geometry::SceneGeometry geometry_{Extraction{}};
     render::Renderer renderer_{render::Backend::automatic};
     wire::PngStream png_stream_;
     wire::JpegStream jpeg_stream_;

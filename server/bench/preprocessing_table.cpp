@@ -1,7 +1,5 @@
 #include "bench/case.hpp"
-#include "ciel/field_blocks.hpp"
 #include "ciel/geometric_vertices.hpp"
-#include "ciel/parallel.hpp"
 
 #include <cmath>
 #include <functional>
@@ -56,10 +54,7 @@ Table preprocessing_table(const Case& data) {
     add("make a field current", [&] { const Field field = field_of(data, data.values); });
     add("the same, its values taken in by all blocks", [&] {
         const Field field = field_of(data, data.values);
-        parallel_for(data.topology->block_count(), 4, [&](std::size_t begin, std::size_t end) {
-            for (std::size_t block = begin; block < end; ++block)
-                (void)field.blocks().of_block(static_cast<Index>(block));
-        });
+        field.take_in();
     });
     add("gradients at all vertices", [&] { (void)vertex_gradients(*data.topology, data.mesh, *data.values); });
     add("ambiguous faces", [&] { (void)count_ambiguous_faces(data.mesh, *data.values); });

@@ -12,7 +12,7 @@ constexpr std::size_t slice_count = 100;
 
 class Slices {
 public:
-    Slices(const Case& data, Engine engine) : data_(data), query_(*data.topology, data.mesh, engine) {}
+    Slices(const Case& data, Algorithm algorithm) : data_(data), query_(*data.topology, data.mesh, algorithm) {}
 
     std::uint64_t draw(const Field& distance) {
         query_.set_field(distance);
@@ -66,10 +66,10 @@ Table slices_table(const Case& data) {
     const double part = 1 / std::sqrt(3.0);
     const Vec3d box{1, 0, 0}, screen{part, part, part};
     const Field kept = distance_along(data, box);
-    for (const auto& [engine, name] : {std::pair{Engine::naive, "naive"},
-                                       {Engine::propagation, "propagation"},
-                                       {Engine::signatures, "signatures"}}) {
-        Slices slices(data, engine);
+    for (const auto& [algorithm, name] : {std::pair{Algorithm::naive, "naive"},
+                                          {Algorithm::propagation, "propagation"},
+                                          {Algorithm::signatures, "signatures"}}) {
+        Slices slices(data, algorithm);
         table.rows.push_back(measure(std::string("100 box-aligned, ") + name, [&] { return slices.draw(kept); }));
         table.rows.push_back(measure(std::string("100 screen-aligned, ") + name, [&] {
             const Field distance = distance_along(data, screen);

@@ -7,11 +7,11 @@ namespace ciel::bench {
 
 namespace {
 
-// One engine on the case's field, with a surface that keeps its buffers.
+// One algorithm on the case's field, with a surface that keeps its buffers.
 class Surfaces {
 public:
-    Surfaces(const Case& data, Engine engine, const char* name)
-        : data_(data), name_(name), field_(field_of(data, data.values)), query_(*data.topology, data.mesh, engine) {
+    Surfaces(const Case& data, Algorithm algorithm, const char* name)
+        : data_(data), name_(name), field_(field_of(data, data.values)), query_(*data.topology, data.mesh, algorithm) {
         query_.set_field(field_);
         low_ = field_.range()[0];
         high_ = field_.range()[1];
@@ -137,9 +137,9 @@ private:
 
 Table surfaces_table(const Case& data) {
     Table table{"surfaces", {}, {}};
-    Surfaces(data, Engine::naive, "naive").add_rows(table);
-    Surfaces(data, Engine::propagation, "propagation").add_rows(table);
-    Surfaces(data, Engine::signatures, "signatures").add_rows(table);
+    Surfaces(data, Algorithm::naive, "naive").add_rows(table);
+    Surfaces(data, Algorithm::propagation, "propagation").add_rows(table);
+    Surfaces(data, Algorithm::signatures, "signatures").add_rows(table);
     return table;
 }
 

@@ -1,6 +1,6 @@
 #include "bench/volume_pictures.hpp"
 
-#include "render/camera.hpp"
+#include "annotations/camera.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -19,7 +19,7 @@ class Screen {
 public:
     explicit Screen(const render::Frame& frame, int coarseness)
         : half_(glm::dvec2(frame.width, frame.height) / (2.0 * coarseness)) {
-        const render::ViewTransform transform = render::view_transform(frame);
+        const annotations::ViewTransform transform = annotations::view_transform(frame);
         to_clip_ = transform.projection * transform.view;
     }
     [[nodiscard]] double area(const Vec3f& a, const Vec3f& b, const Vec3f& c) const {
@@ -89,13 +89,15 @@ std::uint64_t VolumePictures::draw(bool shaded, std::size_t stride) {
 }
 
 void VolumePictures::turn(double degrees) {
-    render::Camera& camera = frame_.camera;
+    annotations::Camera& camera = frame_.camera;
     const glm::dvec3 target = vector_of(camera.target);
     const glm::dmat4 rotation = glm::rotate(glm::dmat4(1), glm::radians(degrees), vector_of(camera.up));
     camera.position = array_of(target + glm::dmat3(rotation) * (vector_of(camera.position) - target));
 }
 
-void VolumePictures::turn_back() { frame_.camera = render::default_camera(frame_.bounds_min, frame_.bounds_max, 1); }
+void VolumePictures::turn_back() {
+    frame_.camera = annotations::default_camera(frame_.bounds_min, frame_.bounds_max, 1);
+}
 
 Vec3d VolumePictures::view_direction() const {
     return array_of(glm::normalize(vector_of(frame_.camera.target) - vector_of(frame_.camera.position)));

@@ -1,7 +1,7 @@
 // A volume as ciel draws it, of 100 slices at 1024 x 1024 pixels, from one place after another around it. Slices across
 // an axis of the box are kept while the camera turns; those across the view are cut anew for each picture.
 #include "bench/volume_pictures.hpp"
-#include "session/volume_cut.hpp"
+#include "geometry/volume_cut.hpp"
 
 #include <algorithm>
 
@@ -31,9 +31,9 @@ Table volume_table(const Case& data) {
     const Vec3d box{0, 1, 0};
     table.rows.push_back(measure("cut box-aligned", [&] { return pictures.cut(box); }));
     const render::Volume& volume = pictures.volume();
-    const double loss = session::largest_loss(volume.opacity_points, volume.unit_length,
-                                              volume.thickness * static_cast<double>(volume.slices.size()));
-    const std::size_t preview_stride = session::moving_stride(VolumePictures::slice_count, data.values->size(), loss);
+    const double loss = geometry::largest_loss(volume.opacity_points, volume.unit_length,
+                                               volume.thickness * static_cast<double>(volume.slices.size()));
+    const std::size_t preview_stride = geometry::moving_stride(VolumePictures::slice_count, data.values->size(), loss);
     for (const bool shaded : {true, false}) {
         pictures.turn_back();
         table.rows.push_back(measure(

@@ -12,7 +12,7 @@ namespace {
 
 constexpr rlim_t enough_files = 65536; // some programs close all that they might have, one by one
 
-ConnectionRules rules_of(const session::Limits& limits) {
+ConnectionRules rules_of(const limits::Limits& limits) {
     return {limits.connections, limits.reserved_connections, limits.connections_of_address};
 }
 
@@ -38,9 +38,9 @@ std::size_t raised_file_limit() {
 
 } // namespace
 
-Context::Context(session::Server& server_, const GatewayOptions& options, AccessRules access_)
-    : server(server_), prefix(normal_prefix(options.prefix)), version(options.version), own_user(own_user_name()),
+Context::Context(Service& service_, const GatewayOptions& options, AccessRules access_)
+    : service(service_), prefix(normal_prefix(options.prefix)), version(options.version), own_user(own_user_name()),
       access(std::move(access_)), files(options.webclient.empty() ? StaticFiles() : StaticFiles(options.webclient)),
-      connections(rules_of(server_.limits())), proxies(options.trusted_proxies), most_files(raised_file_limit()) {}
+      connections(rules_of(service_.limits())), proxies(options.trusted_proxies), most_files(raised_file_limit()) {}
 
 } // namespace ciel::gateway

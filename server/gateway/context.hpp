@@ -3,11 +3,11 @@
 
 #include "gateway/access.hpp"
 #include "gateway/connections.hpp"
-#include "gateway/log_limiter.hpp"
 #include "gateway/peer_owner.hpp"
 #include "gateway/remote_address.hpp"
+#include "gateway/service.hpp"
 #include "gateway/static_files.hpp"
-#include "session/server.hpp"
+#include "logging/log_limiter.hpp"
 
 #include <array>
 #include <atomic>
@@ -21,9 +21,9 @@ struct Counters { // for /metrics
 };
 
 struct Context {
-    Context(session::Server& server_, const GatewayOptions& options, AccessRules access_);
+    Context(Service& service_, const GatewayOptions& options, AccessRules access_);
 
-    session::Server& server;
+    Service& service;
     std::string prefix, version, own_user; // own_user: the name of this process's
     AccessRules access;
     StaticFiles files;
@@ -31,7 +31,7 @@ struct Context {
     Connections connections;
     TrustedProxies proxies;
     std::size_t most_files; // descriptors that the process may have
-    LogLimiter log_limiter;
+    logging::LogLimiter log_limiter;
     PeerOwners owners;
     std::atomic<std::uint64_t> guesses_waiting{0}; // answers to wrong tokens
     std::atomic<bool> draining{false};

@@ -32,12 +32,13 @@ AccessRules access_rules(const GatewayOptions& options, bool loopback, unsigned 
 }
 
 // The process's sockets and threads, from the first signal to the end.
-class Service {
+class Gateway {
 public:
-    Service(session::Server& server, const GatewayOptions& options)
+    Gateway(Service& service, const GatewayOptions& options)
         : address_(resolve_host(options.host)), acceptor_(bind(io_, address_, options.port)),
           threads_(std::max(1U, options.threads)), workers_(std::max(1U, options.workers)),
-          context_(server, options, access_rules(options, address_.is_loopback(), acceptor_.local_endpoint().port())) {}
+          context_(service, options, access_rules(options, address_.is_loopback(), acceptor_.local_endpoint().port())) {
+    }
 
     int run(const std::function<void(const Listening&)>& on_listening) {
         asio::co_spawn(one_at_a_time_, drain_on_signal(), asio::detached);
@@ -74,21 +75,21 @@ private:
     asio::awaitable<void> drain() {
         spdlog::info("stopping: {} connections", context_.connections.count());
         const auto begin = Clock::now();
-        const auto half = std::chrono::milliseconds(500) * context_.server.limits().drain_seconds;
+        const auto half = std::chrono::milliseconds(500) * context_.service.limits().drain_seconds;
         const auto is_over = [this] { return server_drained_ && context_.connections.count() == 0; };
         acceptor_.close();
         context_.draining = true;
-        context_.server.announce_end();
+        context_.service.announce_end();
         asio::post(workers_, [this] {
-            context_.server.drain_frames();
+            context_.service.drain_frames();
             frames_drained_ = true;
-            context_.server.drain();
+            context_.service.drain();
             server_drained_ = true;
         });
         co_await until(begin + half, [this] { return frames_drained_.load(); });
         context_.connections.drain_all(); // each ends when its calls have been answered and the answers are read
         co_await until(begin + half, is_over);
-        context_.server.give_up();
+        context_.service.give_up();
         context_.connections.drain_all(); // the second time they end without their answers
         co_await until(begin + 2 * half - half / 4, is_over);
         context_.connections.drain_all(); // the third time without the client's leave
@@ -106,7 +107,7 @@ private:
         }
     }
 
-    // Methods that still run hold references into the server: the process must end without taking it apart. Datasets
+    // Calls that still run hold references into the service: the process must end without taking it apart. Datasets
     // are only read, so nothing is left half-written.
     [[noreturn]] static void abandon() {
         spdlog::warn("stopped with requests still under way");
@@ -129,10 +130,9 @@ private:
 
 } // namespace
 
-int serve(session::Server& server, const GatewayOptions& options,
-          const std::function<void(const Listening&)>& on_listening) {
-    Service service(server, options);
-    return service.run(on_listening);
+int serve(Service& service, const GatewayOptions& options, const std::function<void(const Listening&)>& on_listening) {
+    Gateway gateway(service, options);
+    return gateway.run(on_listening);
 }
 
 } // namespace ciel::gateway

@@ -1,7 +1,7 @@
 // HTTP and WebSocket by Boost.Beast. The only folder that knows it.
 #pragma once
 
-#include "session/server.hpp"
+#include "gateway/service.hpp"
 
 #include <filesystem>
 #include <functional>
@@ -42,7 +42,6 @@ struct Listening {
 // once. on_listening is called from the thread that called serve, before anything is served. Throws Error when the
 // address cannot be bound, the token is badly formed, or the web client's folder cannot be read. Returns the process's
 // exit code.
-int serve(session::Server& server, const GatewayOptions& options,
-          const std::function<void(const Listening&)>& on_listening);
+int serve(Service& service, const GatewayOptions& options, const std::function<void(const Listening&)>& on_listening);
 
 } // namespace ciel::gateway

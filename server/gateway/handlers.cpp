@@ -53,23 +53,20 @@ Response websocket_expected(Context&, const Request&, const Target&) {
 Response healthz(Context&, const Request&, const Target&) { return sentence(200, "ok"); }
 
 Response readyz(Context& context, const Request&, const Target&) {
-    session::Readiness readiness = context.server.readiness_by_now();
+    Readiness readiness = context.service.readiness();
     if (context.draining) {
         readiness.ready = false;
         readiness.problem = "the server is about to stop";
     }
-    const nlohmann::json answer{{"ready", readiness.ready},
-                                {"gl_renderer", readiness.gl_renderer},
-                                {"gl_version", readiness.gl_version},
-                                {"backend", readiness.backend},
-                                {"problem", readiness.problem}};
+    nlohmann::json answer{{"ready", readiness.ready}, {"problem", readiness.problem}};
+    for (const auto& [name, value] : readiness.facts) answer[name] = value;
     return json(readiness.ready ? 200 : 503, answer.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
 }
 
 Response metrics(Context& context, const Request&, const Target&) {
     Response response = sentence(200, "");
     response.content_type = "text/plain; version=0.0.4; charset=utf-8";
-    response.body = context.server.metrics();
+    response.body = context.service.metrics();
     if (!response.body.empty() && !response.body.ends_with('\n')) response.body += '\n';
     response.body += gateway_metrics(context);
     return response;

@@ -6,8 +6,8 @@
 #include "gateway/routes.hpp"
 #include "gateway/rpc_call.hpp"
 #include "gateway/websocket_session.hpp"
-#include "session/log.hpp"
-#include "session/memory.hpp"
+#include "limits/memory.hpp"
+#include "logging/log.hpp"
 
 #include <boost/asio/write.hpp>
 #include <boost/beast/core/flat_buffer.hpp>
@@ -33,7 +33,7 @@ constexpr int blank_lines = 8; // before a request; RFC 9112, 2.2, wants one to 
 class HttpSession {
 public:
     HttpSession(ConnectionStart start, Context& context, asio::thread_pool& workers)
-        : start_(std::move(start)), context_(context), limits_(context.server.limits()), workers_(workers),
+        : start_(std::move(start)), context_(context), limits_(context.service.limits()), workers_(workers),
           stream_(std::move(start_.socket)), deadline_(stream_), guess_pause_(stream_.get_executor()) {
         address_ = without_mapping(start_.peer.address()).to_string();
         remote_ = address_ + ":" + std::to_string(start_.peer.port());
@@ -131,7 +131,7 @@ private:
     Request request_of(const HttpRequest& message) const {
         Request request = plain_request(message);
         request.remote = remote_;
-        request.id = session::next_request_id();
+        request.id = logging::next_request_id();
         request.address = address_;
         request.is_of_own_user = is_of_own_user_;
         if (!start_.is_of_trusted_proxy) request.user = is_of_own_user_ && !request.is_proxied ? context_.own_user : "";
@@ -158,8 +158,8 @@ private:
                 resolved = refused(std::move(*problem));
             else {
                 HttpRequest message = parser.release();
-                WebSocketPeer peer{request.remote, request.user, resolved.claim == Claim::token};
-                co_await upgrade(std::move(message), std::move(peer));
+                Client client{0, request.remote, request.user, {}, resolved.claim == Claim::token};
+                co_await upgrade(std::move(message), std::move(client));
                 co_return false;
             }
         }
@@ -191,7 +191,7 @@ private:
         const std::string status = std::to_string(refusal.status);
         if (refusal.status < 400 || refusal.status == 404) return;
         if (!context_.log_limiter.allows(status + " " + request.address)) return;
-        session::log_event(session::LogLevel::warning, "a request was refused",
+        logging::log_event(logging::LogLevel::warning, "a request was refused",
                            {{"status", status},
                             {"reason", refusal.body.substr(0, refusal.body.find('\n'))},
                             {"remote", request.address},
@@ -203,7 +203,7 @@ private:
     // Makes guessing slow: the answer waits, and of many guesses at a time most get none.
     asio::awaitable<void> slow_down(const Request& request, Resolved& resolved) {
         if (context_.log_limiter.allows("token " + request.address))
-            session::log_event(session::LogLevel::warning, "a wrong token was refused",
+            logging::log_event(logging::LogLevel::warning, "a wrong token was refused",
                                {{"remote", request.address},
                                 {"user", request.user},
                                 {"request", request.id},
@@ -239,11 +239,11 @@ private:
         return sentence(408, "The request did not arrive whole within " + std::to_string(allowed_seconds_) + " s.");
     }
 
-    asio::awaitable<void> upgrade(HttpRequest message, WebSocketPeer peer) {
+    asio::awaitable<void> upgrade(HttpRequest message, Client client) {
         *start_.on_drain = nullptr;
         *start_.on_cut = nullptr; // a WebSocket is never cut
         deadline_.stop();
-        co_await websocket_session(std::move(stream_), std::move(message), std::move(peer), start_.on_drain, context_,
+        co_await websocket_session(std::move(stream_), std::move(message), std::move(client), start_.on_drain, context_,
                                    workers_);
     }
 
@@ -278,7 +278,7 @@ private:
         if (!refusal) co_return;
         const Resolved resolved = refused(std::move(*refusal));
         Request unknown;
-        unknown.id = session::next_request_id();
+        unknown.id = logging::next_request_id();
         unknown.address = address_;
         tell_refusal(unknown, *resolved.refusal);
         Response response = respond(context_, unknown, resolved);
@@ -292,7 +292,7 @@ private:
         message.set(http::field::date, http_date(std::time(nullptr)));
         for (const auto& [name, value] : response.headers) message.insert(name, value);
         message.keep_alive(keep_alive);
-        session::Memory::Charge held(context_.server.memory(), session::Held::unsent);
+        limits::Memory::Charge held(context_.service.memory(), limits::Held::unsent);
         held.note(response.body.size());
         message.body() = std::move(response.body);
         if (response.status != 204 && response.status != 304) {
@@ -329,7 +329,7 @@ private:
 
     ConnectionStart start_;
     Context& context_;
-    const session::Limits& limits_;
+    const limits::Limits& limits_;
     asio::thread_pool& workers_;
     beast::tcp_stream stream_;
     Deadline deadline_; // of what is read

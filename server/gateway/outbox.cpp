@@ -7,8 +7,8 @@
 
 namespace ciel::gateway {
 
-Outbox::Outbox(std::size_t most_bytes, session::Memory& memory, std::function<void()> on_push)
-    : on_push_(std::move(on_push)), share_(most_bytes / 2), held_(memory, session::Held::unsent) {}
+Outbox::Outbox(std::size_t most_bytes, limits::Memory& memory, std::function<void()> on_push)
+    : on_push_(std::move(on_push)), share_(most_bytes / 2), held_(memory, limits::Held::unsent) {}
 
 void Outbox::push_text(std::string text) {
     const std::lock_guard lock(mutex_);

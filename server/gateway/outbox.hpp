@@ -3,7 +3,7 @@
 // the connection when they pile up.
 #pragma once
 
-#include "session/memory.hpp"
+#include "limits/memory.hpp"
 #include "wire/frame_header.hpp"
 
 #include <array>
@@ -40,7 +40,7 @@ public:
 
     // on_push is called after every push, from the pushing thread, with the outbox locked: it must not call back.
     // memory: where the bytes are counted; must outlive the outbox.
-    Outbox(std::size_t most_bytes, session::Memory& memory, std::function<void()> on_push);
+    Outbox(std::size_t most_bytes, limits::Memory& memory, std::function<void()> on_push);
 
     // When the texts that wait already exceed their half, the client does not read its answers: everything is dropped
     // and overflowed() is true from then on. (One answer may be larger than the limit.)
@@ -79,7 +79,7 @@ private:
     std::size_t text_bytes_ = 0, frame_bytes_ = 0; // that wait
     std::size_t text_taken_ = 0, frame_taken_ = 0; // of the message under way; of a frame when it is the last piece
     bool had_no_room_ = false;
-    session::Memory::Charge held_;
+    limits::Memory::Charge held_;
     std::uint64_t dropped_ = 0;
     bool overflowed_ = false;
 };

@@ -1,7 +1,7 @@
 #include "gateway/routes.hpp"
 
 #include "gateway/handlers.hpp"
-#include "session/log.hpp"
+#include "logging/log.hpp"
 
 namespace ciel::gateway {
 namespace {
@@ -113,7 +113,7 @@ Response respond(Context& context, const Request& request, const Resolved& resol
         try {
             response = resolved.route->handler(context, request, resolved.target);
         } catch (const std::exception& error) {
-            session::log_event(session::LogLevel::error, "request failed",
+            logging::log_event(logging::LogLevel::error, "request failed",
                                {{"method", request.method},
                                 {"path", resolved.target.path},
                                 {"reason", error.what()},

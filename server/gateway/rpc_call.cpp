@@ -1,8 +1,6 @@
 #include "gateway/rpc_call.hpp"
 
 #include "gateway/handlers.hpp"
-#include "methods/dispatcher.hpp"
-#include "session/slow_calls.hpp"
 
 #include <boost/asio/post.hpp>
 #include <optional>
@@ -20,16 +18,16 @@ struct Pending {
     std::stop_source hung_up;
 };
 
-void watch(beast::tcp_stream& stream, const std::shared_ptr<Pending>& pending, std::uint64_t connection,
-           session::Server& server, asio::thread_pool& workers) {
+void watch(beast::tcp_stream& stream, const std::shared_ptr<Pending>& pending, const std::shared_ptr<Peer>& peer,
+           asio::thread_pool& workers) {
     stream.socket().async_wait(asio::ip::tcp::socket::wait_read,
-                               [&stream, pending, connection, &server, &workers](const error_code& error) {
+                               [&stream, pending, peer, &workers](const error_code& error) {
                                    if (pending->answer) return; // the stream may be gone, too
                                    error_code closed;
                                    if (!error && stream.socket().available(closed) > 0)
                                        return; // it sends its next request already
                                    pending->hung_up.request_stop();
-                                   asio::post(workers, [connection, &server] { server.slow_calls().drop(connection); });
+                                   asio::post(workers, [peer] { peer->closed(); });
                                });
 }
 
@@ -38,13 +36,8 @@ void watch(beast::tcp_stream& stream, const std::shared_ptr<Pending>& pending, s
 asio::awaitable<Response> rpc_call(beast::tcp_stream& stream, const Request& request, bool has_token, Context& context,
                                    asio::thread_pool& workers) {
     const auto pending = std::make_shared<Pending>(stream.get_executor());
-    const auto connection = std::make_shared<session::Connection>();
-    connection->id = context.next_connection_id++;
-    connection->remote = request.remote;
-    connection->user = request.user;
-    connection->has_token = has_token;
-    connection->request = request.id;
-    connection->stop = pending->hung_up.get_token();
+    const auto peer = context.service.connect({context.next_connection_id++, request.remote, request.user, request.id,
+                                               has_token, pending->hung_up.get_token()});
     const auto answer = [pending, executor = stream.get_executor()](std::string text) {
         asio::post(executor, [pending, text = std::move(text)]() mutable {
             pending->answer = std::move(text);
@@ -52,10 +45,10 @@ asio::awaitable<Response> rpc_call(beast::tcp_stream& stream, const Request& req
         });
     };
     co_await on_worker(workers, [&] {
-        methods::dispatch(context.server, connection, request.body, answer);
+        peer->text(request.body, answer);
         return std::string();
     });
-    if (!pending->answer) watch(stream, pending, connection->id, context.server, workers);
+    if (!pending->answer) watch(stream, pending, peer, workers);
     error_code ignored;
     while (!pending->answer) co_await pending->answered.async_wait(asio::redirect_error(asio::use_awaitable, ignored));
     stream.socket().cancel(ignored); // the watch

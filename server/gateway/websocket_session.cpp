@@ -1,9 +1,6 @@
 #include "gateway/websocket_session.hpp"
 
 #include "gateway/outbox.hpp"
-#include "methods/binary_message.hpp"
-#include "methods/dispatcher.hpp"
-#include "session/sessions.hpp"
 
 #include <boost/asio/post.hpp>
 #include <boost/beast/core/buffers_to_string.hpp>
@@ -26,7 +23,7 @@ constexpr int unsent_bytes = 128 << 10;         // in the system's hands: a text
 constexpr std::size_t close_reason_bytes = 123; // RFC 6455, 5.5.1: a control frame has 125, its code two of them
 constexpr unsigned last_close_code = 4999;      // RFC 6455, 7.4.2; Beast refuses those below that do not exist
 
-// Everything runs on the socket's strand, except what is handed to `workers` and the Connection's callbacks.
+// Everything runs on the socket's strand, except what is handed to `workers` and the Client's callbacks.
 class WebSocketSession : public std::enable_shared_from_this<WebSocketSession> {
 public:
     WebSocketSession(beast::tcp_stream stream, Context& context, asio::thread_pool& workers)
@@ -36,11 +33,11 @@ public:
             timer->expires_at(std::chrono::steady_clock::time_point::max());
     }
 
-    asio::awaitable<void> run(HttpRequest upgrade, WebSocketPeer peer, OnDrain on_drain);
+    asio::awaitable<void> run(HttpRequest upgrade, Client client, OnDrain on_drain);
 
 private:
     asio::awaitable<bool> accept(HttpRequest upgrade);
-    void open(const WebSocketPeer& peer);
+    void open(Client client);
     asio::awaitable<void> read();
     asio::awaitable<void> handle_in_order();
     asio::awaitable<void> write();
@@ -58,8 +55,8 @@ private:
         outbox_changed_.cancel();
     }
     void drain();
-    methods::Answer answer();
-    std::string take_piece(std::string_view bytes, const methods::Answer& reply);
+    Answer answer();
+    std::string take_binary(std::string_view bytes, const Answer& reply);
     void outbox_pushed();
     void end();
     void cut() { beast::get_lowest_layer(socket_).close(); }
@@ -68,7 +65,8 @@ private:
     asio::thread_pool& workers_;
     websocket::stream<beast::tcp_stream> socket_;
     std::shared_ptr<Outbox> outbox_;
-    std::shared_ptr<session::Connection> connection_;
+    std::shared_ptr<Peer> peer_;
+    std::string remote_;
     std::stop_source closed_;
     struct Inbound {
         std::string bytes;
@@ -83,7 +81,7 @@ private:
 };
 
 asio::awaitable<bool> WebSocketSession::accept(HttpRequest upgrade) {
-    const auto& limits = context_.server.limits();
+    const auto& limits = context_.service.limits();
     beast::get_lowest_layer(socket_).expires_never(); // the WebSocket has its own time-outs
     ::setsockopt(beast::get_lowest_layer(socket_).socket().native_handle(), IPPROTO_TCP, TCP_NOTSENT_LOWAT,
                  &unsent_bytes, sizeof unsent_bytes); // where it is missing, texts only wait longer
@@ -106,31 +104,28 @@ asio::awaitable<bool> WebSocketSession::accept(HttpRequest upgrade) {
     co_return !error;
 }
 
-void WebSocketSession::open(const WebSocketPeer& peer) {
+void WebSocketSession::open(Client client) {
     const std::weak_ptr<WebSocketSession> weak = weak_from_this();
-    outbox_ = std::make_shared<Outbox>(context_.server.limits().unsent_bytes, context_.server.memory(), [this, weak] {
+    outbox_ = std::make_shared<Outbox>(context_.service.limits().unsent_bytes, context_.service.memory(), [this, weak] {
         asio::post(socket_.get_executor(), [weak] {
             if (const auto self = weak.lock()) self->outbox_pushed();
         });
     });
-    connection_ = std::make_shared<session::Connection>();
-    connection_->id = context_.next_connection_id++;
-    connection_->remote = peer.remote;
-    connection_->user = peer.user;
-    connection_->has_token = peer.has_token;
-    connection_->stop = closed_.get_token();
-    connection_->send_text = [outbox = outbox_](std::string text) { outbox->push_text(std::move(text)); };
-    connection_->send_binary = [outbox = outbox_](FrameBytes bytes) { outbox->push_frame(std::move(bytes)); };
-    connection_->has_room = [outbox = outbox_](std::size_t bytes) { return outbox->has_room(bytes); };
-    context_.server.connection_opened(connection_);
+    remote_ = client.remote;
+    client.id = context_.next_connection_id++;
+    client.stop = closed_.get_token();
+    client.send_text = [outbox = outbox_](std::string text) { outbox->push_text(std::move(text)); };
+    client.send_binary = [outbox = outbox_](FrameBytes bytes) { outbox->push_frame(std::move(bytes)); };
+    client.has_room = [outbox = outbox_](std::size_t bytes) { return outbox->has_room(bytes); };
+    peer_ = context_.service.connect(std::move(client));
 }
 
-asio::awaitable<void> WebSocketSession::run(HttpRequest upgrade, WebSocketPeer peer, OnDrain on_drain) {
+asio::awaitable<void> WebSocketSession::run(HttpRequest upgrade, Client client, OnDrain on_drain) {
     const bool accepted = co_await accept(std::move(upgrade));
     if (!accepted) co_return;
-    spdlog::debug("{}: WebSocket opened", peer.remote);
+    spdlog::debug("{}: WebSocket opened", client.remote);
     ++context_.counters.websockets_open;
-    open(peer);
+    open(std::move(client));
     *on_drain = [this] { drain(); };
     start([this] { return handle_in_order(); });
     start([this] { return write(); });
@@ -141,11 +136,11 @@ asio::awaitable<void> WebSocketSession::run(HttpRequest upgrade, WebSocketPeer p
     outbox_->close();
     context_.counters.frames_dropped += outbox_->dropped_frames();
     co_await on_worker(workers_, [this] {
-        context_.server.connection_closed(connection_->id);
+        peer_->closed();
         return std::string();
     });
     --context_.counters.websockets_open;
-    spdlog::debug("{}: WebSocket closed", peer.remote);
+    spdlog::debug("{}: WebSocket closed", remote_);
 }
 
 template <typename Part>
@@ -169,7 +164,7 @@ asio::awaitable<void> WebSocketSession::read() {
         inbox_bytes_ += buffer.size();
         inbox_.push_back({beast::buffers_to_string(buffer.data()), socket_.got_text()});
         inbox_changed_.cancel();
-        while (inbox_bytes_ > context_.server.limits().waiting_call_bytes && !ended_) co_await changed(inbox_changed_);
+        while (inbox_bytes_ > context_.service.limits().waiting_call_bytes && !ended_) co_await changed(inbox_changed_);
     }
 }
 
@@ -182,12 +177,12 @@ asio::awaitable<void> WebSocketSession::handle_in_order() {
         const Inbound message = std::move(inbox_.front());
         inbox_.pop_front();
         ++unanswered_;
-        const methods::Answer reply = answer();
+        const Answer reply = answer();
         const std::string problem = co_await on_worker(workers_, [&] {
             if (message.is_text)
-                methods::dispatch(context_.server, connection_, message.bytes, reply);
+                peer_->text(message.bytes, reply);
             else
-                return take_piece(message.bytes, reply);
+                return take_binary(message.bytes, reply);
             return std::string();
         });
         if (!problem.empty()) request_close(close_code::unknown_data, problem);
@@ -197,15 +192,15 @@ asio::awaitable<void> WebSocketSession::handle_in_order() {
 }
 
 // Of a binary message; returns why the connection ends for it, or nothing.
-std::string WebSocketSession::take_piece(std::string_view bytes, const methods::Answer& reply) {
+std::string WebSocketSession::take_binary(std::string_view bytes, const Answer& reply) {
     const std::span message(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size());
-    auto problem = methods::receive_binary(context_.server, *connection_, message);
+    auto problem = peer_->binary(message);
     reply({});
     return problem.value_or(std::string());
 }
 
 // Slow methods answer later, from other threads, perhaps when the socket has gone; texts after theirs do not wait.
-methods::Answer WebSocketSession::answer() {
+Answer WebSocketSession::answer() {
     return [weak = weak_from_this(), outbox = outbox_, executor = socket_.get_executor()](std::string text) {
         if (!text.empty()) outbox->push_text(std::move(text));
         asio::post(executor, [weak] {
@@ -240,7 +235,7 @@ asio::awaitable<void> WebSocketSession::write() {
         writing_ = false;
         ++(is_text ? context_.counters.texts_sent : context_.counters.frames_sent);
         context_.counters.bytes_sent += asio::buffer_size(bytes);
-        if (outbox_->sent()) context_.server.sessions().connection_has_room(connection_->id);
+        if (outbox_->sent()) peer_->has_room();
     }
     cut(); // also ends a read that waits for a peer who is gone
 }
@@ -259,7 +254,7 @@ void WebSocketSession::drain() {
 
 void WebSocketSession::outbox_pushed() {
     if (outbox_->overflowed()) {
-        spdlog::info("{}: does not read its answers; disconnected", connection_->remote);
+        spdlog::info("{}: does not read its answers; disconnected", remote_);
         cut();
     }
     outbox_changed_.cancel();
@@ -275,10 +270,10 @@ void WebSocketSession::end() {
 
 } // namespace
 
-asio::awaitable<void> websocket_session(beast::tcp_stream stream, HttpRequest upgrade, WebSocketPeer peer,
-                                        OnDrain on_drain, Context& context, asio::thread_pool& workers) {
+asio::awaitable<void> websocket_session(beast::tcp_stream stream, HttpRequest upgrade, Client client, OnDrain on_drain,
+                                        Context& context, asio::thread_pool& workers) {
     const auto session = std::make_shared<WebSocketSession>(std::move(stream), context, workers);
-    co_await session->run(std::move(upgrade), std::move(peer), std::move(on_drain));
+    co_await session->run(std::move(upgrade), std::move(client), std::move(on_drain));
 }
 
 } // namespace ciel::gateway

@@ -9,14 +9,9 @@
 
 namespace ciel::gateway {
 
-struct WebSocketPeer {
-    std::string remote;     // address, for logs
-    std::string user;       // for logs; empty: not known
-    bool has_token = false; // session::Connection
-};
-
-// Ends when the connection, its last method and its last write have ended.
-asio::awaitable<void> websocket_session(beast::tcp_stream stream, HttpRequest upgrade, WebSocketPeer peer,
-                                        OnDrain on_drain, Context& context, asio::thread_pool& workers);
+// `client` comes with its address, user and token; the rest is filled in here. Ends when the connection, its last
+// method and its last write have ended.
+asio::awaitable<void> websocket_session(beast::tcp_stream stream, HttpRequest upgrade, Client client, OnDrain on_drain,
+                                        Context& context, asio::thread_pool& workers);
 
 } // namespace ciel::gateway

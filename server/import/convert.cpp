@@ -1,9 +1,10 @@
 #include "import/convert.hpp"
 
-#include "import/fingerprint.hpp"
+#include "import/mesh/fingerprint.hpp"
 #include "import/progress.hpp"
-#include "import/solver_ids.hpp"
-#include "import/step_arrays.hpp"
+#include "import/values/seam_difference.hpp"
+#include "import/values/solver_ids.hpp"
+#include "import/values/step_arrays.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -69,9 +70,9 @@ private:
     }
 
     // The same for readers that list nothing; a later step could still bring the array.
-    void check_only_step(const Blocks& blocks) {
+    void check_only_step(const DataSets& data_sets) {
         if (source_.times().size() > 1) return;
-        for (const FieldName& field : field_names(blocks)) selection_.saw(field);
+        for (const FieldName& field : field_names(data_sets)) selection_.saw(field);
         selection_.check();
     }
 
@@ -82,32 +83,32 @@ private:
             return;
         }
         last_time_ = time;
-        Blocks blocks;
+        DataSets data_sets;
         try {
-            blocks = collect_blocks(source_.read(step_, [this](double share) { tell(0.5 * share, "reading"); }));
-            source_.add_known(blocks, {});
-            require_volumes(blocks);
+            data_sets = collect_data_sets(source_.read(step_, [this](double share) { tell(0.5 * share, "reading"); }));
+            source_.add_known(data_sets, {});
+            require_volumes(data_sets);
         } catch (const Error& error) {
             return lose_step(time, error.what());
         }
         for (const std::string& sentence : source_.lost()) lose(sentence);
-        check_only_step(blocks);
-        const Fingerprint print = fingerprint(blocks);
+        check_only_step(data_sets);
+        const Fingerprint print = fingerprint(data_sets);
         const bool is_same =
-            writer_ && print.cells == print_.cells && same_mesh(blocks, print.positions != print_.positions, time);
-        if (!is_same && !new_mesh(blocks, time)) return;
+            writer_ && print.cells == print_.cells && same_mesh(data_sets, print.positions != print_.positions, time);
+        if (!is_same && !new_mesh(data_sets, time)) return;
         print_ = print;
         tell(0.8, "making arrays");
-        const auto& arrays = arrays_.make(step_, mesh_, blocks, point_maker_);
+        const auto& arrays = arrays_.make(step_, mesh_, data_sets, point_maker_);
         tell(0.9, "writing");
         writer_->add_step(time, mesh_index_, coordinates_index_, arrays);
     }
 
     // False when the step's mesh cannot be built: the step is lost, and the mesh before stays.
-    bool new_mesh(const Blocks& blocks, double time) {
+    bool new_mesh(const DataSets& data_sets, double time) {
         tell(0.5, "building the mesh");
         try {
-            mesh_ = build_step_mesh(blocks, options_.weld);
+            mesh_ = build_step_mesh(data_sets, options_.weld, difference_across);
         } catch (const Error& error) {
             lose_step(time, error.what());
             return false;
@@ -127,8 +128,8 @@ private:
     }
 
     // False where it is another mesh in spite of its cells.
-    bool same_mesh(const Blocks& blocks, bool moved, double time) {
-        update_step_mesh(mesh_, blocks, moved);
+    bool same_mesh(const DataSets& data_sets, bool moved, double time) {
+        update_step_mesh(mesh_, data_sets, moved);
         if (const std::string what = difference_across(mesh_.seams, mesh_.parts); !what.empty()) {
             std::ostringstream sentence;
             sentence << "From time " << time << " on " << what

@@ -16,7 +16,4 @@ struct ConvertResult {
 // or where the dataset cannot be written; nothing is left then.
 [[nodiscard]] ConvertResult convert(Source& source, const Options& options);
 
-// Prints what the input holds: format, steps, blocks, arrays. Reads the first step only.
-void print_listing(Source& source);
-
 } // namespace ciel::importer

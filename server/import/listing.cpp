@@ -1,6 +1,7 @@
-#include "import/convert.hpp"
-#include "import/fields.hpp"
+#include "import/listing.hpp"
+
 #include "import/progress.hpp"
+#include "import/values/fields.hpp"
 
 #include <cstdio>
 
@@ -22,19 +23,19 @@ void print_steps(const std::vector<double>& times) {
 }
 
 // Pieces that share a name are one line.
-void print_blocks(const char* title, const std::vector<Block>& blocks) {
-    for (std::size_t first = 0, end; first < blocks.size(); first = end) {
-        const Block& block = blocks[first];
+void print_data_sets(const char* title, const std::vector<DataSet>& data_sets) {
+    for (std::size_t first = 0, end; first < data_sets.size(); first = end) {
+        const DataSet& data_set = data_sets[first];
         long long points = 0, cells = 0;
-        for (end = first; end < blocks.size(); ++end) {
+        for (end = first; end < data_sets.size(); ++end) {
             const bool is_piece =
-                block.whole >= 0 && blocks[end].whole == block.whole && blocks[end].name == block.name;
+                data_set.whole >= 0 && data_sets[end].whole == data_set.whole && data_sets[end].name == data_set.name;
             if (end > first && !is_piece) break;
-            points += blocks[end].data->GetNumberOfPoints();
-            cells += blocks[end].data->GetNumberOfCells();
+            points += data_sets[end].data->GetNumberOfPoints();
+            cells += data_sets[end].data->GetNumberOfCells();
         }
         const std::string pieces = end - first > 1 ? " in " + std::to_string(end - first) + " pieces" : "";
-        std::printf("%s %s: %lld points, %lld cells%s\n", title, block.name.c_str(), points, cells, pieces.c_str());
+        std::printf("%s %s: %lld points, %lld cells%s\n", title, data_set.name.c_str(), points, cells, pieces.c_str());
     }
 }
 
@@ -42,15 +43,15 @@ void print_blocks(const char* title, const std::vector<Block>& blocks) {
 
 void print_listing(Source& source) {
     const auto data = source.read(0, [](double share) { progress(share, "reading the first step"); });
-    const Blocks blocks = collect_blocks(data);
-    require_volumes(blocks);
+    const DataSets data_sets = collect_data_sets(data);
+    require_volumes(data_sets);
     std::printf("format  %s\n", source.format().c_str());
     print_steps(source.times());
-    print_blocks("block  ", blocks.volumes);
-    print_blocks("surface", blocks.surfaces);
-    print_blocks("zone   ", blocks.zones);
+    print_data_sets("block  ", data_sets.volumes);
+    print_data_sets("surface", data_sets.surfaces);
+    print_data_sets("zone   ", data_sets.zones);
     const auto units = source.units();
-    for (const FieldName& field : field_names(blocks)) {
+    for (const FieldName& field : field_names(data_sets)) {
         const auto unit = units.find(field.name);
         const bool known = unit != units.end() && !unit->second.empty();
         std::printf("array   %s: %s, %d component%s%s%s\n", field.name.c_str(),

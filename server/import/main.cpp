@@ -3,9 +3,11 @@
 // sentence.
 #include "ciel/types.hpp"
 #include "import/convert.hpp"
+#include "import/listing.hpp"
 #include "import/progress.hpp"
-#include "import/vtk_errors.hpp"
-#include "store/import_options.hpp"
+#include "import/readers/open_source.hpp"
+#include "import/readers/vtk_errors.hpp"
+#include "importing/import_options.hpp"
 #include "store/place.hpp"
 
 #include <CLI/CLI.hpp>
@@ -25,13 +27,13 @@ enum ExitCode : int {
     failed = 1,
     wrong_usage = 2,
     something_lost = 3,
-    out_of_memory = ciel::store::import_out_of_memory,
+    out_of_memory = ciel::importing::import_out_of_memory,
 };
 constexpr double most_bad_cells = 0.001; // of all
 
-// The options are declared once, in store/import_options.hpp, for `ciel import` and for this program.
-void add_options(CLI::App& app, ciel::store::ImportValues& values) {
-    for (const ciel::store::ImportOption& option : ciel::store::import_options) {
+// The options are declared once, in importing/import_options.hpp, for `ciel import` and for this program.
+void add_options(CLI::App& app, ciel::importing::ImportValues& values) {
+    for (const ciel::importing::ImportOption& option : ciel::importing::import_options) {
         auto& given = values[std::string(option.name)];
         const std::string names(option.names);
         const std::string help(option.help);
@@ -46,7 +48,7 @@ void add_options(CLI::App& app, ciel::store::ImportValues& values) {
     }
 }
 
-Options options_from(ciel::store::ImportValues& values) {
+Options options_from(ciel::importing::ImportValues& values) {
     const auto flag = [&](const char* name) { return !values[name].empty(); };
     Options options;
     options.inputs = values["inputs"];
@@ -67,7 +69,7 @@ Options options_from(ciel::store::ImportValues& values) {
 
 // What the supervisor passes on: libraries of the readers write to standard error too.
 int fail(const std::string& sentence, ExitCode code = failed) {
-    std::fprintf(stderr, "%s%s\n", ciel::store::import_error_prefix.data(), sentence.c_str());
+    std::fprintf(stderr, "%s%s\n", ciel::importing::import_error_prefix.data(), sentence.c_str());
     return code;
 }
 
@@ -133,7 +135,7 @@ int run_and_report(const Options& options) {
 
 int main(int argc, char** argv) { // NOLINT(bugprone-exception-escape): only a fault of ours can throw before parsing
     CLI::App app{"Reads a simulation result and writes a CIEL dataset.", "ciel-import"};
-    ciel::store::ImportValues values;
+    ciel::importing::ImportValues values;
     add_options(app, values);
     Options options;
     try {

@@ -1,11 +1,13 @@
 // What the command line asks for.
 #pragma once
 
-#include "import/source.hpp"
+#include "import/mesh/welds.hpp"
+#include "import/source/source.hpp"
+
+#include <string>
+#include <vector>
 
 namespace ciel::importer {
-
-enum class Weld { seams, none, all }; // seams: opposite faces of one structured block
 
 struct Options {
     std::vector<std::string> inputs;

@@ -1,5 +1,5 @@
+#include "engine/uploads.hpp"
 #include "methods/context.hpp"
-#include "session/uploads.hpp"
 
 namespace ciel::methods {
 namespace {
@@ -7,7 +7,7 @@ namespace {
 protocol::ExpectedArray expected(const store::PlannedArray& array) {
     const bool on_points = array.info.association == store::Association::point;
     return {array.info.name, on_points ? "point" : "cell", array.info.components,
-            static_cast<std::int64_t>(array.tuples), static_cast<std::int64_t>(session::upload_bytes(array))};
+            static_cast<std::int64_t>(array.tuples), static_cast<std::int64_t>(engine::upload_bytes(array))};
 }
 
 } // namespace
@@ -18,8 +18,8 @@ protocol::AppendBeginResult append_begin(Context& context, const protocol::Appen
     for (const auto& array : params.arrays) wanted.push_back({array.name, array.components});
     const auto begun =
         context.server.uploads().begin(params.dataset, context.dataset(params.dataset), params.time, std::move(wanted));
-    const session::Limits& limits = context.server.limits();
-    protocol::Upload upload{session::to_text(begun.id), static_cast<std::int64_t>(limits.upload_piece_bytes),
+    const limits::Limits& limits = context.server.limits();
+    protocol::Upload upload{engine::to_text(begun.id), static_cast<std::int64_t>(limits.upload_piece_bytes),
                             static_cast<std::int64_t>(limits.upload_idle_seconds)};
     for (const auto& array : begun.plan.arrays) {
         upload.arrays.push_back(expected(array));

@@ -1,11 +1,11 @@
+#include "engine/uploads.hpp"
 #include "methods/context.hpp"
-#include "session/uploads.hpp"
 
 namespace ciel::methods {
 
 protocol::AppendCancelResult append_cancel(Context& context, const protocol::AppendCancelParams& params) {
     context.check_may_append();
-    context.server.uploads().cancel(session::upload_id(params.upload));
+    context.server.uploads().cancel(engine::upload_id(params.upload));
     return nullptr;
 }
 

@@ -1,6 +1,6 @@
+#include "engine/uploads.hpp"
 #include "methods/base64.hpp"
 #include "methods/context.hpp"
-#include "session/uploads.hpp"
 
 namespace ciel::methods {
 
@@ -9,7 +9,7 @@ protocol::AppendPieceResult append_piece(Context& context, const protocol::Appen
     const auto bytes = from_base64(params.data);
     if (!bytes) throw InvalidParams("/data", "/data is not base64 (RFC 4648, section 4), padded and without blanks");
     const std::uint64_t received =
-        context.server.uploads().add({session::upload_id(params.upload), static_cast<std::uint32_t>(params.array),
+        context.server.uploads().add({engine::upload_id(params.upload), static_cast<std::uint32_t>(params.array),
                                       static_cast<std::uint64_t>(params.offset), *bytes});
     return {static_cast<std::int64_t>(received)};
 }

@@ -1,28 +1,28 @@
 #include "methods/binary_message.hpp"
 
+#include "engine/metrics.hpp"
+#include "engine/uploads.hpp"
 #include "methods/context.hpp"
 #include "methods/error_answer.hpp"
-#include "session/metrics.hpp"
-#include "session/notify.hpp"
-#include "session/uploads.hpp"
+#include "sessions/notify.hpp"
 
 namespace ciel::methods {
 namespace {
 
-void add(session::Server& server, const session::Connection& connection, const wire::UploadPiece& piece) {
+void add(engine::Server& server, const sessions::Connection& connection, const wire::UploadPiece& piece) {
     try {
         (void)server.uploads().add(piece);
     } catch (...) {
         const nlohmann::json error = error_of_current_exception();
         server.counters().count_error(error["code"].get<int>());
-        connection.send_text(session::notification_text(
-            protocol::AppendRefused{session::to_text(piece.upload), error["data"]["reason"]}));
+        connection.send_text(sessions::notification_text(
+            protocol::AppendRefused{engine::to_text(piece.upload), error["data"]["reason"]}));
     }
 }
 
 } // namespace
 
-std::optional<std::string> receive_binary(session::Server& server, const session::Connection& connection,
+std::optional<std::string> receive_binary(engine::Server& server, const sessions::Connection& connection,
                                           std::span<const std::uint8_t> message) {
     try {
         check_may_append(server, connection);
@@ -30,7 +30,7 @@ std::optional<std::string> receive_binary(session::Server& server, const session
         server.counters().count_request("append.piece");
         add(server, connection, piece);
         return {};
-    } catch (const session::NotAllowed&) {
+    } catch (const limits::NotAllowed&) {
         return "send JSON-RPC as text";
     } catch (const std::exception& error) {
         return error.what();

@@ -1,14 +1,14 @@
 // Binary messages of a client: pieces of uploads (protocol/frame.md).
 #pragma once
 
-#include "session/connection.hpp"
+#include "sessions/connection.hpp"
 
 #include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
 
-namespace ciel::session {
+namespace ciel::engine {
 class Server;
 }
 
@@ -16,7 +16,7 @@ namespace ciel::methods {
 
 // Thread-safe; never throws for any bytes. A piece that is not taken is answered by append.refused. Returns the reason
 // when the message is none that this connection may send: it should be closed.
-[[nodiscard]] std::optional<std::string> receive_binary(session::Server& server, const session::Connection& connection,
+[[nodiscard]] std::optional<std::string> receive_binary(engine::Server& server, const sessions::Connection& connection,
                                                         std::span<const std::uint8_t> message);
 
 } // namespace ciel::methods

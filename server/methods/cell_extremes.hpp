@@ -2,10 +2,10 @@
 #pragma once
 
 #include "methods/context.hpp"
-#include "session/cell_extremes.hpp"
+#include "store/cell_extremes.hpp"
 
 namespace ciel::methods {
 
-[[nodiscard]] std::optional<protocol::CellExtremes> answer_of(const std::optional<session::LowestAndHighest>& found);
+[[nodiscard]] std::optional<protocol::CellExtremes> answer_of(const std::optional<store::LowestAndHighest>& found);
 
 } // namespace ciel::methods

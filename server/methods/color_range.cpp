@@ -1,15 +1,15 @@
 #include "methods/scene_source.hpp"
-#include "session/visible_range.hpp"
+#include "probe/visible_range.hpp"
 
 namespace ciel::methods {
 
 protocol::ColorRangeResult color_range(Context& context, const protocol::ColorRangeParams& params) {
     SceneSource source(context, params.session, params.scene);
-    const scene::Scene& scene = source.version().scene;
+    const scene::Scene& scene = source.version().scene();
     for (const std::string& id : params.layers)
         if (std::none_of(scene.layers.begin(), scene.layers.end(), [&](const auto& layer) { return layer.id == id; }))
-            throw session::NotFound("the scene has no layer " + id);
-    return {session::visible_range(*source.geometry(), scene, params.layers, params.aspect, params.of == "contours")};
+            throw limits::NotFound("the scene has no layer " + id);
+    return {probe::visible_range(*source.geometry(), scene, params.layers, params.aspect, params.of == "contours")};
 }
 
 } // namespace ciel::methods

@@ -1,12 +1,12 @@
 #include "methods/context.hpp"
 
-#include "session/log.hpp"
-#include "session/open_dataset.hpp"
+#include "logging/log.hpp"
+#include "sessions/open_dataset.hpp"
 
 namespace ciel::methods {
 
 void Context::begin() {
-    request_id = connection.request.empty() ? session::next_request_id() : connection.request;
+    request_id = connection.request.empty() ? logging::next_request_id() : connection.request;
     begun = std::chrono::steady_clock::now();
 }
 
@@ -15,7 +15,7 @@ double Context::milliseconds() const {
 }
 
 std::shared_ptr<store::LoadedDataset> Context::dataset(const std::string& name) const {
-    return session::open_dataset(server.catalog(), name);
+    return sessions::open_dataset(server.catalog(), name);
 }
 
 void Context::check_wanted() const {
@@ -24,24 +24,24 @@ void Context::check_wanted() const {
     if (stop.stop_requested()) throw Error("the server is about to stop and has given the call up; ask again later");
 }
 
-void check_may_append(const session::Server& server, const session::Connection& connection) {
+void check_may_append(const engine::Server& server, const sessions::Connection& connection) {
     if (!server.options().allow_append)
-        throw session::NotAllowed("this server takes no steps; start it with `ciel serve --allow-append`");
+        throw limits::NotAllowed("this server takes no steps; start it with `ciel serve --allow-append`");
     if (!connection.has_token)
-        throw session::NotAllowed("only who has the server's token may append; send it with every request: "
-                                  "\"Authorization: Bearer TOKEN\"");
+        throw limits::NotAllowed("only who has the server's token may append; send it with every request: "
+                                 "\"Authorization: Bearer TOKEN\"");
 }
 
-std::shared_ptr<session::View> Context::view(std::int64_t id) const {
+std::shared_ptr<engine::View> Context::view(std::int64_t id) const {
     const bool possible = id > 0 && id <= UINT32_MAX;
     return server.sessions().view(possible ? static_cast<std::uint32_t>(id) : 0, connection.id);
 }
 
-std::shared_ptr<session::Connection> Context::streaming_connection() const {
+std::shared_ptr<sessions::Connection> Context::streaming_connection() const {
     return connection.is_streaming() ? server.services().connections.find(connection.id) : nullptr;
 }
 
-protocol::SessionState state_of(const session::Session& session, const session::SessionStatus& status) {
+protocol::SessionState state_of(const sessions::Session& session, const sessions::SessionStatus& status) {
     return {session.id(), static_cast<std::int64_t>(status.version->revision), *status.version->document,
             status.can_undo, status.can_redo};
 }

@@ -1,40 +1,40 @@
 // What a method may reach, and how it fails.
 #pragma once
 
+#include "engine/server.hpp"
+#include "engine/services.hpp"
+#include "engine/sessions.hpp"
+#include "limits/errors.hpp"
+#include "probe/locator.hpp"
 #include "protocol/methods.hpp"
-#include "session/errors.hpp"
-#include "session/locator.hpp"
-#include "session/server.hpp"
-#include "session/services.hpp"
-#include "session/sessions.hpp"
 
 #include <chrono>
 
 namespace ciel::methods {
 
 // Throws NotAllowed unless the server takes steps and the connection came with its token.
-void check_may_append(const session::Server& server, const session::Connection& connection);
+void check_may_append(const engine::Server& server, const sessions::Connection& connection);
 
 struct Context { // NOLINT(bugprone-exception-escape): of what a string moves, nothing throws
-    session::Server& server;
-    session::Connection& connection;
+    engine::Server& server;
+    sessions::Connection& connection;
     std::stop_token stop{};   // the connection has ended, or the server has given the call up
     std::string request_id{}; // of the call under way, in the log and in errors
     std::chrono::steady_clock::time_point begun{};
 
     void begin();                              // a call
     [[nodiscard]] double milliseconds() const; // since then
-    [[nodiscard]] session::Caller caller() const { return {connection, request_id}; }
+    [[nodiscard]] engine::Caller caller() const { return {connection, request_id}; }
 
-    [[nodiscard]] std::shared_ptr<session::Session> session(const std::string& id) const {
+    [[nodiscard]] std::shared_ptr<engine::OpenSession> session(const std::string& id) const {
         return server.sessions().find(id);
     }
     void check_wanted() const; // throws Error when `stop` was requested
     void check_may_append() const { methods::check_may_append(server, connection); }
-    [[nodiscard]] std::shared_ptr<session::View> view(std::int64_t id) const;
+    [[nodiscard]] std::shared_ptr<engine::View> view(std::int64_t id) const;
     [[nodiscard]] std::shared_ptr<store::LoadedDataset> dataset(const std::string& name) const;
     // The connection as views and subscriptions keep it; null over HTTP.
-    [[nodiscard]] std::shared_ptr<session::Connection> streaming_connection() const;
+    [[nodiscard]] std::shared_ptr<sessions::Connection> streaming_connection() const;
 };
 
 // Params that the schema allows and the method does not. `path` is a JSON pointer into the params.
@@ -48,6 +48,6 @@ public:
     using std::runtime_error::runtime_error;
 };
 
-[[nodiscard]] protocol::SessionState state_of(const session::Session& session, const session::SessionStatus& status);
+[[nodiscard]] protocol::SessionState state_of(const sessions::Session& session, const sessions::SessionStatus& status);
 
 } // namespace ciel::methods

@@ -1,5 +1,5 @@
+#include "geometry/default_scene.hpp"
 #include "methods/cell_extremes.hpp"
-#include "session/default_scene.hpp"
 
 namespace ciel::methods {
 namespace {
@@ -29,7 +29,7 @@ protocol::ArrayInfo array_of(const store::Dataset& dataset, const store::ArrayIn
     info.origin = store::to_text(array.source.origin);
     if (!array.source.type.empty()) info.type = array.source.type;
     if (!array.source.file.empty()) info.file = array.source.file;
-    info.extremes = answer_of(session::range_extremes(dataset, array));
+    info.extremes = answer_of(store::range_extremes(dataset, array));
     for (const store::Step& step : dataset.steps()) {
         const auto written = step.arrays.find(array.name);
         if (written == step.arrays.end()) continue;
@@ -78,7 +78,7 @@ protocol::DatasetDescribeResult dataset_describe(Context& context, const protoco
     }
     for (const store::ArrayInfo& array : info.arrays) description.arrays.push_back(array_of(*dataset, array));
     description.notes = info.notes;
-    session::DefaultScene shown = session::default_scene(*loaded, params.dataset);
+    geometry::DefaultScene shown = geometry::default_scene(*loaded, params.dataset);
     description.default_scene = std::move(shown.document);
     const auto& [low, high] = shown.box;
     description.default_bounds = {low[0], high[0], low[1], high[1], low[2], high[2]};

@@ -51,7 +51,7 @@ std::shared_ptr<const std::vector<float>> values_of(store::LoadedDataset& loaded
 protocol::DatasetHistogramResult dataset_histogram(Context& context, const protocol::DatasetHistogramParams& params) {
     const std::size_t limit = context.server.limits().histogram_bins;
     if (params.bins > static_cast<std::int64_t>(limit))
-        throw session::LimitReached("a histogram may have at most " + std::to_string(limit) + " bins");
+        throw limits::LimitReached("a histogram may have at most " + std::to_string(limit) + " bins");
     if (params.range && !((*params.range)[0] < (*params.range)[1]))
         throw InvalidParams("/range", "/range must be [minimum, maximum]");
     const auto loaded = context.dataset(params.dataset);
@@ -61,7 +61,7 @@ protocol::DatasetHistogramResult dataset_histogram(Context& context, const proto
         try {
             return store::parse_scalar(*dataset, params.array);
         } catch (const Error& error) {
-            throw session::NotFound(error.what());
+            throw limits::NotFound(error.what());
         }
     }();
     const std::size_t step = params.time ? dataset->step_at(*params.time) : 0;
@@ -70,7 +70,7 @@ protocol::DatasetHistogramResult dataset_histogram(Context& context, const proto
     result.range = params.range ? *params.range : finite_range(*values);
     result.counts.assign(static_cast<std::size_t>(params.bins), 0);
     count(result, *values);
-    result.cells = answer_of(session::cell_extremes(*dataset, params.array, step));
+    result.cells = answer_of(store::cell_extremes(*dataset, params.array, step));
     return result;
 }
 

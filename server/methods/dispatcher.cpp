@@ -1,12 +1,12 @@
 #include "methods/dispatcher.hpp"
 
+#include "engine/metrics.hpp"
+#include "engine/schedule/slow_calls.hpp"
 #include "methods/context.hpp"
 #include "methods/error_answer.hpp"
 #include "methods/raw_ids.hpp"
 #include "methods/request.hpp"
 #include "scene/read_json.hpp"
-#include "session/metrics.hpp"
-#include "session/slow_calls.hpp"
 #include "wire/frame_header.hpp"
 
 #include <algorithm>
@@ -16,7 +16,7 @@ namespace ciel::methods {
 namespace {
 
 using nlohmann::json;
-using Turn = session::SlowCalls::Turn;
+using Turn = engine::SlowCalls::Turn;
 
 // Deeper than `limit`? Looked at before parsing, so that no parser or destructor recurses that deep.
 bool is_deeper_than(std::string_view text, std::size_t limit) {
@@ -66,11 +66,11 @@ struct Read { // NOLINT(bugprone-exception-escape): of what a string moves, noth
 // The requests of one text, in order: quick ones on the thread that comes by, each slow one when its turn has come.
 class Requests : public std::enable_shared_from_this<Requests> {
 public:
-    Requests(session::Server& server, std::shared_ptr<session::Connection> connection, Read read, Answer answer)
+    Requests(engine::Server& server, std::shared_ptr<sessions::Connection> connection, Read read, Answer answer)
         : connection_(std::move(connection)), context_{server, *connection_, stop_.get_token()},
           is_batch_(read.requests.is_array()),
           requests_(is_batch_ ? std::move(read.requests) : json::array({std::move(read.requests)})),
-          ids_(std::move(read.ids)), answer_(std::move(answer)), held_(server.memory(), session::Held::answers) {}
+          ids_(std::move(read.ids)), answer_(std::move(answer)), held_(server.memory(), limits::Held::answers) {}
 
     void go_on() {
         for (; next_ < requests_.size(); ++next_) {
@@ -106,7 +106,7 @@ private:
     void take(Turn turn) {
         has_had_a_turn_ = true;
         given_up_ = turn == Turn::given_up;
-        const std::chrono::duration<double> waited = session::Clock::now() - context_.begun;
+        const std::chrono::duration<double> waited = engine::Clock::now() - context_.begun;
         add(is_wanted() ? handle(context_, requests_[next_], waited.count()) : given_up());
         ++next_;
         go_on();
@@ -136,9 +136,9 @@ private:
     void append(const std::string& one, bool in_any_case = false) {
         const std::uint64_t limit = context_.server.limits().batch_answer_bytes;
         if (is_batch_ && !in_any_case && text_.size() + one.size() > limit)
-            throw session::LimitReached("the answers of this batch would have more than the " +
-                                        std::to_string(limit >> 20) +
-                                        " MB that a batch may have; send this request by itself");
+            throw limits::LimitReached("the answers of this batch would have more than the " +
+                                       std::to_string(limit >> 20) +
+                                       " MB that a batch may have; send this request by itself");
         in_any_case ? held_.note(text_.size() + one.size()) : held_.change(text_.size() + one.size());
         if (is_batch_) text_ += text_.empty() ? '[' : ',';
         text_ += one;
@@ -174,7 +174,7 @@ private:
         void operator()() const { source.request_stop(); }
     };
 
-    const std::shared_ptr<session::Connection> connection_;
+    const std::shared_ptr<sessions::Connection> connection_;
     std::stop_source stop_;
     Context context_;
     const bool is_batch_;
@@ -185,7 +185,7 @@ private:
     const std::stop_callback<Stop> on_server_end_{context_.server.call_stop(), Stop{stop_}};
     std::vector<Answered> answered_; // in text_
     std::string text_;
-    session::Memory::Charge held_; // text_
+    limits::Memory::Charge held_; // text_
     std::size_t next_ = 0;
     bool has_had_a_turn_ = false, given_up_ = false;
 };
@@ -199,7 +199,7 @@ void note_ids(Read& read, std::string_view text, const std::map<std::size_t, std
 }
 
 // Throws what json::parse does, but for ids beyond a double.
-void read_requests(const session::Limits& limits, std::string_view text, Read& read) {
+void read_requests(const limits::Limits& limits, std::string_view text, Read& read) {
     try {
         read.requests = scene::read_json(text);
         note_ids(read, text, {});
@@ -212,7 +212,7 @@ void read_requests(const session::Limits& limits, std::string_view text, Read& r
 }
 
 // The error of a text that holds no requests, else nothing, and they are read.
-std::optional<json> refusal(const session::Limits& limits, std::string_view text, Read& read) {
+std::optional<json> refusal(const limits::Limits& limits, std::string_view text, Read& read) {
     if (text.size() > limits.message_bytes)
         return limit_error("a message may have at most " + std::to_string(limits.message_bytes) + " bytes");
     if (is_deeper_than(text, limits.json_depth))
@@ -236,7 +236,7 @@ std::optional<json> refusal(const session::Limits& limits, std::string_view text
 
 } // namespace
 
-void dispatch(session::Server& server, std::shared_ptr<session::Connection> connection, std::string_view text,
+void dispatch(engine::Server& server, std::shared_ptr<sessions::Connection> connection, std::string_view text,
               Answer answer) {
     Read read;
     if (auto error = refusal(server.limits(), text, read)) {
@@ -246,9 +246,9 @@ void dispatch(session::Server& server, std::shared_ptr<session::Connection> conn
     std::make_shared<Requests>(server, std::move(connection), std::move(read), std::move(answer))->go_on();
 }
 
-std::string dispatch(session::Server& server, session::Connection& connection, std::string_view text) {
+std::string dispatch(engine::Server& server, sessions::Connection& connection, std::string_view text) {
     const auto answered = std::make_shared<std::promise<std::string>>(); // set_value may outlast this function
-    const std::shared_ptr<session::Connection> borrowed(std::shared_ptr<void>(), &connection);
+    const std::shared_ptr<sessions::Connection> borrowed(std::shared_ptr<void>(), &connection);
     dispatch(server, borrowed, text, [answered](std::string answer) { answered->set_value(std::move(answer)); });
     return answered->get_future().get();
 }

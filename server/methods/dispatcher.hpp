@@ -1,14 +1,14 @@
 // JSON-RPC 2.0 text in, text out: the one door to all methods, for WebSocket, HTTP POST and tests alike.
 #pragma once
 
-#include "session/connection.hpp"
+#include "sessions/connection.hpp"
 
 #include <functional>
 #include <memory>
 #include <string>
 #include <string_view>
 
-namespace ciel::session {
+namespace ciel::engine {
 class Server; // datasets, sessions, limits: everything a method may reach
 }
 
@@ -20,9 +20,9 @@ using Answer = std::function<void(std::string text)>;
 // Thread-safe. Handles single requests, notifications and batches exactly as the specification says. Never throws for
 // any input. `answer` is called exactly once: before this returns, or, when the text asks for a slow method, perhaps
 // later and from another thread. The requests of a batch are handled in order.
-void dispatch(session::Server& server, std::shared_ptr<session::Connection> connection, std::string_view text,
+void dispatch(engine::Server& server, std::shared_ptr<sessions::Connection> connection, std::string_view text,
               Answer answer);
 // The same, for those who can wait.
-[[nodiscard]] std::string dispatch(session::Server& server, session::Connection& connection, std::string_view text);
+[[nodiscard]] std::string dispatch(engine::Server& server, sessions::Connection& connection, std::string_view text);
 
 } // namespace ciel::methods

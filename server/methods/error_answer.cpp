@@ -1,7 +1,7 @@
 #include "methods/error_answer.hpp"
 
 #include "methods/context.hpp"
-#include "store/files.hpp"
+#include "store/files/files.hpp"
 
 namespace ciel::methods {
 namespace {
@@ -34,11 +34,11 @@ json error_of_current_exception() {
         return error_at(-32602, "Invalid params", e.path, e.what());
     } catch (const scene::Invalid& e) {
         return error_at(protocol::InvalidScene, "Invalid scene", e.path, e.what());
-    } catch (const session::NotFound& e) {
+    } catch (const limits::NotFound& e) {
         return error(protocol::NotFound, "Not found", e.what());
-    } catch (const session::LimitReached& e) {
+    } catch (const limits::LimitReached& e) {
         return limit_error(e.what());
-    } catch (const session::NotAllowed& e) {
+    } catch (const limits::NotAllowed& e) {
         return error(protocol::NotAllowed, "Not allowed", e.what());
     } catch (const NeedsWebSocket& e) {
         return error(protocol::NeedsWebSocket, "Needs a WebSocket", e.what());

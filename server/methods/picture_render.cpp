@@ -1,7 +1,7 @@
+#include "frames/picture.hpp"
 #include "methods/base64.hpp"
 #include "methods/scene_source.hpp"
-#include "session/picture.hpp"
-#include "wire/png.hpp"
+#include "wire/pictures/png.hpp"
 
 namespace ciel::methods {
 
@@ -11,21 +11,21 @@ constexpr std::size_t copies_of_a_picture = 5;
 } // namespace
 
 protocol::PictureRenderResult picture_render(Context& context, const protocol::PictureRenderParams& params) {
-    session::check_picture_size(context.server.limits(), params.width, params.height);
+    frames::check_picture_size(context.server.limits(), params.width, params.height);
     SceneSource source(context, params.session, params.scene);
-    const session::ViewSize size{static_cast<std::uint32_t>(params.width), static_cast<std::uint32_t>(params.height)};
-    session::Memory::Charge charge(context.server.memory(), session::Held::answers);
+    const geometry::ViewSize size{static_cast<std::uint32_t>(params.width), static_cast<std::uint32_t>(params.height)};
+    limits::Memory::Charge charge(context.server.memory(), limits::Held::answers);
     const std::size_t pixel_bytes = 3 * std::size_t{size.width} * size.height;
     charge.change(pixel_bytes);
     const auto geometry = source.geometry(); // not on the worker, which draws others meanwhile
     std::vector<std::string> remarks;
-    const render::Image image = context.server.picture_workers().run([&](session::Worker& worker) {
+    const render::Image image = context.server.picture_workers().run([&](engine::Worker& worker) {
         context.check_wanted();
         render::Image drawn;
-        render::Frame frame = session::picture_of(*geometry, source.version().scene, size, worker.still_samples());
+        render::Frame frame = frames::picture_of(*geometry, source.version().scene(), size, worker.still_samples());
         frame.check_wanted = [&] { context.check_wanted(); };
         worker.renderer().draw(frame, drawn);
-        remarks = session::remarks_on(*geometry, worker.renderer());
+        remarks = frames::remarks_on(*geometry, worker.renderer());
         return drawn;
     });
     context.check_wanted();

@@ -1,11 +1,11 @@
 #include "methods/request.hpp"
 
+#include "engine/metrics.hpp"
+#include "logging/log.hpp"
 #include "methods/context.hpp"
 #include "methods/error_answer.hpp"
 #include "methods/method_params.hpp"
 #include "protocol/method_table.hpp"
-#include "session/log.hpp"
-#include "session/metrics.hpp"
 
 #include <algorithm>
 
@@ -60,9 +60,9 @@ json call(Context& context, const json& request) {
 }
 
 // The server's own failures are warnings or errors; what a client may not do is information.
-session::LogLevel level_of(int code) {
-    if (code == internal_error) return session::LogLevel::error;
-    return code == protocol::Failed || code == protocol::Limit ? session::LogLevel::warning : session::LogLevel::info;
+logging::LogLevel level_of(int code) {
+    if (code == internal_error) return logging::LogLevel::error;
+    return code == protocol::Failed || code == protocol::Limit ? logging::LogLevel::warning : logging::LogLevel::info;
 }
 
 // A name of the contract: others are the client's text, which may be anything.
@@ -76,14 +76,14 @@ std::string session_of(const json& request) {
     const auto params = request.is_object() ? request.find("params") : request.end();
     if (!request.is_object() || params == request.end() || !params->is_object()) return {};
     const auto id = params->find("session");
-    return id != params->end() && id->is_string() ? session::short_id(id->get_ref<const std::string&>()) : "";
+    return id != params->end() && id->is_string() ? logging::short_id(id->get_ref<const std::string&>()) : "";
 }
 
 json failed(Context& context, const json& request, json error) {
     const int code = error["code"].get<int>();
     context.server.counters().count_error(code);
     error["data"]["request"] = context.request_id;
-    session::log_event(level_of(code), "call failed",
+    logging::log_event(level_of(code), "call failed",
                        {{"method", method_of(request)},
                         {"code", code},
                         {"reason", error["data"]["reason"].get_ref<const std::string&>()},
@@ -98,7 +98,7 @@ json failed(Context& context, const json& request, json error) {
 void tell_if_slow(const Context& context, const json& request, double waited) {
     const double took = context.milliseconds();
     if (took < (is_slow(request) ? slow_call_ms : slow_quick_call_ms)) return;
-    session::log_event(session::LogLevel::warning, "slow call",
+    logging::log_event(logging::LogLevel::warning, "slow call",
                        {{"method", method_of(request)},
                         {"session", session_of(request)},
                         {"request", context.request_id},

@@ -1,15 +1,14 @@
 #include "methods/scene_source.hpp"
-#include "session/shown_bounds.hpp"
+#include "probe/shown_bounds.hpp"
 
 namespace ciel::methods {
 
 protocol::SceneBoundsResult scene_bounds(Context& context, const protocol::SceneBoundsParams& params) {
     SceneSource source(context, params.session, params.scene);
     const auto geometry = source.geometry();
-    const scene::Scene& scene = source.version().scene;
+    const scene::Scene& scene = source.version().scene();
     const bool is_drawn = params.of == "drawn";
-    const auto [low, high] =
-        is_drawn ? session::drawn_bounds(*geometry, scene) : session::shown_bounds(*geometry, scene);
+    const auto [low, high] = is_drawn ? probe::drawn_bounds(*geometry, scene) : probe::shown_bounds(*geometry, scene);
     return {{low[0], high[0], low[1], high[1], low[2], high[2]}};
 }
 

@@ -1,27 +1,27 @@
+#include "frames/picture.hpp"
 #include "methods/scene_source.hpp"
-#include "session/picture.hpp"
-#include "session/shown_bounds.hpp"
-#include "session/sight.hpp"
+#include "probe/shown_bounds.hpp"
+#include "probe/sight.hpp"
 
 namespace ciel::methods {
 
 protocol::ScenePickResult scene_pick(Context& context, const protocol::ScenePickParams& params) {
-    session::check_picture_size(context.server.limits(), params.width, params.height);
-    const session::ViewSize size{static_cast<std::uint32_t>(params.width), static_cast<std::uint32_t>(params.height)};
+    frames::check_picture_size(context.server.limits(), params.width, params.height);
+    const geometry::ViewSize size{static_cast<std::uint32_t>(params.width), static_cast<std::uint32_t>(params.height)};
     SceneSource source(context, params.session, params.scene);
-    const scene::Scene& scene = source.version().scene;
+    const scene::Scene& scene = source.version().scene();
     const auto geometry = source.geometry();
-    const auto crossings = session::crossings(*geometry, scene, size, params.pixel);
+    const auto crossings = probe::crossings(*geometry, scene, size, params.pixel);
     protocol::ScenePickResult picked;
-    if (const auto seen = session::bounds_in_view(*geometry, scene, size)) {
+    if (const auto seen = probe::bounds_in_view(*geometry, scene, size)) {
         Vec3d& centre = picked.centre.emplace();
         for (std::size_t k = 0; k < 3; ++k) centre[k] = (seen->low[k] + seen->high[k]) / 2;
     }
     if (crossings.empty()) return picked;
-    const session::Crossing& first = crossings.front();
+    const probe::Crossing& first = crossings.front();
     picked.position = first.position;
     picked.layer = geometry->drawables[first.drawable].layer;
-    picked.patch = session::patch_of(first, *geometry, scene, *source.loaded().dataset());
+    picked.patch = probe::patch_of(first, *geometry, scene, *source.version().checked.dataset());
     return picked;
 }
 

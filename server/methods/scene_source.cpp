@@ -4,10 +4,10 @@ namespace ciel::methods {
 
 SceneSource::SceneSource(const Context& context, const std::optional<std::string>& session,
                          const std::optional<nlohmann::json>& scene)
-    : context_(context), surfaces_(context.server.memory(), session::Held::surfaces) {
+    : context_(context), surfaces_(context.server.memory(), limits::Held::surfaces) {
     if (session) session_ = context.session(*session);
     if (scene)
-        version_ = session::make_version(context.server.services(), *scene, 0);
+        version_ = sessions::make_version(context.server.services(), *scene, 0);
     else if (session_)
         version_ = session_->status().version;
     else
@@ -15,23 +15,23 @@ SceneSource::SceneSource(const Context& context, const std::optional<std::string
     if (scene) session_ = nullptr; // its own geometry: another scene would throw the session's away
 }
 
-std::shared_ptr<const session::Geometry> SceneSource::geometry() {
+std::shared_ptr<const geometry::Geometry> SceneSource::geometry() {
     auto made = session_ ? session_->geometry(*version_, context_.stop) : geometry_of_scene();
     context_.check_wanted();
     return made;
 }
 
-std::shared_ptr<const session::Geometry> SceneSource::geometry_of_scene() {
-    const session::Services& services = context_.server.services();
+std::shared_ptr<const geometry::Geometry> SceneSource::geometry_of_scene() {
+    const engine::Services& services = context_.server.services();
     const std::uint64_t own = services.limits.session_memory_bytes, left = services.memory.room();
     try {
-        session::SceneGeometry geometry(services.extraction);
-        auto made = geometry.update(version_->scene, version_->loaded, context_.stop, std::min(own, left));
+        geometry::SceneGeometry geometry(services.extraction);
+        auto made = geometry.update(version_->checked, context_.stop, std::min(own, left));
         surfaces_.change(geometry.memory_bytes());
         return made;
-    } catch (const session::LimitReached&) {
+    } catch (const limits::LimitReached&) {
         if (left >= own) throw;
-        throw session::LimitReached(services.memory.refusal());
+        throw limits::LimitReached(services.memory.refusal());
     }
 }
 

@@ -13,19 +13,18 @@ public:
     SceneSource(const Context& context, const std::optional<std::string>& session,
                 const std::optional<nlohmann::json>& scene);
 
-    [[nodiscard]] const session::SceneVersion& version() const { return *version_; }
-    [[nodiscard]] store::LoadedDataset& loaded() const { return *version_->loaded; }
+    [[nodiscard]] const sessions::SceneVersion& version() const { return *version_; }
     // A session's geometry is kept and shared with its views; without a session it is made for this call, and counted
     // as long as this object lives. Throws LimitReached, and Error when the connection ends meanwhile.
-    [[nodiscard]] std::shared_ptr<const session::Geometry> geometry();
+    [[nodiscard]] std::shared_ptr<const geometry::Geometry> geometry();
 
 private:
-    [[nodiscard]] std::shared_ptr<const session::Geometry> geometry_of_scene();
+    [[nodiscard]] std::shared_ptr<const geometry::Geometry> geometry_of_scene();
 
     const Context& context_;
-    std::shared_ptr<session::Session> session_;
-    std::shared_ptr<const session::SceneVersion> version_;
-    session::Memory::Charge surfaces_;
+    std::shared_ptr<engine::OpenSession> session_;
+    std::shared_ptr<const sessions::SceneVersion> version_;
+    limits::Memory::Charge surfaces_;
 };
 
 } // namespace ciel::methods

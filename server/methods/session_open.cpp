@@ -1,5 +1,5 @@
+#include "geometry/default_scene.hpp"
 #include "methods/context.hpp"
-#include "session/default_scene.hpp"
 
 namespace ciel::methods {
 namespace {
@@ -7,7 +7,7 @@ namespace {
 std::string first_dataset(store::Catalog& catalog) {
     for (const auto& entry : catalog.list())
         if (entry.problem.empty()) return entry.name;
-    throw session::NotFound("the server offers no dataset; start it with one, or import one into its folder");
+    throw limits::NotFound("the server offers no dataset; start it with one, or import one into its folder");
 }
 
 } // namespace
@@ -16,10 +16,10 @@ protocol::SessionOpenResult session_open(Context& context, const protocol::Sessi
     const auto document = [&] {
         if (params.scene) return *params.scene;
         const std::string name = params.dataset ? *params.dataset : first_dataset(context.server.catalog());
-        return session::default_scene(*context.dataset(name), name).document;
+        return geometry::default_scene(*context.dataset(name), name).document;
     };
-    const session::Steps steps{params.undo.value_or(std::vector<nlohmann::json>()),
-                               params.redo.value_or(std::vector<nlohmann::json>())};
+    const sessions::Steps steps{params.undo.value_or(std::vector<nlohmann::json>()),
+                                params.redo.value_or(std::vector<nlohmann::json>())};
     const auto session = context.server.sessions().open(params.session.value_or(""), document, context.caller(), steps);
     if (context.streaming_connection()) session->subscribe(context.connection.id);
     return state_of(*session, session->status());

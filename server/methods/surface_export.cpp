@@ -1,7 +1,8 @@
+#include "geometry/clip.hpp"
 #include "methods/base64.hpp"
 #include "methods/scene_source.hpp"
-#include "session/clip.hpp"
-#include "wire/joined_surface.hpp"
+#include "wire/files/joined_surface.hpp"
+#include "wire/files/surface_files.hpp"
 
 #include <algorithm>
 #include <sstream>
@@ -10,7 +11,7 @@ namespace ciel::methods {
 namespace {
 
 // What the picture shows of a drawable: its own surface where no plane cuts it.
-struct Part {
+struct Shown {
     ClippedSurface cut;
     bool is_cut = false;
     const Surface* whole = nullptr;
@@ -19,33 +20,33 @@ struct Part {
     [[nodiscard]] const Surface& surface() const { return is_cut ? cut.surface : *whole; }
 };
 
-Part part_of(const session::Geometry& geometry, const session::Drawable& drawable) {
-    Part part;
-    part.whole = &drawable.shape->surface;
-    part.is_cut = !geometry.clip.empty();
-    if (part.is_cut) part.cut = session::clipped(geometry, drawable);
-    if (drawable.scalars) part.values.push_back({drawable.array, part.is_cut ? part.cut.values : *drawable.scalars});
-    return part;
+Shown shown_of(const geometry::Geometry& geometry, const geometry::Drawable& drawable) {
+    Shown shown;
+    shown.whole = &drawable.shape->surface;
+    shown.is_cut = !geometry.clip.empty();
+    if (shown.is_cut) shown.cut = geometry::clipped(geometry, drawable);
+    if (drawable.scalars) shown.values.push_back({drawable.array, shown.is_cut ? shown.cut.values : *drawable.scalars});
+    return shown;
 }
 
 // The layer's iso-values as one surface, one after the other. Throws LimitReached before there is more than a file may
 // have.
-wire::JoinedSurface joined(const Context& context, const session::Geometry& geometry, const std::string& layer,
+wire::JoinedSurface joined(const Context& context, const geometry::Geometry& geometry, const std::string& layer,
                            wire::SurfaceFormat format, bool triangles) {
     const std::size_t limit = context.server.limits().export_bytes;
     std::uint64_t bytes = 0;
     wire::JoinedSurface result;
-    for (const session::Drawable& drawable : geometry.drawables) {
+    for (const geometry::Drawable& drawable : geometry.drawables) {
         if (drawable.layer != layer || !drawable.polygons()) continue;
         context.check_wanted();
-        const Part part = part_of(geometry, drawable);
+        const Shown shown = shown_of(geometry, drawable);
         wire::JoinedSurface one;
-        one.add(part.surface(), part.values);
+        one.add(shown.surface(), shown.values);
         bytes += wire::body_bytes(format, {one.surface(), geometry.origin, one.values(), triangles});
         if (bytes > limit)
-            throw session::LimitReached("the file would have more than the " + std::to_string(limit >> 20) +
-                                        " MB that an export may have; use `ciel extract`");
-        result.add(part.surface(), part.values);
+            throw limits::LimitReached("the file would have more than the " + std::to_string(limit >> 20) +
+                                       " MB that an export may have; use `ciel extract`");
+        result.add(shown.surface(), shown.values);
     }
     return result;
 }
@@ -65,15 +66,16 @@ struct File {
     Vec3d origin{};
 };
 
-File file_of(const Context& context, SceneSource& source, session::Memory::Charge& charge,
+File file_of(const Context& context, SceneSource& source, limits::Memory::Charge& charge,
              const protocol::SurfaceExportParams& params) {
     const wire::SurfaceFormat format = wire::surface_format("." + params.format);
     const auto geometry = source.geometry();
-    session::require_complete(*geometry);
+    geometry::require_complete(*geometry);
     const wire::JoinedSurface surface = joined(context, *geometry, params.layer, format, params.triangles);
     charge.change(copies_of_a_file *
                   wire::body_bytes(format, {surface.surface(), geometry->origin, surface.values(), params.triangles}));
-    const Vec3d origin = params.origin || wire::has_floats(format) ? geometry->file_origin : Vec3d{};
+    const Vec3d origin =
+        params.origin || wire::has_floats(format) ? wire::file_origin(geometry->first_mesh_bounds) : Vec3d{};
     std::ostringstream out;
     const wire::ExportedCounts counts = wire::write_surface(
         format, {surface.surface(), geometry->origin, surface.values(), params.triangles, origin}, out);
@@ -96,16 +98,16 @@ const char* mime_of(wire::SurfaceFormat format) {
 
 protocol::SurfaceExportResult surface_export(Context& context, const protocol::SurfaceExportParams& params) {
     SceneSource source(context, params.session, params.scene);
-    const auto& layers = source.version().scene.layers;
+    const auto& layers = source.version().scene().layers;
     const auto layer =
         std::find_if(layers.begin(), layers.end(), [&](const auto& one) { return one.id == params.layer; });
-    if (layer == layers.end()) throw session::NotFound("the scene has no layer " + params.layer);
+    if (layer == layers.end()) throw limits::NotFound("the scene has no layer " + params.layer);
     if (!layer->visible) throw InvalidParams("/layer", "layer " + params.layer + " is not visible; show it first");
     if (!has_polygons(*layer))
         throw InvalidParams("/layer", "layer " + params.layer +
                                           " has no polygons; iso-surfaces, slices and surfaces can be exported");
 
-    session::Memory::Charge charge(context.server.memory(), session::Held::answers);
+    limits::Memory::Charge charge(context.server.memory(), limits::Held::answers);
     const File file = file_of(context, source, charge, params);
     context.check_wanted();
     return {mime_of(wire::surface_format("." + params.format)),

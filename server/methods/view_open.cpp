@@ -1,18 +1,18 @@
+#include "frames/picture.hpp"
 #include "methods/context.hpp"
-#include "session/picture.hpp"
 
 namespace ciel::methods {
 
 protocol::ViewOpenResult view_open(Context& context, const protocol::ViewOpenParams& params) {
     const auto session = context.session(params.session);
-    session::check_picture_size(context.server.limits(), params.width, params.height);
+    frames::check_picture_size(context.server.limits(), params.width, params.height);
     const auto connection = context.streaming_connection();
     if (!connection) throw NeedsWebSocket("frames travel over a WebSocket; over HTTP use picture.render");
     const auto view = context.server.sessions().open_view(
         *session, connection,
         {static_cast<std::uint32_t>(params.width), static_cast<std::uint32_t>(params.height), params.pixel_ratio},
-        params.stream == "geometry" ? session::Stream::geometry : session::Stream::image,
-        params.moving == "jpeg" ? session::MovingCodec::jpeg : session::MovingCodec::png);
+        params.stream == "geometry" ? engine::Stream::geometry : engine::Stream::image,
+        params.moving == "jpeg" ? wire::MovingCodec::jpeg : wire::MovingCodec::png);
     return {view->id()};
 }
 

@@ -1,11 +1,11 @@
+#include "frames/picture.hpp"
 #include "methods/context.hpp"
-#include "session/picture.hpp"
 
 namespace ciel::methods {
 
 protocol::ViewResizeResult view_resize(Context& context, const protocol::ViewResizeParams& params) {
     const auto view = context.view(params.view);
-    session::check_picture_size(context.server.limits(), params.width, params.height);
+    frames::check_picture_size(context.server.limits(), params.width, params.height);
     view->resize(static_cast<std::uint32_t>(params.width), static_cast<std::uint32_t>(params.height),
                  params.pixel_ratio);
     return nullptr;

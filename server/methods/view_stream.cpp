@@ -3,10 +3,10 @@
 namespace ciel::methods {
 
 protocol::ViewStreamResult view_stream(Context& context, const protocol::ViewStreamParams& params) {
-    std::optional<session::MovingCodec> moving;
-    if (params.moving) moving = *params.moving == "jpeg" ? session::MovingCodec::jpeg : session::MovingCodec::png;
+    std::optional<wire::MovingCodec> moving;
+    if (params.moving) moving = *params.moving == "jpeg" ? wire::MovingCodec::jpeg : wire::MovingCodec::png;
     context.view(params.view)
-        ->set_stream(params.stream == "geometry" ? session::Stream::geometry : session::Stream::image, moving);
+        ->set_stream(params.stream == "geometry" ? engine::Stream::geometry : engine::Stream::image, moving);
     return nullptr;
 }
 

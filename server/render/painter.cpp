@@ -1,6 +1,6 @@
 #include "render/painter.hpp"
 
-#include "render/frame_parts.hpp"
+#include "render/frame/frame_parts.hpp"
 
 #include <algorithm>
 #include <glm/gtc/type_ptr.hpp>
@@ -15,10 +15,10 @@ std::string text_of(const Gl& gl, GLenum name) {
     return text != nullptr ? reinterpret_cast<const char*>(text) : "";
 }
 
-constexpr int limits_unit = 2, occlusion_unit = 2; // behind those of the colour scales
+constexpr int limits_unit = 2, occlusion_unit = 2; // behind those of the color scales
 
 // A software rasteriser pays for what its programs could do, not for what they do.
-bool is_plain(const Mesh& mesh, const Frame& frame) {
+bool is_plain(const Primitives& mesh, const Frame& frame) {
     return !mesh.lines && !mesh.points && mesh.scalars.empty() && !mesh.normals.empty() && frame.clip.empty();
 }
 
@@ -75,7 +75,7 @@ const Image& Painter::draw_paced(const Frame& frame, const AfterStage& after) {
         gl_.Finish();
         after(stage);
     };
-    transform_ = view_transform(frame);
+    transform_ = annotations::view_transform(frame);
     clip_planes_ = frame.clip.size();
     if (clip_planes_ > most_clip_planes)
         throw Error("a frame cannot be cut by more than " + std::to_string(most_clip_planes) + " clip planes");
@@ -126,17 +126,17 @@ void Painter::enable_clip_planes(bool on) {
 void Painter::load_scales(const Frame& frame) {
     scales_.begin();
     scale_rows_.clear();
-    for (const Mesh& mesh : frame.meshes)
+    for (const Primitives& mesh : frame.primitives)
         scale_rows_.push_back(mesh.scalars.empty() ? ScaleRow{} : scales_.row_of(mesh.scale));
     scales_.upload();
 }
 
 void Painter::upload(const Frame& frame) {
     assign_buffers(frame);
-    std::vector<TransparentTriangles::Part> transparent;
-    std::vector<TransparentPoints::Part> points;
-    for (std::size_t i = 0; i < frame.meshes.size(); ++i) {
-        const Mesh& mesh = frame.meshes[i];
+    std::vector<ScaledPrimitives> transparent;
+    std::vector<ScaledPrimitives> points;
+    for (std::size_t i = 0; i < frame.primitives.size(); ++i) {
+        const Primitives& mesh = frame.primitives[i];
         if (mesh.indices.empty()) continue;
         if (!is_transparent(mesh)) {
             buffers(i).load(mesh);
@@ -144,7 +144,7 @@ void Painter::upload(const Frame& frame) {
         } else if (mesh.color[3] > 0 && mesh.points) {
             points.push_back({&mesh, scale_rows_[i]});
         } else if (mesh.color[3] > 0) {
-            check_mesh(mesh);
+            check_primitives(mesh);
             transparent.push_back({&mesh, scale_rows_[i]});
         }
     }
@@ -157,20 +157,20 @@ void Painter::upload(const Frame& frame) {
 
 // Those that hold a mesh have it again, wherever it stands in this frame.
 void Painter::assign_buffers(const Frame& frame) {
-    std::unordered_map<std::uint64_t, MeshBuffers*> holding;
-    std::vector<MeshBuffers*> rest;
-    for (MeshBuffers& buffers : buffers_)
+    std::unordered_map<std::uint64_t, PrimitiveBuffers*> holding;
+    std::vector<PrimitiveBuffers*> rest;
+    for (PrimitiveBuffers& buffers : buffers_)
         if (buffers.identity() == 0 || !holding.emplace(buffers.identity(), &buffers).second) rest.push_back(&buffers);
-    slots_.assign(frame.meshes.size(), nullptr);
-    for (std::size_t i = 0; i < frame.meshes.size(); ++i) {
-        const auto found = holding.find(frame.meshes[i].identity);
-        if (is_transparent(frame.meshes[i]) || found == holding.end()) continue;
+    slots_.assign(frame.primitives.size(), nullptr);
+    for (std::size_t i = 0; i < frame.primitives.size(); ++i) {
+        const auto found = holding.find(frame.primitives[i].identity);
+        if (is_transparent(frame.primitives[i]) || found == holding.end()) continue;
         slots_[i] = found->second;
         holding.erase(found);
     }
     for (const auto& [identity, buffers] : holding) rest.push_back(buffers);
-    for (std::size_t i = 0; i < frame.meshes.size(); ++i) {
-        if (slots_[i] != nullptr || is_transparent(frame.meshes[i])) continue;
+    for (std::size_t i = 0; i < frame.primitives.size(); ++i) {
+        if (slots_[i] != nullptr || is_transparent(frame.primitives[i])) continue;
         if (rest.empty()) rest.push_back(&buffers_.emplace_back(gl_));
         slots_[i] = rest.back();
         rest.pop_back();
@@ -184,7 +184,7 @@ TouchedTiles Painter::touched_by(const Frame& frame) const {
         touched.touch_all();
         return touched;
     }
-    for (const Mesh& mesh : frame.meshes)
+    for (const Primitives& mesh : frame.primitives)
         if (!mesh.indices.empty() && mesh.color[3] > 0) touched.touch(mesh, transform_);
     overlay_.touch(touched, frame.height);
     return touched;
@@ -211,7 +211,7 @@ void Painter::use(const Program& program, const Frame& frame) {
 }
 
 // Of the plain program, which has no attribute but the normal.
-void Painter::use_look(const Frame& frame, const Mesh& mesh) {
+void Painter::use_look(const Frame& frame, const Primitives& mesh) {
     const glm::dmat4& projection = transform_.projection;
     const bool parallel = frame.camera.parallel;
     const double right = parallel ? 0 : 1 / projection[0][0], up = parallel ? 0 : 1 / projection[1][1];
@@ -234,8 +234,8 @@ void Painter::draw_meshes(const Frame& frame, const Program& program, bool befor
         gl_.Uniform1i(program.volume_limits, limits_unit);
         gl_.Uniform1f(program.before_volume, before_volume ? 1.0F : 0.0F);
     }
-    for (std::size_t i = 0; i < frame.meshes.size(); ++i) {
-        const Mesh& mesh = frame.meshes[i];
+    for (std::size_t i = 0; i < frame.primitives.size(); ++i) {
+        const Primitives& mesh = frame.primitives[i];
         const Program& own = mesh.lines ? lines_ : surfaces ? program : triangles_;
         if (&own != &program || mesh.points || is_transparent(mesh) || mesh.indices.empty()) continue;
         if (mesh.lines) use_line(program, mesh, 1);
@@ -249,7 +249,7 @@ void Painter::draw_meshes(const Frame& frame, const Program& program, bool befor
 }
 
 // `factor`: of what is drawn to a pixel of the picture.
-void Painter::use_line(const Program& program, const Mesh& mesh, float factor) const {
+void Painter::use_line(const Program& program, const Primitives& mesh, float factor) const {
     gl_.Uniform1f(program.half_width, factor * mesh.line_width / 2);
     gl_.Uniform1f(program.on_opaque, mesh.on_opaque ? 1.0F : 0.0F);
 }
@@ -270,7 +270,7 @@ void Painter::draw_lines(const Frame& frame) {
 }
 
 void Painter::draw_opaque(const Frame& frame) {
-    const bool any = std::ranges::any_of(frame.meshes, is_opaque);
+    const bool any = std::ranges::any_of(frame.primitives, is_opaque);
     const bool is_occluded = any && frame.occlusion.radius > 0;
     if (is_occluded || (any && !frame.volumes.empty())) draw_opaque_depth(frame, is_occluded);
     volumes_.end_on(any ? opaque_depth_.texture() : 0);
@@ -283,8 +283,8 @@ void Painter::draw_opaque(const Frame& frame) {
 // For the lines and points on surfaces.
 void Painter::find_slopes(const Frame& frame) {
     slopes_.begin();
-    if (std::ranges::none_of(frame.meshes, is_overlay)) return;
-    if (std::ranges::any_of(frame.meshes, is_opaque)) slopes_.copy_opaque(target_, frame.width, frame.height);
+    if (std::ranges::none_of(frame.primitives, is_overlay)) return;
+    if (std::ranges::any_of(frame.primitives, is_opaque)) slopes_.copy_opaque(target_, frame.width, frame.height);
     if (transparent_.is_empty()) return;
     slopes_.find_sheets(frame.width, frame.height, [&] {
         use(slopes_.program(), frame);
@@ -300,9 +300,9 @@ void Painter::draw_opaque_depth(const Frame& frame, bool with_normals) {
 
 void Painter::draw_depths(const Frame& frame, const Program& program) {
     use(program, frame);
-    for (std::size_t i = 0; i < frame.meshes.size(); ++i) {
-        if (!is_opaque(frame.meshes[i])) continue;
-        buffers(i).draw(frame.meshes[i], scale_rows_[i]);
+    for (std::size_t i = 0; i < frame.primitives.size(); ++i) {
+        if (!is_opaque(frame.primitives[i])) continue;
+        buffers(i).draw(frame.primitives[i], scale_rows_[i]);
     }
 }
 

@@ -1,20 +1,20 @@
 // Draws frames with the GL objects of one context, which all live and die with it.
 #pragma once
 
-#include "render/ambient_occlusion.hpp"
-#include "render/annotations/overlay_painter.hpp"
-#include "render/camera.hpp"
-#include "render/color_scales.hpp"
-#include "render/depth_peeling.hpp"
-#include "render/kept_picture.hpp"
-#include "render/mesh_buffers.hpp"
-#include "render/opaque_depth.hpp"
-#include "render/pacing.hpp"
-#include "render/shaders.hpp"
-#include "render/surface_slopes.hpp"
-#include "render/target.hpp"
-#include "render/transparency.hpp"
-#include "render/transparent_points.hpp"
+#include "annotations/camera.hpp"
+#include "render/context/pacing.hpp"
+#include "render/overlay/overlay_painter.hpp"
+#include "render/surfaces/ambient_occlusion.hpp"
+#include "render/surfaces/color_scales.hpp"
+#include "render/surfaces/depth_peeling.hpp"
+#include "render/surfaces/opaque_depth.hpp"
+#include "render/surfaces/primitive_buffers.hpp"
+#include "render/surfaces/shaders.hpp"
+#include "render/surfaces/surface_slopes.hpp"
+#include "render/surfaces/transparency.hpp"
+#include "render/surfaces/transparent_points.hpp"
+#include "render/target/kept_picture.hpp"
+#include "render/target/target.hpp"
 #include "render/volume/volume_painter.hpp"
 
 #include <list>
@@ -63,10 +63,10 @@ private:
     void draw_depth_of_overlays(const Frame& frame);
     void peel_transparent(const Frame& frame);
     void use(const Program& program, const Frame& frame);
-    void use_look(const Frame& frame, const Mesh& mesh);
-    void use_line(const Program& program, const Mesh& mesh, float factor) const;
+    void use_look(const Frame& frame, const Primitives& mesh);
+    void use_line(const Program& program, const Primitives& mesh, float factor) const;
     void assign_buffers(const Frame& frame);
-    [[nodiscard]] MeshBuffers& buffers(std::size_t mesh) { return *slots_[mesh]; }
+    [[nodiscard]] PrimitiveBuffers& buffers(std::size_t mesh) { return *slots_[mesh]; }
 
     Gl gl_;
     Pacing pacing_;
@@ -80,14 +80,14 @@ private:
     OpaqueDepth opaque_depth_;
     AmbientOcclusion occlusion_;
     SurfaceSlopes slopes_;
-    std::list<MeshBuffers> buffers_;  // one per mesh of the largest frame so far
-    std::vector<MeshBuffers*> slots_; // of the frame's meshes; null where they are in one of the next two
+    std::list<PrimitiveBuffers> buffers_;  // one per mesh of the largest frame so far
+    std::vector<PrimitiveBuffers*> slots_; // of the frame's meshes; null where they are in one of the next two
     TransparentTriangles transparent_;
     TransparentPoints transparent_points_;
     DepthPeeling peeling_;
     VolumePainter volumes_;
     OverlayPainter overlay_;
-    ViewTransform transform_;
+    annotations::ViewTransform transform_;
     std::size_t clip_planes_ = 0; // of the last frame
     Vec3d origin_{};
     int width_ = 0, height_ = 0;           // of the last frame, 0 before the first

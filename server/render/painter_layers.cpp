@@ -1,5 +1,5 @@
 // Of the painter: points, volumes, and what one can see through, in their order.
-#include "render/frame_parts.hpp"
+#include "render/frame/frame_parts.hpp"
 #include "render/painter.hpp"
 
 namespace ciel::render {
@@ -19,7 +19,7 @@ void Painter::draw_opaque_points(const Frame& frame) {
     if (!has(frame, is_opaque_points) || has_overlays_in_layers(frame)) return;
     draw_points(frame, target_.sample_places());
     if (frame.volumes.empty()) return;
-    if (std::ranges::any_of(frame.meshes, is_opaque))
+    if (std::ranges::any_of(frame.primitives, is_opaque))
         opaque_depth_.go_on();
     else
         opaque_depth_.begin(frame.width, frame.height, false);
@@ -43,8 +43,8 @@ void Painter::draw_points(const Frame& frame, const std::vector<std::array<float
 
 // With the program that is in use.
 void Painter::draw_opaque_points_with(const Frame& frame) {
-    for (std::size_t i = 0; i < frame.meshes.size(); ++i)
-        if (const Mesh& mesh = frame.meshes[i]; is_opaque_points(mesh)) buffers(i).draw(mesh, scale_rows_[i]);
+    for (std::size_t i = 0; i < frame.primitives.size(); ++i)
+        if (const Primitives& mesh = frame.primitives[i]; is_opaque_points(mesh)) buffers(i).draw(mesh, scale_rows_[i]);
 }
 
 // Lines leave no depth that a volume ends on: their soft edges would cut it off. So they are seen through it, and those
@@ -123,7 +123,7 @@ void Painter::peel_transparent(const Frame& frame) {
         layers.volumes = [&](GLuint depth, GLuint color) {
             return volumes_.picture_until(frame, transform_, {depth, color});
         };
-    if (!frame.volumes.empty() && std::ranges::any_of(frame.meshes, is_opaque))
+    if (!frame.volumes.empty() && std::ranges::any_of(frame.primitives, is_opaque))
         layers.outlines = opaque_depth_.texture();
     enable_clip_planes(false);
     peeling_.draw(layers, target_);
@@ -149,8 +149,8 @@ float Painter::use_in_layers(const Frame& frame, const Program& program, bool jo
 void Painter::draw_lines_of_layer(const Frame& frame, bool joining) {
     const Program& program = peeling_.lines();
     const float factor = use_in_layers(frame, program, joining);
-    for (std::size_t i = 0; i < frame.meshes.size(); ++i) {
-        const Mesh& mesh = frame.meshes[i];
+    for (std::size_t i = 0; i < frame.primitives.size(); ++i) {
+        const Primitives& mesh = frame.primitives[i];
         if (!mesh.lines || mesh.indices.empty() || mesh.color[3] <= 0 || (joining && mesh.color[3] >= 1)) continue;
         use_line(program, mesh, factor);
         gl_.Uniform1f(program.number, mesh.color[3] < 1 ? static_cast<float>(i + 1) : 0.0F);
@@ -167,7 +167,7 @@ void Painter::draw_points_of_layer(const Frame& frame) {
 }
 
 void Painter::draw_points_between_layers(const Frame& frame) {
-    const bool on_surfaces = has(frame, [](const Mesh& mesh) { return !is_overlay(mesh) && mesh.color[3] > 0; });
+    const bool on_surfaces = has(frame, [](const Primitives& mesh) { return !is_overlay(mesh) && mesh.color[3] > 0; });
     use_for_points(frame, peeling_.between(on_surfaces));
     transparent_points_.draw();
 }

@@ -1,7 +1,7 @@
 #include "render/picture_memory.hpp"
 
-#include "render/depth_peeling.hpp"
-#include "render/frame_parts.hpp"
+#include "render/frame/frame_parts.hpp"
+#include "render/surfaces/depth_peeling.hpp"
 
 namespace ciel::render {
 namespace {
@@ -15,7 +15,7 @@ constexpr std::uint64_t occlusion = 48;   // depth, normals, found and even ligh
 constexpr std::uint64_t volumes = 72;     // pictures of 4 floats, rays, reach and coverage (volume_painter.hpp)
 constexpr std::uint64_t scene = 24 << 20; // what the GL keeps of the triangles that it draws at a time
 
-std::uint64_t bytes_of(const Mesh& mesh) {
+std::uint64_t bytes_of(const Primitives& mesh) {
     return mesh.positions.size_bytes() + mesh.normals.size_bytes() + mesh.scalars.size_bytes() +
            mesh.indices.size_bytes();
 }
@@ -39,7 +39,7 @@ std::uint64_t picture_memory(const Frame& frame) {
     if (frame.occlusion.radius > 0) of_pixel += occlusion;
     if (!frame.volumes.empty()) of_pixel += volumes;
     std::uint64_t bytes = pixels * of_pixel + scene;
-    for (const Mesh& mesh : frame.meshes) bytes += (is_transparent(mesh) ? 3 : 1) * bytes_of(mesh); // sorted
+    for (const Primitives& mesh : frame.primitives) bytes += (is_transparent(mesh) ? 3 : 1) * bytes_of(mesh); // sorted
     for (const Volume& volume : frame.volumes) bytes += bytes_of(volume);
     return bytes + bytes / 8;
 }

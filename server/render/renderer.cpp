@@ -1,4 +1,6 @@
-#include "render/context.hpp"
+#include "render/renderer.hpp"
+
+#include "render/context/context.hpp"
 #include "render/painter.hpp"
 #include "render/picture_memory.hpp"
 
@@ -10,17 +12,6 @@
 
 namespace ciel::render {
 namespace {
-
-struct BackendName {
-    Backend backend;
-    const char* name;
-};
-constexpr BackendName backend_names[] = {
-    {Backend::automatic, "auto"},
-    {Backend::egl_device, "egl-device"},
-    {Backend::egl_surfaceless, "egl-surfaceless"},
-    {Backend::osmesa, "osmesa"},
-};
 
 // The stills of a large screen stay below: nobody waits for a new context there.
 constexpr std::int64_t most_kept_pixels = 12 << 20;
@@ -173,31 +164,15 @@ Backend Renderer::backend() const { return state_->wanted; }
 
 std::vector<Backend> available_backends() {
     std::vector<Backend> available;
-    for (const BackendName& named : backend_names) {
-        if (named.backend == Backend::automatic) continue;
+    for (const Backend backend : {Backend::egl_device, Backend::egl_surfaceless, Backend::osmesa}) {
         try {
-            const Renderer renderer(named.backend);
-            available.push_back(named.backend);
+            const Renderer renderer(backend);
+            available.push_back(backend);
         } catch (const Error&) {
             continue; // asking whether it is there is what this is for
         }
     }
     return available;
-}
-
-const char* name_of(Backend backend) {
-    for (const BackendName& named : backend_names)
-        if (named.backend == backend) return named.name;
-    return "unknown";
-}
-
-Backend backend_named(const std::string& name) {
-    std::string known;
-    for (const BackendName& named : backend_names) {
-        if (name == named.name) return named.backend;
-        known += (known.empty() ? "" : ", ") + std::string(named.name);
-    }
-    throw Error("there is no GL back end '" + name + "'; there are " + known);
 }
 
 } // namespace ciel::render

@@ -8,7 +8,7 @@ namespace {
 using nlohmann::json;
 
 constexpr std::size_t allocation = 16;                      // header and rounding of one heap block
-constexpr std::size_t tree_node = 32 + sizeof(std::string); // std::map: colour and three links, then the key
+constexpr std::size_t tree_node = 32 + sizeof(std::string); // std::map: color and three links, then the key
 constexpr std::size_t short_string = 15;                    // kept inside of a std::string
 
 std::size_t characters(const std::string& text) {

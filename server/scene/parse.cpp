@@ -70,7 +70,7 @@ std::vector<ColorPoint> color_points_of(const json& color, const std::string& pa
         const double at = point["at"];
         if (!points.empty() && at < points.back().at)
             throw Invalid(path + "/points/" + std::to_string(points.size()) + "/at",
-                          "the points of a colour map stand in ascending order of at");
+                          "the points of a color map stand in ascending order of at");
         points.push_back({at, bytes_of(point["color"])});
     }
     return points;
@@ -140,8 +140,8 @@ std::optional<Contours> contours_of(const json& layer, const std::string& path) 
         array = contours.array;
     else if (array != contours.array)
         throw Invalid(path + "/contours/coloring/array", "contour lines of " + printable(contours.array) +
-                                                             " have the colours of its values, not of " +
-                                                             printable(array) + "; leave out the array of the colours");
+                                                             " have the colors of its values, not of " +
+                                                             printable(array) + "; leave out the array of the colors");
     return contours;
 }
 
@@ -325,7 +325,7 @@ VolumeLayer volume_of(const json& object, const std::string& path) {
         volume.direction = directions.at(direction->get<std::string>());
     read(object, "shaded", volume.shaded);
     if (!volume.color.array.empty() && volume.color.array != volume.array)
-        throw Invalid(path + "/color/array", "a volume has the colours of its own array, " + printable(volume.array));
+        throw Invalid(path + "/color/array", "a volume has the colors of its own array, " + printable(volume.array));
     return volume;
 }
 

@@ -36,11 +36,11 @@ struct Coloring { // by a scalar through a map, or solid when `array` is empty
     bool reverse = false, symmetric = false, log = false; // both: logarithmic on either side of zero
     int steps = 0;                                        // 0: smooth
     Rgb8 nan{128, 128, 128};
-    std::optional<Rgb8> below, above; // none: the colour of that end
+    std::optional<Rgb8> below, above; // none: the color of that end
     std::array<float, 3> solid{0.8F, 0.8F, 0.8F};
 };
 
-struct LineStyle { // of polygon edges and the like: one colour, a width in pixels
+struct LineStyle { // of polygon edges and the like: one color, a width in pixels
     std::array<float, 3> color{0x1a / 255.0F, 0x1a / 255.0F, 0x1a / 255.0F};
     float width = 1;
 };
@@ -51,7 +51,7 @@ struct Contours { // where an array takes values on a slice
     int count = 10; // of values evenly inside the range; 0 where `values` says it
     std::optional<std::array<double, 2>> range;
     LineStyle line{{0x1a / 255.0F, 0x1a / 255.0F, 0x1a / 255.0F}, 1.5F};
-    std::optional<Coloring> coloring; // by their values, instead of the line's colour
+    std::optional<Coloring> coloring; // by their values, instead of the line's color
 };
 
 struct IsoLayer {
@@ -79,7 +79,7 @@ struct SurfaceLayer { // boundary faces; all of them when `groups` is empty
     std::optional<LineStyle> edges;
 };
 struct OutlineLayer { // the bounding box
-    Coloring color;   // its solid colour
+    Coloring color;   // its solid color
 };
 
 struct ClipLayer {                                   // a plane that cuts all layers
@@ -106,7 +106,7 @@ struct PointsLayer {  // the mesh's vertices
     Coloring color;
 };
 
-// Emission and absorption between the mesh's boundary faces, by one array through one colour map and opacity curve.
+// Emission and absorption between the mesh's boundary faces, by one array through one color map and opacity curve.
 struct VolumeLayer {
     enum class Direction { automatic, x, y, z, screen };
 
@@ -115,7 +115,7 @@ struct VolumeLayer {
     // (place between the ends of the range, opacity of a ray that runs one unit length through this value); ascending.
     std::vector<std::array<double, 2>> opacity_points{{0, 0}, {1, 0.9}};
     std::optional<double> unit_length; // none: a tenth of the bounds' diagonal
-    std::optional<std::size_t> slices; // none: as session/volume_cut.hpp finds fitting
+    std::optional<std::size_t> slices; // none: as geometry/volume_cut.hpp finds fitting
     Direction direction = Direction::automatic;
     bool shaded = true;
 };

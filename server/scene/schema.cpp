@@ -90,7 +90,7 @@ constexpr auto length_of = [](const json& v) {
 
 // The contract's patterns in words; a regular expression is no sentence.
 std::string form_of(const std::string& pattern) {
-    if (pattern == "^#[0-9a-fA-F]{6}$") return "must be a colour of the form #rrggbb";
+    if (pattern == "^#[0-9a-fA-F]{6}$") return "must be a color of the form #rrggbb";
     if (pattern == "^[A-Za-z0-9_-]{1,64}$") return "must be 1 to 64 of the characters A-Z, a-z, 0-9, _ and -";
     return "must match " + pattern;
 }

@@ -1,9 +1,9 @@
 #include "store/catalog.hpp"
 
 #include "ciel/printable.hpp"
-#include "store/documents.hpp"
-#include "store/files.hpp"
-#include "store/layout.hpp"
+#include "store/files/files.hpp"
+#include "store/format/documents.hpp"
+#include "store/format/layout.hpp"
 
 #include <algorithm>
 #include <chrono>

@@ -1,10 +1,10 @@
 #include "store/dataset.hpp"
 
-#include "store/chunk_cache.hpp"
-#include "store/documents.hpp"
-#include "store/files.hpp"
-#include "store/layout.hpp"
-#include "store/mapped_mesh.hpp"
+#include "store/cache/chunk_cache.hpp"
+#include "store/cache/mapped_mesh.hpp"
+#include "store/files/files.hpp"
+#include "store/format/documents.hpp"
+#include "store/format/layout.hpp"
 #include "store/statistics.hpp"
 
 #include <algorithm>

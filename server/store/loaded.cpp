@@ -1,7 +1,7 @@
 #include "store/loaded.hpp"
 
 #include "ciel/geometric_vertices.hpp"
-#include "store/cache.hpp"
+#include "store/cache/cache.hpp"
 #include "store/no_value.hpp"
 
 #include <algorithm>

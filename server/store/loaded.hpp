@@ -37,7 +37,7 @@ public:
     [[nodiscard]] std::shared_ptr<const Topology> topology(std::size_t mesh);
     // Throws NotWritten, and Error when the scalar does not exist or has no values at points.
     [[nodiscard]] ScalarField scalar(const std::string& name, std::size_t step);
-    // Point scalar by name as a plain array (magnitudes and components are made once), for colouring and probing.
+    // Point scalar by name as a plain array (magnitudes and components are made once), for coloring and probing.
     [[nodiscard]] std::shared_ptr<const std::vector<float>> scalar_values(const std::string& name, std::size_t step);
     // Likewise of an array of the cells or of the boundary's faces: one value each.
     [[nodiscard]] std::shared_ptr<const std::vector<float>> cell_values(const std::string& name, std::size_t step);

@@ -1,6 +1,6 @@
 #include "store/place.hpp"
 
-#include "store/layout.hpp"
+#include "store/format/layout.hpp"
 
 #include <cerrno>
 #include <cstdio>

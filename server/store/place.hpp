@@ -1,7 +1,7 @@
 // The place where a new dataset comes to stand: written aside in a temporary sibling, renamed when whole.
 #pragma once
 
-#include "store/files.hpp"
+#include "store/files/files.hpp"
 
 namespace ciel::store {
 

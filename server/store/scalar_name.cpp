@@ -73,7 +73,7 @@ std::vector<std::string> scalar_names(const ArrayInfo& array) {
 
 ScalarName parse_scalar(const Dataset& dataset, const std::string& name) {
     if (const ArrayInfo* array = dataset.find(name)) {
-        // A vector's bare name is its magnitude: what most people mean who colour by U.
+        // A vector's bare name is its magnitude: what most people mean who color by U.
         if (array->components == 1 || has_magnitude(*array)) return {array->name, std::nullopt, array->components > 1};
         throw Error("'" + printable(name) + "' has " + std::to_string(array->components) +
                     " components and no magnitude; choose one of " + listed(scalar_names(*array)));

@@ -1,8 +1,8 @@
 #include "store/write_mesh.hpp"
 
-#include "store/checksum.hpp"
-#include "store/files.hpp"
-#include "store/layout.hpp"
+#include "store/files/files.hpp"
+#include "store/format/checksum.hpp"
+#include "store/format/layout.hpp"
 #include "store/mesh_counts.hpp"
 
 #include <algorithm>

@@ -1,9 +1,9 @@
 // One mesh's directory, written.
 #pragma once
 
-#include "store/attributes.hpp"
+#include "store/format/attributes.hpp"
+#include "store/format/zarr_array.hpp"
 #include "store/writer.hpp"
-#include "store/zarr_array.hpp"
 
 namespace ciel::store {
 

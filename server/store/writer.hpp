@@ -36,7 +36,7 @@ public:
     Writer(const std::filesystem::path& directory, const DatasetHeader& header, bool overwrite = false);
     // Opens an existing dataset to append steps to it, under a lock that ends with the Writer. Removes what killed
     // writers have left aside. Throws Error when another writer has the lock, when the dataset is damaged, or when it
-    // is a copy that `ciel serve` made for itself (import_missing.hpp).
+    // is a copy that `ciel serve` made for itself (imported_copy.hpp).
     [[nodiscard]] static Writer append(const std::filesystem::path& directory);
     // The same of one that is open already: only the steps committed since are read.
     [[nodiscard]] static Writer append(std::shared_ptr<Dataset> dataset);

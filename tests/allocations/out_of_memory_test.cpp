@@ -1,11 +1,11 @@
 // No memory, at any of the places where the kernel asks for some: the call throws, and what is asked for next is right.
 #include "allocations/counted_new.hpp"
-#include "ciel/blocks.hpp"
-#include "ciel/cell_ranges.hpp"
+#include "blocks/blocks.hpp"
 #include "ciel/extract.hpp"
 #include "ciel/geometric_vertices.hpp"
 #include "ciel/slab.hpp"
 #include "ciel/sweep.hpp"
+#include "fields/cell_ranges.hpp"
 #include "support/fields.hpp"
 #include "support/meshes.hpp"
 #include "support/thread_count.hpp"
@@ -182,10 +182,10 @@ TEST_P(OutOfMemory, NextSurfaceIsRightWithFourThreads) {
 const std::vector<How> ways{
     {"signatures_gradients", {}, Normals::gradient},
     {"signatures_polygons", {}, Normals::polygons},
-    {"decided", {Engine::signatures, Decider::asymptotic}, {}},
-    {"propagation", {Engine::propagation}, {}},
-    {"propagation_gradients", {Engine::propagation}, Normals::gradient},
-    {"naive", {Engine::naive}, Normals::polygons},
+    {"decided", {Algorithm::signatures, Decider::asymptotic}, {}},
+    {"propagation", {Algorithm::propagation}, {}},
+    {"propagation_gradients", {Algorithm::propagation}, Normals::gradient},
+    {"naive", {Algorithm::naive}, Normals::polygons},
 };
 
 INSTANTIATE_TEST_SUITE_P(meshes, OutOfMemory,
@@ -258,8 +258,8 @@ TEST_P(SweepOutOfMemory, OfASlab) {
 
 const std::vector<How> sweep_ways{
     {"signatures", {}, {}},
-    {"decided", {Engine::signatures, Decider::asymptotic}, {}},
-    {"propagation", {Engine::propagation}, {}},
+    {"decided", {Algorithm::signatures, Decider::asymptotic}, {}},
+    {"propagation", {Algorithm::propagation}, {}},
 };
 
 INSTANTIATE_TEST_SUITE_P(meshes, SweepOutOfMemory,

@@ -23,9 +23,9 @@ const std::vector<How> ways{
     {"signatures", {}, {}},
     {"signatures_gradients", {}, Normals::gradient},
     {"signatures_polygons", {}, Normals::polygons},
-    {"decided", {Engine::signatures, Decider::asymptotic}, Normals::gradient},
-    {"propagation", {Engine::propagation}, {}},
-    {"propagation_gradients", {Engine::propagation}, Normals::gradient},
+    {"decided", {Algorithm::signatures, Decider::asymptotic}, Normals::gradient},
+    {"propagation", {Algorithm::propagation}, {}},
+    {"propagation_gradients", {Algorithm::propagation}, Normals::gradient},
 };
 
 class SteadyState : public testing::TestWithParam<std::tuple<NamedMesh, How>> {
@@ -77,9 +77,9 @@ struct SweepWay {
 
 const std::vector<SweepWay> sweep_ways{
     {"signatures", {}},
-    {"decided", {Engine::signatures, Decider::asymptotic}},
-    {"propagation", {Engine::propagation}},
-    {"naive", {Engine::naive}},
+    {"decided", {Algorithm::signatures, Decider::asymptotic}},
+    {"propagation", {Algorithm::propagation}},
+    {"naive", {Algorithm::naive}},
 };
 
 class SteadySweep : public testing::TestWithParam<std::tuple<NamedMesh, SweepWay>> {

@@ -1,9 +1,9 @@
 // What transparent layers are copied to is asked for once, however many there are: growing it layer by layer copies
 // those before each time.
 #include "allocations/counted_new.hpp"
-#include "render/context.hpp"
-#include "render/transparency.hpp"
-#include "render/transparent_points.hpp"
+#include "render/context/context.hpp"
+#include "render/surfaces/transparency.hpp"
+#include "render/surfaces/transparent_points.hpp"
 
 #include <gtest/gtest.h>
 
@@ -13,8 +13,8 @@ namespace {
 constexpr std::size_t layers = 384; // of one surface with patches
 constexpr std::size_t most = 8;     // vertices, triangles, their order and room to sort it, and what they are made of
 
-std::vector<Mesh> meshes_of(const std::vector<Vec3f>& positions, const std::vector<Index>& indices) {
-    std::vector<Mesh> meshes(layers);
+std::vector<Primitives> meshes_of(const std::vector<Vec3f>& positions, const std::vector<Index>& indices) {
+    std::vector<Primitives> meshes(layers);
     for (std::size_t i = 0; i < layers; ++i) {
         meshes[i].positions = positions;
         meshes[i].indices = indices;
@@ -25,9 +25,9 @@ std::vector<Mesh> meshes_of(const std::vector<Vec3f>& positions, const std::vect
 }
 
 template <typename Transparent>
-std::vector<typename Transparent::Part> parts_of(const std::vector<Mesh>& meshes) {
-    std::vector<typename Transparent::Part> parts;
-    for (const Mesh& mesh : meshes) parts.push_back({&mesh, {}});
+std::vector<ScaledPrimitives> parts_of(const std::vector<Primitives>& meshes) {
+    std::vector<ScaledPrimitives> parts;
+    for (const Primitives& mesh : meshes) parts.push_back({&mesh, {}});
     return parts;
 }
 
@@ -53,14 +53,14 @@ protected:
 };
 
 TEST_F(TransparentUpload, TrianglesAreCopiedOnce) {
-    const std::vector<Mesh> meshes = meshes_of(positions, indices);
+    const std::vector<Primitives> meshes = meshes_of(positions, indices);
     const auto parts = parts_of<TransparentTriangles>(meshes);
     TransparentTriangles triangles(gl);
     expect_few([&] { triangles.load(parts, {0, 0, 1, 0}, true); });
 }
 
 TEST_F(TransparentUpload, PointsAreCopiedOnce) {
-    const std::vector<Mesh> meshes = meshes_of(positions, indices);
+    const std::vector<Primitives> meshes = meshes_of(positions, indices);
     const auto parts = parts_of<TransparentPoints>(meshes);
     TransparentPoints points(gl);
     expect_few([&] { points.load(parts, {0, 0, 1, 0}); });

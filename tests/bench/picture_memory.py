@@ -52,9 +52,9 @@ def main() -> None:
     os.environ["CIEL_BINARY"] = ciel
     from serve_process import Server
 
-    coloured = {"color": {"array": array}}
-    scenes = {"boundary": {"b": {"type": "surface", **coloured}},
-              "transparent boundary": {"b": {"type": "surface", "opacity": 0.5, **coloured}},
+    colored = {"color": {"array": array}}
+    scenes = {"boundary": {"b": {"type": "surface", **colored}},
+              "transparent boundary": {"b": {"type": "surface", "opacity": 0.5, **colored}},
               "volume": {"v": {"type": "volume", "array": array}}}
     print("| scene | size | named, MB | taken, MB |\n|---|---|---|---|")
     for name, layers in scenes.items():

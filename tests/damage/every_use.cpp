@@ -1,9 +1,10 @@
 #include "damage/every_use.hpp"
 
-#include "methods/service.hpp"
-#include "session/default_scene.hpp"
-#include "session/probe.hpp"
+#include "frames/frame_of.hpp"
+#include "geometry/default_scene.hpp"
+#include "probe/probe.hpp"
 #include "store/writer.hpp"
+#include "unit/methods/service.hpp"
 
 namespace ciel::test {
 namespace {
@@ -47,7 +48,7 @@ json layers_of(const store::Dataset& dataset, const std::string& cells) {
 
 } // namespace
 
-EveryUse::EveryUse(session::Server& server, std::string dataset, std::string cells, Extraction extraction)
+EveryUse::EveryUse(engine::Server& server, std::string dataset, std::string cells, Extraction extraction)
     : server_(server), name_(std::move(dataset)), cells_(std::move(cells)), extraction_(extraction) {}
 
 void EveryUse::open() { dataset_ = server_.catalog().open(name_)->dataset(); }
@@ -64,18 +65,18 @@ void EveryUse::show_layers() {
     const auto loaded = std::make_shared<store::LoadedDataset>(dataset_, std::size_t{1} << 30);
     json all;
     attempt("scene", [&] { all = layers_of(*dataset_, cells_); });
-    session::SceneGeometry geometry(extraction_);
+    geometry::SceneGeometry geometry(extraction_);
     for (const auto& [id, layer] : all.items())
         attempt(id, [&, id = id] {
             json layers{{id, all[id]}};
             if (id == "clip") layers["capped"] = {{"type", "surface"}, {"color", {{"array", "p"}}}};
-            const auto shown = geometry.update(scene::parse({{"dataset", name_}, {"layers", layers}}), loaded);
-            (void)session::frame_of(*shown, scene::parse({{"dataset", name_}}), 64, 64, 1);
+            const auto shown = geometry.update({scene::parse({{"dataset", name_}, {"layers", layers}}), loaded});
+            (void)frames::frame_of(*shown, scene::parse({{"dataset", name_}}), 64, 64, 1);
         });
-    attempt("default scene", [&] { (void)session::default_scene(*loaded, name_); });
+    attempt("default scene", [&] { (void)geometry::default_scene(*loaded, name_); });
     attempt("probe", [&] {
-        const session::Locator locator(dataset_, 0, 0);
-        (void)session::probe(*dataset_, 0, locator, middle_of(dataset_->info().meshes[0]));
+        const probe::Locator locator(dataset_, 0, 0);
+        (void)probe::probe(*dataset_, 0, locator, middle_of(dataset_->info().meshes[0]));
     });
 }
 

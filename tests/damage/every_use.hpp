@@ -1,8 +1,8 @@
 // Everything that reads the mapped files of a dataset: each kind of layer, probe, histogram, export and append.
 #pragma once
 
-#include "session/scene_geometry.hpp"
-#include "session/server.hpp"
+#include "engine/server.hpp"
+#include "geometry/scene_geometry.hpp"
 
 #include <functional>
 #include <string>
@@ -18,7 +18,7 @@ struct Told {
 class EveryUse {
 public:
     // The catalog of `server` has one dataset; `cells` is its cell array.
-    EveryUse(session::Server& server, std::string dataset, std::string cells, Extraction extraction);
+    EveryUse(engine::Server& server, std::string dataset, std::string cells, Extraction extraction);
 
     // Opens the dataset and keeps it open.
     void open();
@@ -33,7 +33,7 @@ private:
     void ask_methods();
     void append_a_step();
 
-    session::Server& server_;
+    engine::Server& server_;
     std::string name_, cells_;
     Extraction extraction_;
     std::shared_ptr<store::Dataset> dataset_;

@@ -2,9 +2,9 @@
 // process of its own, so that a crash is counted.
 #include "damage/damaged_file.hpp"
 #include "damage/every_use.hpp"
-#include "small_dataset/small_dataset.hpp"
-#include "store/box/box.hpp"
-#include "store/watched_mappings.hpp"
+#include "store/cache/watched_mappings.hpp"
+#include "support/small_dataset/small_dataset.hpp"
+#include "support/store_box/box.hpp"
 
 #include <array>
 #include <atomic>
@@ -59,10 +59,10 @@ std::string in_child(const std::function<std::string()>& body) {
     return WEXITSTATUS(status) == 0 ? text : "ended with status " + std::to_string(WEXITSTATUS(status));
 }
 
-session::ServerOptions options_for(const fs::path& directory, Engine engine) {
-    session::ServerOptions options;
+engine::ServerOptions options_for(const fs::path& directory, Algorithm algorithm) {
+    engine::ServerOptions options;
     options.data = {directory};
-    options.extraction = engine;
+    options.extraction = algorithm;
     return options;
 }
 
@@ -94,9 +94,9 @@ private:
 
 // Empty when all went well.
 std::string run_case(const Data& data, const fs::path& directory, const fs::path& file, Damage how, Moment moment,
-                     Engine engine) {
-    session::Server server(options_for(directory, engine));
-    EveryUse uses(server, directory.stem().string(), data.cells, engine);
+                     Algorithm algorithm) {
+    engine::Server server(options_for(directory, algorithm));
+    EveryUse uses(server, directory.stem().string(), data.cells, algorithm);
     uses.open();
     const auto opened = uses.dataset();
     if (moment != Moment::before_first_touch)
@@ -136,9 +136,9 @@ TEST_P(mapped_files, damaged_in_place_are_a_sentence_and_nothing_dies) {
     for (const fs::path& file : mapped_files_in(folder / "whole.ciel")) {
         const fs::path directory = folder / ("case" + std::to_string(++number) + ".ciel");
         fs::copy(folder / "whole.ciel", directory, fs::copy_options::recursive);
-        const Engine engine = number % 2 == 0 ? Engine::signatures : Engine::propagation;
+        const Algorithm algorithm = number % 2 == 0 ? Algorithm::signatures : Algorithm::propagation;
         EXPECT_EQ(in_child([&, &how = how, &moment = moment] {
-                      return run_case(data, directory, file, how, moment, engine);
+                      return run_case(data, directory, file, how, moment, algorithm);
                   }),
                   "")
             << file;
@@ -170,8 +170,8 @@ bool until(const std::function<bool()>& holds) {
 
 // Restored as it should be, it is opened anew: for everybody, and nothing is left of the loss.
 std::string run_recovery(const Data& data, const fs::path& directory, const fs::path& file, Damage how) {
-    session::Server server(options_for(directory, Engine::signatures));
-    EveryUse uses(server, directory.stem().string(), data.cells, Engine::signatures);
+    engine::Server server(options_for(directory, Algorithm::signatures));
+    EveryUse uses(server, directory.stem().string(), data.cells, Algorithm::signatures);
     uses.open();
     for (const Told& told : uses.run()) return "refused " + told.use + " of what was whole: " + told.sentence;
     const std::string content = read_file(directory / file);

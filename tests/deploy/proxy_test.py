@@ -143,7 +143,7 @@ class TheProxy(unittest.TestCase):
 
     def test_the_proxy_gives_up_idle_connections_before_the_server_does(self):
         """Otherwise a request meets a connection that the server is closing, and its user reads 502."""
-        limits = (ROOT / "server/session/limits.hpp").read_text(encoding="utf-8")
+        limits = (ROOT / "server/limits/limits.hpp").read_text(encoding="utf-8")
         server = int(re.search(r"\bkeep_alive_seconds = (\d+)", limits).group(1))
         upstream = re.search(r"upstream ciel \{(.*?)\n    \}", (PROXY / "nginx.conf").read_text(encoding="utf-8"), re.S)
         proxy = int(re.search(r"keepalive_timeout (\d+)s;", upstream.group(1)).group(1))

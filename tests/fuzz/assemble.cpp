@@ -1,5 +1,5 @@
 // Bytes as a small mesh of arbitrary faces, through assemble, Topology and extract: no crash, and whatever is accepted
-// keeps the operators' identities, gives the same surface from both engines, and that surface is closed.
+// keeps the operators' identities, gives the same surface from both algorithms, and that surface is closed.
 #include "ciel/extract.hpp"
 #include "fuzz/bytes.hpp"
 #include "oracle/twin/twin.hpp"
@@ -129,7 +129,7 @@ void cut(const Topology& topology, const FaceMeshView& mesh, Bytes& bytes) {
     std::vector<float> values(mesh.vertex_count());
     for (float& value : values) value = number(bytes.next());
     const Field field(topology, values, nullptr);
-    Query signatures(topology, mesh, Engine::signatures), propagation(topology, mesh, Engine::propagation);
+    Query signatures(topology, mesh, Algorithm::signatures), propagation(topology, mesh, Algorithm::propagation);
     signatures.set_field(field);
     propagation.set_field(field);
     for (int i = 0; i < 4; ++i) {
@@ -139,7 +139,7 @@ void cut(const Topology& topology, const FaceMeshView& mesh, Bytes& bytes) {
         require(same_bits(a.points, b.points) && same_bits(a.positions, b.positions) &&
                     same_bits(a.normals, b.normals) && same_bits(a.polygon_offset, b.polygon_offset) &&
                     same_bits(a.polygon_vertex, b.polygon_vertex) && same_bits(a.polygon_cell, b.polygon_cell),
-                "the engines differ");
+                "the algorithms differ");
         for (const EdgePoint& point : a.points) {
             require(point.a < point.b && point.b < mesh.vertex_count(), "a point off every edge");
             require(std::isfinite(values[point.a]) && std::isfinite(values[point.b]), "a point through no value");

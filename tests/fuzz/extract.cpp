@@ -1,5 +1,5 @@
-// Bytes as a small mesh, two fields and a history of what a viewer may do: every engine gives the same bits after any
-// history, a new query the same again, and whatever is made of the surface keeps what its header promises.
+// Bytes as a small mesh, two fields and a history of what a viewer may do: every algorithm gives the same bits after
+// any history, a new query the same again, and whatever is made of the surface keeps what its header promises.
 #include "ciel/extract.hpp"
 #include "fuzz/extract_promises.hpp"
 #include "fuzz/extract_steps.hpp"
@@ -12,7 +12,7 @@ namespace {
 using namespace ciel;
 using namespace ciel::test;
 
-constexpr std::array engines{Engine::signatures, Engine::propagation, Engine::naive};
+constexpr std::array algorithms{Algorithm::signatures, Algorithm::propagation, Algorithm::naive};
 
 class Viewer {
 public:
@@ -20,8 +20,8 @@ public:
         : topology_(topology), mesh_(mesh), bytes_(bytes) {
         for (auto& values : values_) values = field_from(bytes, mesh.vertex_count());
         for (std::size_t i = 0; i < values_.size(); ++i) field_[i].emplace(topology, values_[i], nullptr);
-        for (const Engine engine : engines) {
-            query_.emplace_back(topology, mesh, engine);
+        for (const Algorithm algorithm : algorithms) {
+            query_.emplace_back(topology, mesh, algorithm);
             query_.back().set_field(*field_[0]);
         }
     }
@@ -84,10 +84,10 @@ private:
         require(query_[0].extract(nu, with_normals, surface), "nothing asked extract to stop");
         for (std::size_t i = 1; i < query_.size(); ++i) {
             require(query_[i].extract(nu, with_normals, other), "nothing asked extract to stop");
-            same_surface(surface, other, "the engines differ");
+            same_surface(surface, other, "the algorithms differ");
         }
         const Field field(topology_, values_[current_], nullptr);
-        Query fresh(topology_, mesh_, {Engine::signatures, decider_});
+        Query fresh(topology_, mesh_, {Algorithm::signatures, decider_});
         fresh.set_normals(normals_);
         fresh.set_field(field);
         require(fresh.extract(nu, with_normals, other), "nothing asked extract to stop");
@@ -186,7 +186,7 @@ private:
     std::array<std::vector<float>, 2> values_;
     std::array<std::vector<Vec3f>, 2> gradient_;
     std::array<std::optional<Field>, 2> field_;
-    std::vector<Query> query_; // one per engine
+    std::vector<Query> query_; // one per algorithm
     std::vector<std::vector<float>> moved_;
     std::size_t current_ = 0;
     Decider decider_ = Decider::isolate_high;

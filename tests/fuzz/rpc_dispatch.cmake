@@ -1,2 +1,2 @@
 find_package(nlohmann_json REQUIRED)
-ciel_fuzz(rpc_dispatch LINKS methods session scene store render wire ciel PACKAGES nlohmann_json::nlohmann_json)
+ciel_fuzz(rpc_dispatch LINKS methods PACKAGES nlohmann_json::nlohmann_json)

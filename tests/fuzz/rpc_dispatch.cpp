@@ -1,6 +1,6 @@
 // Any bytes as a JSON-RPC message to a server without datasets: every answer is nothing, or JSON-RPC 2.0.
+#include "engine/server.hpp"
 #include "methods/dispatcher.hpp"
-#include "session/server.hpp"
 
 #include <cstdint>
 #include <cstdlib>
@@ -18,8 +18,8 @@ bool is_answer(const json& answer) {
 } // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-    static ciel::session::Server server({});
-    static ciel::session::Connection connection;
+    static ciel::engine::Server server({});
+    static ciel::sessions::Connection connection;
     const std::string text = ciel::methods::dispatch(server, connection, {reinterpret_cast<const char*>(data), size});
     if (text.empty()) return 0;
     const json reply = json::parse(text, nullptr, false);

@@ -1,9 +1,9 @@
 // The store's text documents and .npy files: the first byte chooses the parser, the rest is the file. Whatever is
 // accepted is written back and must be accepted again, and come out the same.
-#include "store/attributes.hpp"
-#include "store/marker.hpp"
-#include "store/npy.hpp"
-#include "store/zarr_array.hpp"
+#include "store/format/attributes.hpp"
+#include "store/format/marker.hpp"
+#include "store/format/npy.hpp"
+#include "store/format/zarr_array.hpp"
 
 #include <cstdlib>
 #include <string>

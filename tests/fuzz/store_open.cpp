@@ -1,10 +1,10 @@
 // A whole dataset of which one file is the fuzzer's: the first byte chooses the file, the second whether its checksum
 // is mended, the rest is its content. What opens is used as the server would: topology, field, surface, slice.
-#include "store/box/box.hpp"
+#include "support/store_box/box.hpp"
 
 #include "ciel/extract.hpp"
-#include "store/checksum.hpp"
-#include "store/files.hpp"
+#include "store/files/files.hpp"
+#include "store/format/checksum.hpp"
 #include "store/loaded.hpp"
 
 #include <string_view>
@@ -46,8 +46,8 @@ void use(const fs::path& directory) {
     for (std::size_t step = 0; step < dataset->steps().size(); ++step)
         for (const store::ScalarField& scalar :
              {loaded.scalar("p", step), loaded.scalar("U:magnitude", step), loaded.plane(step, {1, 1, 1}, {0, 0, 1})})
-            for (const Engine engine : {Engine::signatures, Engine::propagation}) {
-                Query query(*scalar.topology, scalar.mesh, engine);
+            for (const Algorithm algorithm : {Algorithm::signatures, Algorithm::propagation}) {
+                Query query(*scalar.topology, scalar.mesh, algorithm);
                 query.set_field(*scalar.field);
                 Surface surface;
                 for (const double nu : {3.5, 0.0, 13.0}) query.extract(nu, true, surface);

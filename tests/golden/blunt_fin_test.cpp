@@ -1,7 +1,7 @@
 // The vortices in front of the blunt fin (NASA's data, where it is there): a shaded volume, whole and cut open.
-#include "render/volume_scene.hpp"
 #include "support/golden/golden.hpp"
 #include "support/meshes.hpp"
+#include "unit/render/volume_scene.hpp"
 
 #include <bit>
 #include <cstdlib>

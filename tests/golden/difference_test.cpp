@@ -35,7 +35,7 @@ TEST(Difference, IsMeasuredInLab) {
     for (const Row& row : rows) {
         const Difference found = difference(plain(20, 20, row.a), plain(20, 20, row.b));
         EXPECT_NEAR(found.shift, row.distance, 0.05);
-        EXPECT_EQ(found.share, row.distance > Tolerance::colour ? 1 : 0);
+        EXPECT_EQ(found.share, row.distance > Tolerance::color ? 1 : 0);
     }
 }
 

@@ -1,8 +1,8 @@
 // Two surfaces at 50 %, a volume around them and an opaque slice through all of it, from six sides in one picture.
-#include "render/scenes.hpp"
-#include "render/volume_scene.hpp"
 #include "support/golden/golden.hpp"
 #include "support/meshes.hpp"
+#include "unit/render/scenes.hpp"
+#include "unit/render/volume_scene.hpp"
 
 #include <algorithm>
 #include <gtest/gtest.h>
@@ -38,10 +38,10 @@ public:
         const std::array<std::array<float, 4>, 3> colors{
             {{0.9F, 0.5F, 0.2F, 0.5F}, {0.2F, 0.6F, 0.9F, 0.5F}, {0.8F, 0.8F, 0.8F, 1}}};
         for (std::size_t i = 0; i < shapes_.size(); ++i) {
-            Mesh mesh = shapes_[i].mesh();
+            Primitives mesh = shapes_[i].mesh();
             mesh.scalars = {};
             mesh.color = colors[i];
-            frame_.meshes.push_back(mesh);
+            frame_.primitives.push_back(mesh);
         }
     }
 

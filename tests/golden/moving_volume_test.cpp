@@ -1,15 +1,15 @@
-// A volume that is dense after a few cells, while something moves: as many slabs are drawn then that its colours are
+// A volume that is dense after a few cells, while something moves: as many slabs are drawn then that its colors are
 // those of the still, though it is less sharp.
-#include "render/volume_compare.hpp"
-#include "session/volume_cut.hpp"
+#include "geometry/volume_cut.hpp"
 #include "support/meshes.hpp"
+#include "unit/render/volume_compare.hpp"
 
 #include <cmath>
 
 namespace ciel::render {
 namespace {
 
-constexpr int block = 8;          // pixels, whose mean is the colour of what is there, sharp or not
+constexpr int block = 8;          // pixels, whose mean is the color of what is there, sharp or not
 constexpr std::size_t cells = 28; // along an edge
 constexpr std::size_t slices = 200;
 
@@ -60,7 +60,7 @@ std::array<double, 2> difference(const Image& still, const Image& moving) {
     return {sum / seen, most};
 }
 
-TEST(DenseVolume, HasTheColoursOfItsStillWhileItMoves) {
+TEST(DenseVolume, HasTheColorsOfItsStillWhileItMoves) {
     VolumeScene scene(test::hexahedra({{cells, cells, cells}, 0, 1, 1.0 / cells}), wake);
     const std::size_t vertices = (cells + 1) * (cells + 1) * (cells + 1);
     for (const View& view : {views[2], views[4]}) {
@@ -71,8 +71,8 @@ TEST(DenseVolume, HasTheColoursOfItsStillWhileItMoves) {
         Image still, moving;
         renderer().draw(frame, still);
         frame.samples = 1;
-        frame.volumes[0].stride = session::moving_stride(
-            slices, vertices, session::largest_loss(volume.opacity_points, volume.unit_length, 1));
+        frame.volumes[0].stride = geometry::moving_stride(
+            slices, vertices, geometry::largest_loss(volume.opacity_points, volume.unit_length, 1));
         frame.volumes[0].coarseness = 2;
         renderer().draw(frame, moving);
         const auto [mean, most] = difference(still, moving);

@@ -1,8 +1,8 @@
 // A ball and a bowl on a floor against a wall, with lines, a transparent sheet and a volume, in ambient occlusion.
-#include "render/scenes.hpp"
-#include "render/volume_scene.hpp"
 #include "support/golden/golden.hpp"
 #include "support/meshes.hpp"
+#include "unit/render/scenes.hpp"
+#include "unit/render/volume_scene.hpp"
 
 #include <gtest/gtest.h>
 
@@ -44,12 +44,12 @@ public:
                                                           {0.2F, 0.6F, 0.9F, 0.4F},
                                                           {0.9F, 0.9F, 0.3F, 1}}};
         for (std::size_t i = 0; i < shapes_.size(); ++i) {
-            Mesh mesh = shapes_[i].mesh();
+            Primitives mesh = shapes_[i].mesh();
             mesh.scalars = {};
             mesh.color = colors[i];
-            frame_.meshes.push_back(mesh);
+            frame_.primitives.push_back(mesh);
         }
-        frame_.meshes.back().lines = true;
+        frame_.primitives.back().lines = true;
         Volume volume = fog_.volume({1, 0, 0}, 40);
         volume.scale.map = "viridis";
         volume.scale.range = {0, 2};

@@ -1,10 +1,10 @@
 // Layers as a scene document asks for them, with what is written on the picture: each scene in one golden image.
+#include "frames/picture.hpp"
+#include "geometry/scene_geometry.hpp"
 #include "render/renderer.hpp"
-#include "session/picture.hpp"
-#include "session/scene_geometry.hpp"
-#include "small_dataset/small_dataset.hpp"
 #include "store/catalog.hpp"
 #include "support/golden/golden.hpp"
+#include "support/small_dataset/small_dataset.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -112,12 +112,12 @@ TEST(GoldenScenes, LayersOfADocumentLookAsTheyDid) {
              {"layers", layers},
              {"camera", {{"position", place(13, -9, 13)}, {"target", place(3, 3, 3)}, {"up", {0, 0, 1}}, {"fov", 34}}},
              {"annotations", {{"legend", true}, {"triad", true}}}});
-        SceneGeometry geometry{Extraction{}};
-        const auto shown = geometry.update(scene, loaded);
+        geometry::SceneGeometry geometry{Extraction{}};
+        const auto shown = geometry.update({scene, loaded});
         EXPECT_TRUE(shown->lacking.empty());
         for (const render::Backend backend : render::available_backends()) {
             render::Renderer renderer(backend);
-            const render::Image& image = renderer.draw(picture_of(*shown, scene, {360, 270}));
+            const render::Image& image = renderer.draw(frames::picture_of(*shown, scene, {360, 270}));
             EXPECT_TRUE(test::matches_golden(name, {image.width, image.height, image.rgb}, render::name_of(backend)));
         }
     }

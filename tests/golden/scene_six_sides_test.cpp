@@ -1,10 +1,10 @@
 // Two iso-surfaces at 50 %, a volume and an opaque slice of one scene document, from six sides in one picture.
+#include "frames/picture.hpp"
+#include "geometry/scene_geometry.hpp"
 #include "render/renderer.hpp"
-#include "session/picture.hpp"
-#include "session/scene_geometry.hpp"
-#include "small_dataset/small_dataset.hpp"
 #include "store/catalog.hpp"
 #include "support/golden/golden.hpp"
+#include "support/small_dataset/small_dataset.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -63,16 +63,16 @@ TEST(GoldenScenes, LayersOfADocumentLookRightFromSixSides) {
     test::write_small_dataset(folder.path() / "box.ciel");
     store::Catalog catalog{{folder.path()}};
     const auto loaded = catalog.open("box");
-    SceneGeometry geometry{Extraction{}};
+    geometry::SceneGeometry geometry{Extraction{}};
     for (const render::Backend backend : render::available_backends()) {
         render::Renderer renderer(backend);
         test::Picture all{columns * width, rows * height, {}};
         all.rgb.resize(std::size_t{3} * columns * width * rows * height);
         for (std::size_t i = 0; i < looks.size(); ++i) {
             const scene::Scene scene = scene::parse(scene_from(looks[i]));
-            const auto shown = geometry.update(scene, loaded);
+            const auto shown = geometry.update({scene, loaded});
             ASSERT_TRUE(shown->lacking.empty());
-            const render::Image& image = renderer.draw(picture_of(*shown, scene, {width, height}));
+            const render::Image& image = renderer.draw(frames::picture_of(*shown, scene, {width, height}));
             for (std::size_t row = 0; row < height; ++row) {
                 const std::size_t at = (i / columns * height + row) * columns * width + i % columns * width;
                 std::copy_n(image.rgb.begin() + static_cast<std::ptrdiff_t>(3 * row * width), 3 * width,

@@ -1,10 +1,10 @@
 // The golden comparison with the default tolerance lets every back end of this machine pass and catches small changes
 // of a picture.
 #include "render/renderer.hpp"
-#include "render/scenes.hpp"
-#include "render/volume_scene.hpp"
 #include "support/golden/golden.hpp"
 #include "support/meshes.hpp"
+#include "unit/render/scenes.hpp"
+#include "unit/render/volume_scene.hpp"
 
 #include <cstdlib>
 #include <gmock/gmock.h>
@@ -13,7 +13,7 @@
 namespace ciel::render {
 namespace {
 
-// A solid ball, a transparent one and a coloured square behind them.
+// A solid ball, a transparent one and a colored square behind them.
 struct Stage {
     Shape ball = sphere(0.6, {-0.5, 0, 0});
     Shape bubble = sphere(0.7, {0.5, -0.3, 0.1});
@@ -27,10 +27,10 @@ struct Stage {
         frame.camera.position = {6 * std::sin(turn) * std::cos(tilt), -6 * std::cos(turn) * std::cos(tilt),
                                  6 * std::sin(tilt)};
         frame.samples = 4;
-        frame.meshes = {ball.mesh(), wall.mesh(), bubble.mesh()};
-        frame.meshes[0].color = {0.2F, 0.5F, 0.9F, 1};
-        frame.meshes[1].scale.range = {-1, 1};
-        frame.meshes[2].color = {0.9F, 0.6F, 0.2F, opacity};
+        frame.primitives = {ball.mesh(), wall.mesh(), bubble.mesh()};
+        frame.primitives[0].color = {0.2F, 0.5F, 0.9F, 1};
+        frame.primitives[1].scale.range = {-1, 1};
+        frame.primitives[2].color = {0.9F, 0.6F, 0.2F, opacity};
     }
     [[nodiscard]] test::Picture draw(Renderer& renderer) const {
         Image image;

@@ -1,9 +1,9 @@
 // Two fogs in one cube, each thick where the other is thin, around a ball, from six sides in one picture, whichever of
 // them comes first.
-#include "render/scenes.hpp"
-#include "render/volume_scene.hpp"
 #include "support/golden/golden.hpp"
 #include "support/meshes.hpp"
+#include "unit/render/scenes.hpp"
+#include "unit/render/volume_scene.hpp"
 
 #include <algorithm>
 #include <gtest/gtest.h>
@@ -47,10 +47,10 @@ public:
         frame_.bounds_min = {0, 0, 0};
         frame_.bounds_max = {edge, edge, edge};
         frame_.background_top = frame_.background_bottom = {0.93F, 0.94F, 0.95F};
-        Mesh mesh = ball_.mesh();
+        Primitives mesh = ball_.mesh();
         mesh.scalars = {};
         mesh.color = {0.8F, 0.75F, 0.7F, 1};
-        frame_.meshes.push_back(mesh);
+        frame_.primitives.push_back(mesh);
         frame_.camera.target = {middle, middle, middle};
     }
 

@@ -1,10 +1,11 @@
-"""Fails when an include crosses an edge that CMake does not declare, or when a library of the outside world leaks."""
+"""Fails when an include crosses an edge that CMake does not declare, goes up in a room's order of folders, or takes a
+library of the outside world into another room."""
 
 import pathlib
 import re
 import sys
 
-# Which folder may include which part of the outside world.
+# Which room may include which part of the outside world.
 OUTSIDE = {
     "boost/": {"gateway"},
     "GL/": {"render"},
@@ -12,37 +13,88 @@ OUTSIDE = {
     "vtk": {"import"},
     "png.h": {"wire"},
     "meshoptimizer.h": {"wire"},
-    "ft2build.h": {"render"},
+    "ft2build.h": {"fonts"},
+    "fontconfig/": {"fonts"},
     "tbb/": {"ciel"},
     "voro++": {"demo"},
     "CLI/": {"app", "import"},
-    "nlohmann/": {"store", "scene", "session", "methods", "gateway", "app", "import"},
+    "spdlog/": {"logging", "gateway", "app"},
+    "nlohmann/": {
+        "store",
+        "scene",
+        "logging",
+        "geometry",
+        "probe",
+        "frames",
+        "sessions",
+        "engine",
+        "methods",
+        "gateway",
+        "app",
+        "import",
+    },
 }
 PROGRAMS = {"app", "import"}  # nothing may include these
+KERNEL_SOURCES = pathlib.Path("ciel/src")  # an include root of the kernel's own
+INCLUDE = re.compile(r'\s*#\s*include\s*[<"]([^>"]+)[>"]')
+
+
+def read_declared(edges_file):
+    """The links between rooms, and the order of each room's folders: lower ones first, "." for the room itself."""
+    edges, orders = set(), {}
+    for line in edges_file.read_text().splitlines():
+        first, *rest = line.split()
+        if first == "folders":
+            orders[rest[0]] = rest[1:]
+        else:
+            edges.add((first, rest[0]))
+    return edges, orders
+
+
+def place_of(path):
+    """(room, folder in the room) of a path relative to server/."""
+    room, *folders = path.parent.parts
+    return room, "/".join(folders) or "."
 
 
 def main(server: pathlib.Path, edges_file: pathlib.Path) -> int:
-    edges = {tuple(line.split()) for line in edges_file.read_text().splitlines()}
-    folders = {path.name for path in server.iterdir() if path.is_dir()}
+    edges, orders = read_declared(edges_file)
+    rooms = {path.name for path in server.iterdir() if path.is_dir()}
     problems = []
     for source in sorted(server.rglob("*.[ch]pp")):
-        folder = source.relative_to(server).parts[0]
+        relative = source.relative_to(server)
+        room, folder = place_of(relative)
+        order = orders.get(room, ["."])
+        if folder not in order:
+            problems.append(f"{source}: server/{room}/CMakeLists.txt does not name {folder}/ in ciel_folders")
+            continue
         for number, line in enumerate(source.read_text().splitlines(), 1):
-            match = re.match(r'\s*#\s*include\s*[<"]([^>"]+)[>"]', line)
+            match = INCLUDE.match(line)
             if not match:
                 continue
             name = match.group(1)
             where = f"{source}:{number}"
-            other = name.split("/")[0]
-            if "/" in name and other in folders and other != folder:
-                if other in PROGRAMS:
-                    problems.append(f"{where}: {name}: {other}/ is a program; nothing includes it")
-                elif (folder, other) not in edges:
-                    problems.append(f"{where}: {name}: CMake declares no link {folder} -> {other}")
             for prefix, allowed in OUTSIDE.items():
-                if name.startswith(prefix) and folder not in allowed:
+                if name.startswith(prefix) and room not in allowed:
                     problems.append(f"{where}: {name}: only {', '.join(sorted(allowed))} may include it")
-    print("\n".join(problems) or f"{len(folders)} folders, every include follows a declared link")
+            other = pathlib.Path(name)
+            if other.parts[:2] == KERNEL_SOURCES.parts:
+                problems.append(f"{where}: {name}: only server/ciel/include is for others")
+            if room == "ciel" and (server / KERNEL_SOURCES / other).exists():
+                other = KERNEL_SOURCES / other
+            elif other.parts[0] == "ciel":
+                other = pathlib.Path("ciel/include") / other
+            if len(other.parts) < 2 or other.parts[0] not in rooms:
+                continue
+            other_room, other_folder = place_of(other)
+            if other_room == room:
+                if other_folder in order and order.index(other_folder) > order.index(folder):
+                    problems.append(f"{where}: {name}: {other_folder} lies above {folder} in {room}/")
+            elif other_room in PROGRAMS:
+                problems.append(f"{where}: {name}: {other_room}/ is a program; nothing includes it")
+            elif (room, other_room) not in edges:
+                problems.append(f"{where}: {name}: CMake declares no link {room} -> {other_room}")
+    print("\n".join(problems) or f"{len(rooms)} rooms, every include follows a declared link")
     return 1 if problems else 0
 
 

@@ -14,7 +14,7 @@
 namespace ciel::test {
 namespace {
 
-class Decided : public testing::TestWithParam<std::tuple<NamedMesh, Engine>> {};
+class Decided : public testing::TestWithParam<std::tuple<NamedMesh, Algorithm>> {};
 
 std::size_t polygons_that_differ(const Cut& a, const Cut& b) {
     std::vector<CutPolygon> found;
@@ -45,16 +45,16 @@ TEST_P(Decided, SurfacesAreTheTwinsAndClosed) {
 
 INSTANTIATE_TEST_SUITE_P(All, Decided,
                          testing::Combine(testing::ValuesIn(all_meshes()),
-                                          testing::Values(Engine::signatures, Engine::propagation)),
+                                          testing::Values(Algorithm::signatures, Algorithm::propagation)),
                          [](const auto& test) {
                              return std::get<0>(test.param).name +
-                                    (std::get<1>(test.param) == Engine::signatures ? "_signatures" : "_propagation");
+                                    (std::get<1>(test.param) == Algorithm::signatures ? "_signatures" : "_propagation");
                          });
 
 TEST(DeciderOnOneHexahedron, EveryConfigurationIsTheTwins) {
     const Polyhedra input = hexahedra({{1, 1, 1}});
     const KernelMesh mesh(input, {32});
-    Query query = mesh.query(Engine::signatures);
+    Query query = mesh.query(Algorithm::signatures);
     query.set_decider(Decider::asymptotic);
     std::mt19937 random(5);
     std::uniform_real_distribution<float> size(0.01F, 1);
@@ -85,7 +85,7 @@ TEST(DeciderOnOneHexahedron, TheSaddleOfAFaceIsTheHeightAtWhichItsCornersPart) {
         values[v] = z > 0 ? -1 : (x == y ? 1.0F : 0.0F); // the bilinear saddle of the lower face is at 0.5
     }
     const Field field = make_field(mesh.topology, mesh.stored(values));
-    Query query = mesh.query(Engine::signatures);
+    Query query = mesh.query(Algorithm::signatures);
     query.set_field(field);
     query.set_decider(Decider::asymptotic);
     Surface surface;

@@ -1,4 +1,4 @@
-// The same bits for any block size, number of threads and engine, whatever is chosen: decider, normals, sinks of a
+// The same bits for any block size, number of threads and algorithm, whatever is chosen: decider, normals, sinks of a
 // sweep, thresholds and what is made of surfaces.
 #include "ciel/clip_surface.hpp"
 #include "ciel/contour_lines.hpp"
@@ -20,7 +20,7 @@
 namespace ciel::test {
 namespace {
 
-constexpr std::array engines{Engine::signatures, Engine::propagation, Engine::naive};
+constexpr std::array algorithms{Algorithm::signatures, Algorithm::propagation, Algorithm::naive};
 
 struct Way { // of working that must not show
     unsigned threads;
@@ -61,8 +61,8 @@ TEST_P(DeterminismOfChoices, DecidersAndNormals) {
             std::vector<Surface> expected;
             in_every_way([&](const KernelMesh& mesh, const Way& way) {
                 const Field field = make_field(mesh.topology, mesh.stored(values));
-                for (const Engine engine : engines) {
-                    Query query(mesh.topology, mesh.mesh(), {engine, decider});
+                for (const Algorithm algorithm : algorithms) {
+                    Query query(mesh.topology, mesh.mesh(), {algorithm, decider});
                     query.set_normals(normals);
                     query.set_field(field);
                     for (std::size_t i = 0; i < walk.size(); ++i) {
@@ -70,7 +70,7 @@ TEST_P(DeterminismOfChoices, DecidersAndNormals) {
                         ASSERT_TRUE(query.extract(walk[i], true, found));
                         if (expected.size() == i) expected.push_back(found);
                         ASSERT_EQ(bit_difference(expected[i], found, Chunks::ignore), "")
-                            << walk[i] << ", " << way << ", engine " << static_cast<int>(engine);
+                            << walk[i] << ", " << way << ", algorithm " << static_cast<int>(algorithm);
                     }
                 }
             });

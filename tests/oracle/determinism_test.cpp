@@ -1,4 +1,4 @@
-// The same bits whatever the engine, the block size, the number of threads and the calls before.
+// The same bits whatever the algorithm, the block size, the number of threads and the calls before.
 #include "oracle/kernel_mesh.hpp"
 #include "support/fields.hpp"
 #include "support/meshes.hpp"
@@ -27,7 +27,7 @@ TEST_P(Determinism, BothEnginesGiveTheSameBitsAfterAnyWalk) {
     for (const NamedField& named : all_fields()) {
         const std::vector<float> values = named.make(input);
         const Field field = make_field(mesh.topology, mesh.stored(values));
-        Query signatures = mesh.query(Engine::signatures), propagation = mesh.query(Engine::propagation);
+        Query signatures = mesh.query(Algorithm::signatures), propagation = mesh.query(Algorithm::propagation);
         signatures.set_field(field);
         propagation.set_field(field);
         for (double nu : walk_through(values, 20, 101)) {
@@ -43,11 +43,11 @@ TEST_P(Determinism, AWalkEndsWhereAFreshQueryStarts) {
     for (const NamedField& named : all_fields()) {
         const std::vector<float> values = named.make(input);
         const Field field = make_field(mesh.topology, mesh.stored(values));
-        for (Engine engine : {Engine::signatures, Engine::propagation}) {
-            Query walked = mesh.query(engine);
+        for (Algorithm algorithm : {Algorithm::signatures, Algorithm::propagation}) {
+            Query walked = mesh.query(algorithm);
             walked.set_field(field);
             for (double nu : walk_through(values, 10, 102)) {
-                Query fresh = mesh.query(engine);
+                Query fresh = mesh.query(algorithm);
                 fresh.set_field(field);
                 Surface a, b;
                 ASSERT_TRUE(walked.extract(nu, with_normals, a));
@@ -66,8 +66,8 @@ TEST_P(Determinism, BlockSizesDoNotShow) {
         for (Index cells_per_block : {1U, 7U, 64U, 256U, 4096U}) {
             const KernelMesh other(input, {cells_per_block});
             const Field field = make_field(other.topology, other.stored(values));
-            for (Engine engine : {Engine::signatures, Engine::propagation}) {
-                Query query = other.query(engine);
+            for (Algorithm algorithm : {Algorithm::signatures, Algorithm::propagation}) {
+                Query query = other.query(algorithm);
                 query.set_field(field);
                 const std::vector<Surface> found = surfaces(query, walk);
                 if (expected.empty()) expected = found;
@@ -89,8 +89,8 @@ TEST_P(Determinism, ThreadsDoNotShow) {
         const ThreadCount count(threads);
         const KernelMesh other(input, {4});
         const Field field = make_field(other.topology, other.stored(values));
-        for (Engine engine : {Engine::signatures, Engine::propagation}) {
-            Query query = other.query(engine);
+        for (Algorithm algorithm : {Algorithm::signatures, Algorithm::propagation}) {
+            Query query = other.query(algorithm);
             query.set_field(field);
             const std::vector<Surface> found = surfaces(query, walk);
             if (expected.empty()) expected = found;

@@ -13,12 +13,12 @@
 namespace ciel::test {
 namespace {
 
-class Extract : public testing::TestWithParam<std::tuple<NamedMesh, Engine>> {
+class Extract : public testing::TestWithParam<std::tuple<NamedMesh, Algorithm>> {
 protected:
     Polyhedra input = std::get<0>(GetParam()).make();
-    Engine engine = std::get<1>(GetParam());
+    Algorithm algorithm = std::get<1>(GetParam());
     KernelMesh mesh{input, {32}};
-    Query query = mesh.query(engine);
+    Query query = mesh.query(algorithm);
     Surface surface;
 
     // The surface at nu is the twin's, keeps its promises and is closed.
@@ -122,24 +122,23 @@ TEST_P(Extract, ValuesThatAreNoNumbersGiveNothing) {
     }
 }
 
-const char* name_of(Engine engine) {
-    switch (engine) {
-    case Engine::propagation:
+const char* name_of(Algorithm algorithm) {
+    switch (algorithm) {
+    case Algorithm::propagation:
         return "propagation";
-    case Engine::naive:
+    case Algorithm::naive:
         return "naive";
-    case Engine::signatures:
+    case Algorithm::signatures:
         break;
     }
     return "signatures";
 }
 
-INSTANTIATE_TEST_SUITE_P(All, Extract,
-                         testing::Combine(testing::ValuesIn(all_meshes()),
-                                          testing::Values(Engine::signatures, Engine::propagation, Engine::naive)),
-                         [](const auto& test) {
-                             return std::get<0>(test.param).name + "_" + name_of(std::get<1>(test.param));
-                         });
+INSTANTIATE_TEST_SUITE_P(
+    All, Extract,
+    testing::Combine(testing::ValuesIn(all_meshes()),
+                     testing::Values(Algorithm::signatures, Algorithm::propagation, Algorithm::naive)),
+    [](const auto& test) { return std::get<0>(test.param).name + "_" + name_of(std::get<1>(test.param)); });
 
 // A face that runs along an edge and back: where only that edge is active, there is no polygon to have its point.
 TEST(ExtractSpike, AnEdgeThatAFaceRunsAlongTwiceHasNoPointOfItsOwn) {
@@ -153,8 +152,8 @@ TEST(ExtractSpike, AnEdgeThatAFaceRunsAlongTwiceHasNoPointOfItsOwn) {
     std::vector<float> values(input.vertex_count(), 0);
     values[tip] = 1;
     values[loops[0][0]] = 2;
-    for (const Engine engine : {Engine::signatures, Engine::propagation, Engine::naive}) {
-        Query query = mesh.query(engine);
+    for (const Algorithm algorithm : {Algorithm::signatures, Algorithm::propagation, Algorithm::naive}) {
+        Query query = mesh.query(algorithm);
         const Field field = make_field(mesh.topology, mesh.stored(values));
         query.set_field(field);
         Surface surface;
@@ -174,8 +173,8 @@ TEST(ExtractExtremes, PositionsStayFinite) {
         std::vector<float> values = tied_field(input.vertex_count(), static_cast<int>(palette.size()), 57);
         for (float& value : values) value = palette[static_cast<std::size_t>(value)];
         const Field field = make_field(mesh.topology, mesh.stored(values));
-        for (Engine engine : {Engine::signatures, Engine::propagation}) {
-            Query query = mesh.query(engine);
+        for (Algorithm algorithm : {Algorithm::signatures, Algorithm::propagation}) {
+            Query query = mesh.query(algorithm);
             query.set_field(field);
             for (float nu : palette) {
                 Surface surface;

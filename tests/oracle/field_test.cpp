@@ -1,6 +1,6 @@
 // Fields: ranges, minima, ambiguous faces, gradients, slices.
-#include "ciel/blocks.hpp"
-#include "ciel/field_blocks.hpp"
+#include "blocks/blocks.hpp"
+#include "fields/field_data.hpp"
 #include "oracle/kernel_mesh.hpp"
 #include "support/fields.hpp"
 #include "support/meshes.hpp"
@@ -257,7 +257,7 @@ TEST(CellRanges, AreEmptyWhereThereIsNoValue) {
         const KernelMesh mesh(input, {32});
         const std::vector<float> none_at_all(mesh.topology.counts().vertices, std::numeric_limits<float>::quiet_NaN());
         const Field field = make_field(mesh.topology, none_at_all);
-        const Field::Blocks& blocks = field.blocks();
+        const Field::Data& blocks = field.data();
         for (Index b = 0; b < mesh.topology.block_count(); ++b) {
             const Block& block = mesh.topology.blocks().block[b];
             (void)blocks.ranges.of(block, b, blocks.of_block(b)); // the first time nothing is made

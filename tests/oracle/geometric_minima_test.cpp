@@ -49,12 +49,12 @@ TEST_P(GeometricMinima, AreAllOfThemFarAway) {
         for (const double far : {1e3, 1e6, 1e8}) expect_all({far, -far, far / 3}, normal);
 }
 
-// The propagation engine begins there, and has the surface of the others.
+// The propagation algorithm begins there, and has the surface of the others.
 TEST_P(GeometricMinima, AreEnoughToPropagateFrom) {
     for (const Vec3d& normal : directions()) {
         Field field = distance({0, 0, 0}, normal);
         field.set_direction(where, normal);
-        Query propagating = mesh.query(Engine::propagation), other = mesh.query(Engine::signatures);
+        Query propagating = mesh.query(Algorithm::propagation), other = mesh.query(Algorithm::signatures);
         propagating.set_field(field);
         other.set_field(field);
         const auto [low, high] = field.range();

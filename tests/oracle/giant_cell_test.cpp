@@ -50,8 +50,8 @@ TEST_P(GiantCell, OperatorsHold) {
 }
 
 TEST_P(GiantCell, IsCutLikeAnyOther) {
-    for (Engine engine : {Engine::signatures, Engine::propagation}) {
-        Query query = mesh.query(engine);
+    for (Algorithm algorithm : {Algorithm::signatures, Algorithm::propagation}) {
+        Query query = mesh.query(algorithm);
         for (const std::vector<float>& values : {random_field(input.vertex_count(), 131), bumps_field(input, 132)}) {
             const Field field = make_field(mesh.topology, mesh.stored(values));
             query.set_field(field);

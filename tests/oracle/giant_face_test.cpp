@@ -1,6 +1,6 @@
 // Faces of thousands of corners, and vertices of thousands of edges. Nothing here is measured: with work that is
 // quadratic anywhere, these tests do not end.
-#include "ciel/blocks.hpp"
+#include "blocks/blocks.hpp"
 #include "oracle/kernel_mesh.hpp"
 #include "support/meshes.hpp"
 
@@ -76,11 +76,11 @@ void expect_operators_hold(const Topology& topology) {
     }
 }
 
-// All engines cut at a height, in a ring around the axis.
+// All algorithms cut at a height, in a ring around the axis.
 void expect_polygon(const KernelMesh& mesh, double z, std::size_t polygons, std::size_t points) {
     const Field height = make_field(mesh.topology, plane_distance(mesh.mesh(), {0, 0, 0}, {0, 0, 1}));
-    for (const Engine engine : {Engine::signatures, Engine::propagation, Engine::naive}) {
-        Query query = mesh.query(engine);
+    for (const Algorithm algorithm : {Algorithm::signatures, Algorithm::propagation, Algorithm::naive}) {
+        Query query = mesh.query(algorithm);
         query.set_field(height);
         Surface surface;
         ASSERT_TRUE(query.extract(z, false, surface));

@@ -15,7 +15,9 @@ struct KernelMesh {
     Topology topology;
 
     [[nodiscard]] FaceMeshView mesh() const { return assembled.mesh.view(); }
-    [[nodiscard]] Query query(Engine engine = Engine::signatures) const { return {topology, mesh(), engine}; }
+    [[nodiscard]] Query query(Algorithm algorithm = Algorithm::signatures) const {
+        return {topology, mesh(), algorithm};
+    }
     // Values of the input's vertices in stored order.
     [[nodiscard]] std::vector<float> stored(std::span<const float> input_values) const;
     [[nodiscard]] Cut cut(const Surface& surface) const; // in ids of the input

@@ -31,24 +31,24 @@ std::vector<Vec3f> in_order(std::vector<Vec3f> positions) {
 constexpr float shears[]{0.0F, 0.3F, -0.2F, 0.0F};
 
 struct Choice {
-    Engine engine;
+    Algorithm algorithm;
     Decider decider;
     ciel::Normals normals;
 };
-constexpr Choice choices[]{{Engine::signatures, Decider::isolate_high, ciel::Normals::gradient},
-                           {Engine::signatures, Decider::asymptotic, ciel::Normals::polygons},
-                           {Engine::propagation, Decider::isolate_high, ciel::Normals::polygons},
-                           {Engine::propagation, Decider::asymptotic, ciel::Normals::gradient},
-                           {Engine::naive, Decider::isolate_high, ciel::Normals::gradient},
-                           {Engine::naive, Decider::asymptotic, ciel::Normals::polygons}};
+constexpr Choice choices[]{{Algorithm::signatures, Decider::isolate_high, ciel::Normals::gradient},
+                           {Algorithm::signatures, Decider::asymptotic, ciel::Normals::polygons},
+                           {Algorithm::propagation, Decider::isolate_high, ciel::Normals::polygons},
+                           {Algorithm::propagation, Decider::asymptotic, ciel::Normals::gradient},
+                           {Algorithm::naive, Decider::isolate_high, ciel::Normals::gradient},
+                           {Algorithm::naive, Decider::asymptotic, ciel::Normals::polygons}};
 
 TEST_P(Moved, GivesWhatANewQueryGives) {
     const Polyhedra input = GetParam().make();
     const KernelMesh mesh(input, {32});
     const std::vector<float> stored = mesh.stored(random_field(input.vertex_count(), 6));
-    for (const auto& [engine, decider, normals] : choices) {
+    for (const auto& [algorithm, decider, normals] : choices) {
         Field field = make_field(mesh.topology, stored);
-        Query query(mesh.topology, mesh.mesh(), {engine, decider});
+        Query query(mesh.topology, mesh.mesh(), {algorithm, decider});
         query.set_normals(normals);
         query.set_field(field);
         for (const float by : shears)
@@ -61,12 +61,12 @@ TEST_P(Moved, GivesWhatANewQueryGives) {
                 Surface surface, expected;
                 ASSERT_TRUE(query.extract(nu, true, surface));
                 const Field fresh = make_field(mesh.topology, stored);
-                Query other(mesh.topology, moved, {Engine::signatures, decider});
+                Query other(mesh.topology, moved, {Algorithm::signatures, decider});
                 other.set_normals(normals);
                 other.set_field(fresh);
                 ASSERT_TRUE(other.extract(nu, true, expected));
                 ASSERT_EQ(bit_difference(expected, surface), "")
-                    << by << ' ' << nu << ", engine " << static_cast<int>(engine);
+                    << by << ' ' << nu << ", algorithm " << static_cast<int>(algorithm);
             }
     }
 }

@@ -13,7 +13,7 @@
 namespace ciel::test {
 namespace {
 
-class Sharing : public testing::TestWithParam<Engine> {
+class Sharing : public testing::TestWithParam<Algorithm> {
 protected:
     const Polyhedra input = zoo({{9, 9, 9}, 0.1, 151});
     const KernelMesh mesh{input, {32}};
@@ -116,9 +116,9 @@ TEST_P(Sharing, VerticesMayMoveUnderATopology) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Engines, Sharing, testing::Values(Engine::signatures, Engine::propagation),
+INSTANTIATE_TEST_SUITE_P(Algorithms, Sharing, testing::Values(Algorithm::signatures, Algorithm::propagation),
                          [](const auto& test) {
-                             return test.param == Engine::signatures ? "signatures" : "propagation";
+                             return test.param == Algorithm::signatures ? "signatures" : "propagation";
                          });
 
 } // namespace

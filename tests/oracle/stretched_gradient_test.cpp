@@ -1,5 +1,5 @@
 // Linear fields on cells that are stretched, as those of boundary layers are: what the gradient is, is known.
-#include "ciel/cell_gradient.hpp"
+#include "fields/cell_gradient.hpp"
 #include "oracle/kernel_mesh.hpp"
 #include "support/meshes.hpp"
 

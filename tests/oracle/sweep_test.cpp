@@ -21,11 +21,11 @@ struct How {
 
 const std::vector<How> ways{
     {"signatures", {}},
-    {"propagation", {Engine::propagation}},
-    {"naive", {Engine::naive}},
-    {"decided", {Engine::signatures, Decider::asymptotic}},
-    {"propagation_decided", {Engine::propagation, Decider::asymptotic}},
-    {"naive_decided", {Engine::naive, Decider::asymptotic}},
+    {"propagation", {Algorithm::propagation}},
+    {"naive", {Algorithm::naive}},
+    {"decided", {Algorithm::signatures, Decider::asymptotic}},
+    {"propagation_decided", {Algorithm::propagation, Decider::asymptotic}},
+    {"naive_decided", {Algorithm::naive, Decider::asymptotic}},
 };
 
 class Sweep : public testing::TestWithParam<std::tuple<NamedMesh, How>> {
@@ -39,7 +39,7 @@ protected:
     std::vector<double> values{0.5, 0.1, 0.9, 0.5, -1, 2, std::numeric_limits<double>::quiet_NaN(), 0.3};
 
     Surface surface_at(double nu) {
-        Query query(mesh.topology, mesh.mesh(), {Engine::signatures, how.decider});
+        Query query(mesh.topology, mesh.mesh(), {Algorithm::signatures, how.decider});
         query.set_field(field);
         Surface surface;
         EXPECT_TRUE(query.extract(nu, false, surface));
@@ -123,7 +123,7 @@ TEST_P(Sweep, MakesTheSameArraysAsAnyOther) {
         std::vector<SliceSink::Out> out, expected;
         ASSERT_TRUE(sweep(mesh.topology, mesh.mesh(), *of, values, SliceSink{property}, scratch, out, {}, how));
         ASSERT_TRUE(sweep(mesh.topology, mesh.mesh(), *of, values, SliceSink{property}, expected, {},
-                          {Engine::naive, how.decider}));
+                          {Algorithm::naive, how.decider}));
         for (std::size_t i = 0; i < values.size(); ++i) {
             EXPECT_EQ(out[i].positions, expected[i].positions);
             EXPECT_EQ(out[i].property, expected[i].property);
@@ -180,7 +180,7 @@ TEST(SweepParts, ServeAnotherMesh) {
         std::vector<SoupSink::Out> out, expected;
         const std::vector<double> values{0.4, 0.6};
         ASSERT_TRUE(
-            sweep(mesh.topology, mesh.mesh(), field, values, SoupSink{}, scratch, out, {}, {Engine::propagation}));
+            sweep(mesh.topology, mesh.mesh(), field, values, SoupSink{}, scratch, out, {}, {Algorithm::propagation}));
         ASSERT_TRUE(sweep(mesh.topology, mesh.mesh(), field, values, SoupSink{}, expected));
         EXPECT_EQ(out, expected);
         EXPECT_FALSE(out[0].empty());
@@ -195,9 +195,9 @@ TEST(SweepStopped, SaysSo) {
     std::stop_source stop;
     stop.request_stop();
     std::vector<SoupSink::Out> out;
-    for (const Engine engine : {Engine::signatures, Engine::propagation, Engine::naive})
+    for (const Algorithm algorithm : {Algorithm::signatures, Algorithm::propagation, Algorithm::naive})
         EXPECT_FALSE(
-            sweep(mesh.topology, mesh.mesh(), field, std::vector{0.5}, SoupSink{}, out, stop.get_token(), engine));
+            sweep(mesh.topology, mesh.mesh(), field, std::vector{0.5}, SoupSink{}, out, stop.get_token(), algorithm));
 }
 
 TEST_P(Sweep, PassesOverCellsWithoutAllTheirValues) {

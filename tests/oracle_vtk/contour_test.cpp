@@ -102,8 +102,8 @@ TEST_P(AgainstVtk, SameAreaAndSamePoints) {
     for (Index v : assembled.original_vertex) stored.push_back(values[v]);
     const Field field(topology, stored, nullptr);
     const auto grid = as_grid(input, values);
-    for (Engine engine : {Engine::signatures, Engine::propagation}) {
-        Query query(topology, assembled.mesh.view(), engine);
+    for (Algorithm algorithm : {Algorithm::signatures, Algorithm::propagation}) {
+        Query query(topology, assembled.mesh.view(), algorithm);
         query.set_field(field);
         Surface surface;
         ASSERT_TRUE(query.extract(GetParam(), false, surface));

@@ -150,7 +150,7 @@ def pixels(path):
     return vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars()).reshape(height, width, 3)[::-1].astype(int)
 
 
-def test_picture_shows_the_coloured_sphere(box, tmp_path):
+def test_picture_shows_the_colored_sphere(box, tmp_path):
     """Colored by x, seen along z: violet at the left, green in the middle, yellow at the right. r is the same everywhere."""
     works("render", box, "--iso", "r=0.75", "--color", "x", "--range", "-0.75,0.75", "--camera", "0,0,6,0,0,0", "--size", "320x200",
           "-o", "p.png", cwd=tmp_path)
@@ -164,7 +164,7 @@ def test_picture_shows_the_coloured_sphere(box, tmp_path):
     assert 0.1 < (picture.max(axis=2) > 70).mean() < 0.5
 
 
-def test_the_default_view_takes_colours_and_a_background(box, tmp_path):
+def test_the_default_view_takes_colors_and_a_background(box, tmp_path):
     shown = {}
     for name, options in {"plain": [], "map": ["--map", "grayscale"], "array": ["--color", "r"], "range": ["--color", "r", "--range", "0,0.1"]}.items():
         works("render", box, *options, "--size", "160x100", "-o", tmp_path / f"{name}.png")
@@ -176,7 +176,7 @@ def test_the_default_view_takes_colours_and_a_background(box, tmp_path):
     assert tuple(pixels(tmp_path / "red.png")[2, 2]) == (255, 0, 0)
 
 
-def test_slices_have_the_colours_that_the_options_ask_for(box, tmp_path):
+def test_slices_have_the_colors_that_the_options_ask_for(box, tmp_path):
     """The scalar r on the box's middle plane: what is in the corners and in the middle lies outside the range."""
     common = ["--slice", "y=0", "--color", "r", "--range", "0.3,0.8", "--below-color", "#ff0000", "--above-color", "#0000ff", "--size", "200x160"]
     shown = {}
@@ -313,7 +313,7 @@ REFUSED = [
     ("unknown axis", ["extract", "--slice", "w=1", "-o", "s.ply"], "x=VALUE", 2),
     ("short plane", ["extract", "--plane", "0,0,0,1", "-o", "s.ply"], "six numbers", 2),
     ("no normal", ["extract", "--plane", "0,0,0,0,0,0", "-o", "s.ply"], "normal", 2),
-    ("unknown colour", ["extract", "--iso", "r=0.5", "--color", "q", "-o", "s.ply"], "q", 1),
+    ("unknown color", ["extract", "--iso", "r=0.5", "--color", "q", "-o", "s.ply"], "q", 1),
     ("no folder", ["extract", "--iso", "r=0.5", "-o", "nowhere/s.ply"], "nowhere/s.ply: cannot be written: there is no folder", 1),
     ("a folder", ["extract", "--iso", "r=0.5", "-o", "."], "-o .: '' is no surface format", 2),
     ("no output", ["extract", "--iso", "r=0.5"], "--output", 2),
@@ -341,15 +341,15 @@ REFUSED = [
     ("clip nowhere", ["render", "--surface", "--clip", "x=", "-o", "p.png"], "--clip lacks a number", 2),
     ("short clip plane", ["render", "--surface", "--clip", "0,0,0", "-o", "p.png"], "ox,oy,oz,nx,ny,nz", 2),
     ("seven clips", ["render", "--surface", *["--clip=x=0"] * 7, "-o", "p.png"], "at most 6 clip planes", 1),
-    ("scene file and colours", ["render", "--scene", "wrong.json", "--color", "x", "-o", "p.png"], "leave out", 2),
+    ("scene file and colors", ["render", "--scene", "wrong.json", "--color", "x", "-o", "p.png"], "leave out", 2),
     ("scene file and background", ["render", "--scene", "wrong.json", "--background", "light", "-o", "p.png"], "leave out", 2),
     ("bad range of the default view", ["render", "--range", "1", "-o", "p.png"], "range", 2),
     ("unknown map of the default view", ["render", "--map", "jet", "-o", "p.png"], "viridis", 2),
     ("log of zero", ["render", "--iso", "r=0.5", "--log", "--range", "0,1", "-o", "p.png"], "begins above zero", 1),
     ("one step", ["render", "--iso", "r=0.5", "--steps", "1", "-o", "p.png"], "at least 2", 1),
-    ("points without colours", ["render", "--iso", "r=0.5", "--color-points", "0,1", "-o", "p.png"], "AT=#rrggbb", 2),
+    ("points without colors", ["render", "--iso", "r=0.5", "--color-points", "0,1", "-o", "p.png"], "AT=#rrggbb", 2),
     ("points out of order", ["render", "--iso", "r=0.5", "--color-points", "1=#000000,0=#ffffff", "-o", "p.png"], "ascending", 1),
-    ("a colour by name", ["render", "--iso", "r=0.5", "--above-color", "red", "-o", "p.png"], "color/above", 1),
+    ("a color by name", ["render", "--iso", "r=0.5", "--above-color", "red", "-o", "p.png"], "color/above", 1),
     ("opacity of nothing", ["render", "--clip", "x=0", "--scene", "wrong.json", "--opacity", "0.5", "-o", "p.png"], "leave out", 2),
     ("too opaque", ["render", "--iso", "r=0.5", "--opacity", "1.5", "-o", "p.png"], "opacity must be at most 1", 1),
     ("flat slice", ["render", "--slice", "y=0", "--flat", "-o", "p.png"], "give --iso", 2),

@@ -60,7 +60,7 @@ def test_its_command_draws_the_picture(name, tmp_path):
         done = ciel(*words, cwd=tmp_path)
         assert done.returncode == 0, done.stderr
     kept, drawn = pixels(GALLERY / f"{name}.png"), pixels(tmp_path / render[-1])
-    # Means of 8 x 8 pixels: another driver's edges may differ, a colour or a camera may not.
+    # Means of 8 x 8 pixels: another driver's edges may differ, a color or a camera may not.
     height, width = kept.shape[0] // 8 * 8, kept.shape[1] // 8 * 8
     blocks = [image[:height, :width].reshape(height // 8, 8, width // 8, 8, 3).mean((1, 3)) for image in (kept, drawn)]
     differing = (np.abs(blocks[0] - blocks[1]).max(2) > 12).mean()

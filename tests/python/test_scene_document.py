@@ -88,7 +88,7 @@ def rays():
 
 
 def expected(x, z, clip=0.25):
-    """What is left of the colour that a ray ends on, after the fog before it."""
+    """What is left of the color that a ray ends on, after the fog before it."""
     hit = np.hypot(x, z) < BALL
     ball = -np.sqrt(np.maximum(BALL**2 - x**2 - z**2, 0))
     left = LEFT ** np.where(hit, ball + 1, SLICE_Y + 1)
@@ -167,8 +167,8 @@ def test_a_session_patched_to_the_scene_gives_the_same_picture(by_command_line, 
 
 
 @pytest.mark.parametrize("outside", [("below", "above"), ("above",), ("below",), ()], ids=lambda names: "and".join(names) or "none")
-def test_a_volume_has_the_colours_of_values_outside_the_range(by_command_line, outside):
-    """Fog by x, which the rays do not change: as opaque all over, in the colours of a third of the box each."""
+def test_a_volume_has_the_colors_of_values_outside_the_range(by_command_line, outside):
+    """Fog by x, which the rays do not change: as opaque all over, in the colors of a third of the box each."""
     scene = copy.deepcopy(SCENE)
     scene["layers"] = {"fog": {**SCENE["layers"]["fog"], "slices": 50, "color": {
         "points": [{"at": 0, "color": "#00ff00"}, {"at": 1, "color": "#00ffff"}], "steps": 2, "range": [-0.4, 0.4],
@@ -180,8 +180,8 @@ def test_a_volume_has_the_colours_of_values_outside_the_range(by_command_line, o
     ground = 0x30 * LEFT**2
     for name, place in (("below", x < -0.45), ("above", x > 0.45)):
         end = (0, fog + ground, fog if name == "above" else 0)
-        colour = (fog, ground, 0) if name in outside else end
-        assert np.abs(picture[inside & place] - colour).max() <= 2, name
+        color = (fog, ground, 0) if name in outside else end
+        assert np.abs(picture[inside & place] - color).max() <= 2, name
     assert np.abs(picture[inside & (x > -0.35) & (x < -0.05)] - (0, fog + ground, 0)).max() <= 2
     assert np.abs(picture[inside & (x > 0.05) & (x < 0.35)] - (0, fog + ground, fog)).max() <= 2
 
@@ -239,7 +239,7 @@ def test_what_was_not_written_at_a_time_is_left_out_and_said(box, tmp_path):
 
     missing = "'x' was not written at time 9; it was at 0, 0.5, 1, 1.5"
     picture, told = drawn(a=by_r, b=half, c=iso)
-    assert told == [f"ciel: layer b has no colours: {missing}", f"ciel: layer c is not shown: {missing}"]
+    assert told == [f"ciel: layer b has no colors: {missing}", f"ciel: layer c is not shown: {missing}"]
     assert (picture, []) == drawn(a=by_r, b=grey)
     picture, told = drawn(c=iso)
     assert told == [f"ciel: layer c is not shown: {missing}"] and (picture, []) == drawn()
@@ -255,26 +255,26 @@ def contoured(**contours):
 
 
 def radii_of(picture, color):
-    """How far from the middle the pixels of exactly this colour are: the least and the greatest."""
+    """How far from the middle the pixels of exactly this color are: the least and the greatest."""
     x, z = rays()
     found = np.hypot(x, z)[(picture == color).all(axis=2)]
     return (found.min(), found.max()) if len(found) > 20 else None
 
 
-def test_contour_lines_have_one_colour_or_those_of_their_values(by_command_line, server):
+def test_contour_lines_have_one_color_or_those_of_their_values(by_command_line, server):
     ends = {"points": [{"at": 0, "color": "#ff0000"}, {"at": 1, "color": "#0000ff"}], "range": [0.3, 0.8]}
     near = 4 * VIEW / SIZE
     plain = by_command_line(contoured(color="#008800"))
     assert radii_of(plain, (0, 0x88, 0)) == pytest.approx((0.3, 0.8), abs=near)
     scene = contoured(color="#008800", coloring=ends)
-    coloured = by_command_line(scene)
-    assert radii_of(coloured, (0, 0x88, 0)) is None
-    assert radii_of(coloured, (255, 0, 0)) == pytest.approx((0.3, 0.3), abs=near)
-    assert radii_of(coloured, (0, 0, 255)) == pytest.approx((0.8, 0.8), abs=near)
-    assert (png_of(server.call("picture.render", scene=scene, width=SIZE, height=SIZE)) == coloured).all()
+    colored = by_command_line(scene)
+    assert radii_of(colored, (0, 0x88, 0)) is None
+    assert radii_of(colored, (255, 0, 0)) == pytest.approx((0.3, 0.3), abs=near)
+    assert radii_of(colored, (0, 0, 255)) == pytest.approx((0.8, 0.8), abs=near)
+    assert (png_of(server.call("picture.render", scene=scene, width=SIZE, height=SIZE)) == colored).all()
 
 
-def test_contour_lines_change_their_colours_in_a_session(by_command_line, server):
+def test_contour_lines_change_their_colors_in_a_session(by_command_line, server):
     scene = contoured()
     session = server.call("session.open", scene=scene)["session"]
     grey = {"map": "grayscale", "reverse": True}
@@ -300,11 +300,11 @@ def test_contour_lines_by_options(box, tmp_path):
 
 
 @pytest.mark.parametrize(("coloring", "path", "words"), [
-    ({"array": "x"}, "/layers/s/contours/coloring/array", "have the colours of its values, not of x"),
-    ({"map": "nothing"}, "/layers/s/contours/coloring/map", "there is no colour map nothing"),
+    ({"array": "x"}, "/layers/s/contours/coloring/array", "have the colors of its values, not of x"),
+    ({"map": "nothing"}, "/layers/s/contours/coloring/map", "there is no color map nothing"),
     ({"log": True, "range": [-1, 1]}, "/layers/s/contours/coloring/range", "add symmetric, or leave out log"),
 ])
-def test_colours_of_contour_lines_that_make_no_sense_are_refused(server, coloring, path, words):
+def test_colors_of_contour_lines_that_make_no_sense_are_refused(server, coloring, path, words):
     answer = requests.post(server.base + "/rpc", timeout=PATIENCE, json={
         "jsonrpc": "2.0", "id": 1, "method": "picture.render", "params": {"scene": contoured(coloring=coloring)}})
     error = answer.json()["error"]
@@ -344,9 +344,9 @@ def test_a_picture_without_a_camera_frames_what_clips_and_thresholds_leave(box, 
     assert far < 0.3 * corner, "a camera that is given is taken"
 
 
-def test_a_legend_shows_the_colour_of_missing_values_where_some_are_shown(tmp_path):
+def test_a_legend_shows_the_color_of_missing_values_where_some_are_shown(tmp_path):
     box = box_dataset.write_box(tmp_path / "box.ciel", 8, holes=True)
-    looking_away = ["--camera", "0,-9,0,0,-20,0"]  # all that is coloured then is the legend
+    looking_away = ["--camera", "0,-9,0,0,-20,0"]  # all that is colored then is the legend
 
     def magenta(*flags):
         path = tmp_path / "p.png"
@@ -363,8 +363,8 @@ def test_a_legend_shows_the_colour_of_missing_values_where_some_are_shown(tmp_pa
 
 
 @pytest.mark.parametrize("flags, sentence", [
-    (["--slice", "y=0", "--color", "x", "--map", "rainbow"], "--map rainbow: there is no such colour map; there are viridis, inferno"),
-    (["--slice", "y=0", "--contours", "x", "--contour-map", "jet"], "--contour-map jet: there is no such colour map; there are"),
+    (["--slice", "y=0", "--color", "x", "--map", "rainbow"], "--map rainbow: there is no such color map; there are viridis, inferno"),
+    (["--slice", "y=0", "--contours", "x", "--contour-map", "jet"], "--contour-map jet: there is no such color map; there are"),
     (["--surface", "--volume-direction", "x"], "--volume-direction is about volumes; give --volume"),
     (["--surface", "--volume-unshaded"], "--volume-unshaded is about volumes; give --volume"),
     (["--volume", "x", "--volume-unit-length", "0"], "--volume-unit-length is a length of more than 0"),
@@ -378,7 +378,7 @@ def test_wrong_usage_exits_with_2_and_says_what_there_is(box, tmp_path, flags, s
 
 
 def test_options_of_volumes_are_those_of_the_scene(box, tmp_path):
-    """Unshaded, in one colour: Beer-Lambert, whatever the slices go across; half of the light per unit length."""
+    """Unshaded, in one color: Beer-Lambert, whatever the slices go across; half of the light per unit length."""
     def middle(*flags):
         result = ciel("render", box, "--volume", "x=0:0.5", "--color-points", "0=#000000,1=#000000", "--volume-unshaded",
                       "--background", "#ffffff", "--annotations", "none", "--camera", "0,-9,0,0,0,0", "--parallel",

@@ -42,7 +42,7 @@ def test_the_address_is_one_line(box):
     (["--port", "notaport"], 2, ["--port"]),
     (["--port", "70000"], 2, ["--port"]),
     (["--gl", "vulkan"], 2, ["--gl", "osmesa"]),
-    (["--engine", "magic"], 2, ["--engine"]),
+    (["--algorithm", "magic"], 2, ["--algorithm"]),
     (["--decider", "magic"], 2, ["--decider"]),
     (["--no-such-option"], 2, ["no-such-option"]),
     (["/no/such/data.ciel"], 1, ["/no/such/data.ciel", "does not exist"]),

@@ -37,7 +37,7 @@ def copy(demo, tmp_path):
     return pathlib.Path(shutil.copytree(demo, tmp_path / "copy.ciel", copy_function=os.link))
 
 
-def test_a_vector_is_coloured_by_its_magnitude_and_called_so(demo, tmp_path):
+def test_a_vector_is_colored_by_its_magnitude_and_called_so(demo, tmp_path):
     result = ciel("extract", demo, "--slice", "z=1", "--color", "U", "-o", tmp_path / "s.vtp")
     assert result.returncode == 0 and b'Name="U:magnitude"' in (tmp_path / "s.vtp").read_bytes()
 

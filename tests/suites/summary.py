@@ -10,7 +10,7 @@ import sys
 import xml.etree.ElementTree as ElementTree
 
 
-# A failure's message may hold the colours of a terminal.
+# A failure's message may hold the colors of a terminal.
 NOT_XML = re.compile(r"[\x00-\x08\x0b\x0c\x0e-\x1f]|&#x1b;|&#27;", re.IGNORECASE)
 
 

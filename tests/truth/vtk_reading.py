@@ -4,7 +4,7 @@ import numpy as np
 import vtk
 from vtk.util.numpy_support import vtk_to_numpy
 
-# Flags and ids: bookkeeping, not fields (server/import/fields.cpp).
+# Flags and ids: bookkeeping, not fields (server/import/values/fields.cpp).
 BOOKKEEPING = {
     "vtkGhostType", "vtkOriginalPointIds", "vtkOriginalCellIds", "IBlank", "GlobalNodeId", "GlobalElementId", "PedigreeNodeId",
     "PedigreeElementId", "ObjectId", "vtkBlockColors", "vtkCompositeIndex", "vtkValidPointMask",

@@ -18,10 +18,10 @@ public:
     History(const Meshes& meshes, const FieldPair& fields, Results& results)
         : meshes_(meshes), fields_(fields), results_(results), moved_(sheared(meshes.assembled.mesh.positions)) {}
 
-    void run(const char* name, Engine engine) {
+    void run(const char* name, Algorithm algorithm) {
         name_ = name;
         Field field(meshes_.topology, fields_.values, nullptr), other(meshes_.topology, fields_.others, nullptr);
-        Query query(meshes_.topology, meshes_.view(), engine);
+        Query query(meshes_.topology, meshes_.view(), algorithm);
         query.set_field(field);
         query.set_decider(Decider::asymptotic);
         query.set_normals(Normals::polygons);
@@ -60,7 +60,7 @@ private:
 
 void record_changes(const Meshes& meshes, const FieldPair& fields, Results& results) {
     History history(meshes, fields, results);
-    for (const auto& [name, engine] : engines) history.run(name, engine);
+    for (const auto& [name, algorithm] : algorithms) history.run(name, algorithm);
 }
 
 } // namespace ciel::test

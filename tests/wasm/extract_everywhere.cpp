@@ -32,10 +32,10 @@ void record_surface(const std::string& where, const Surface& surface, std::span<
                     Results& results) {
     results.record(where, surface);
     results.record(where, "triangles", triangulate(surface));
-    std::vector<Vec3f> colours(surface.points.size());
+    std::vector<Vec3f> colors(surface.points.size());
     interpolate(surface.points, {gradients.data()->data(), 3 * gradients.size()}, 3,
-                {colours.data()->data(), 3 * colours.size()});
-    results.record(where, "interpolated gradients", colours);
+                {colors.data()->data(), 3 * colors.size()});
+    results.record(where, "interpolated gradients", colors);
 }
 
 void record_field(const Meshes& meshes, const FieldPair& fields, Results& results) {
@@ -46,8 +46,8 @@ void record_field(const Meshes& meshes, const FieldPair& fields, Results& result
     results.record(fields.where, "gradients", gradients);
     const std::array ambiguous{count_ambiguous_faces(meshes.view(), fields.values)};
     results.record(fields.where, "ambiguous faces", std::span<const std::uint64_t>(ambiguous));
-    for (const auto& [name, engine] : engines) {
-        Query query(meshes.topology, meshes.view(), engine);
+    for (const auto& [name, algorithm] : algorithms) {
+        Query query(meshes.topology, meshes.view(), algorithm);
         query.set_field(field);
         Surface surface;
         for (double nu : fields.walk) {

@@ -33,8 +33,8 @@ struct Meshes {
     [[nodiscard]] FaceMeshView view() const { return assembled.mesh.view(); }
 };
 
-inline constexpr std::array<std::pair<const char*, Engine>, 3> engines{
-    {{"signatures", Engine::signatures}, {"propagation", Engine::propagation}, {"naive", Engine::naive}}};
+inline constexpr std::array<std::pair<const char*, Algorithm>, 3> algorithms{
+    {{"signatures", Algorithm::signatures}, {"propagation", Algorithm::propagation}, {"naive", Algorithm::naive}}};
 
 // A field in stored order, with another one to interpolate, to select by or to go on with.
 struct FieldPair {
@@ -45,7 +45,7 @@ struct FieldPair {
     Vec3d slice_origin, slice_normal;
 };
 
-// Each engine with what a hand may change under it: decider, normals, field, positions; in one history.
+// Each algorithm with what a hand may change under it: decider, normals, field, positions; in one history.
 void record_changes(const Meshes& meshes, const FieldPair& fields, Results& results);
 // Many values in one pass, into each of the sinks.
 void record_sweeps(const Meshes& meshes, const FieldPair& fields, Results& results);

@@ -23,14 +23,14 @@ class ColorPoint(TypedDict):
 
 
 class Coloring(TypedDict):
-    array: NotRequired[str]  # a scalar name; absent: the solid colour
+    array: NotRequired[str]  # a scalar name; absent: the solid color
     map: NotRequired[str]  # a name of server.info's color_maps
-    points: NotRequired[list[ColorPoint] | None]  # colours of one's own instead of the map, in ascending order; linear between them
+    points: NotRequired[list[ColorPoint] | None]  # colors of one's own instead of the map, in ascending order; linear between them
     reverse: NotRequired[bool]
     range: NotRequired[Range | None]  # of the values on the map; absent: the array's at the shown time
     symmetric: NotRequired[bool]  # widens the range to as much below zero as above it
     log: NotRequired[bool]  # logarithmic; a given range lies above zero, and of the array's only what does is on the map, six decades at most where it holds zero. With symmetric: logarithmic on both sides of zero, nearly linear within a thousandth of the range's end
-    steps: NotRequired[int | None]  # so many equal parts of one colour each; absent: smooth
+    steps: NotRequired[int | None]  # so many equal parts of one color each; absent: smooth
     nan: NotRequired[str]  # of values that are missing
     below: NotRequired[str | None]  # of values below the range; absent: that of its lower end
     above: NotRequired[str | None]  # of values above the range; absent: that of its upper end
@@ -54,7 +54,7 @@ class Contours(TypedDict):
     count: NotRequired[int]  # without values: so many, evenly inside the range
     range: NotRequired[Range | None]  # of count; absent: the array's range at the shown time
     color: NotRequired[str]
-    coloring: NotRequired[Coloring]  # each line in the colour of its value on this scale, instead of color; its array is that of the lines
+    coloring: NotRequired[Coloring]  # each line in the color of its value on this scale, instead of color; its array is that of the lines
     width: NotRequired[float]  # pixels, as of edges
 
 
@@ -189,7 +189,7 @@ class EmptyLayer(TypedDict):
 class Annotations(TypedDict):
     """What is written over a picture. Pictures (picture.render, ciel render) carry all of it; the frames of a view carry none: who shows them draws it at the resolution of the screen, from this document."""
 
-    legend: NotRequired[bool]  # colour bars with name, units and ticks
+    legend: NotRequired[bool]  # color bars with name, units and ticks
     triad: NotRequired[bool]  # where x, y and z point
     axes: NotRequired[bool]  # ticks and numbers along edges of the bounding box, in the dataset's length units
     time: NotRequired[bool]  # the time of the step shown
@@ -204,7 +204,7 @@ class Light(TypedDict):
 
 
 class AmbientOcclusion(TypedDict):
-    """Opaque lit surfaces are darker where others near them keep out light from everywhere. Slices keep the colours of their values, but shade what is around them; lines, points, transparent surfaces and volumes neither shade nor are shaded. Pictures show it, the polygons of the geometry stream do not."""
+    """Opaque lit surfaces are darker where others near them keep out light from everywhere. Slices keep the colors of their values, but shade what is around them; lines, points, transparent surfaces and volumes neither shade nor are shaded. Pictures show it, the polygons of the geometry stream do not."""
 
     on: NotRequired[bool]
     radius: NotRequired[float]  # within which surfaces shade each other, of the diagonal of the bounds
@@ -214,7 +214,7 @@ class AmbientOcclusion(TypedDict):
 class Lighting(TypedDict):
     """What lights surfaces: the headlight stands at the eye, the key light over the viewer's left shoulder, both move with the camera. A shaded volume has a light at the eye, which the headlight's switch turns off."""
 
-    on: NotRequired[bool]  # false: all in its own colours, without light and shade
+    on: NotRequired[bool]  # false: all in its own colors, without light and shade
     ambient: NotRequired[float]  # strength of the light from everywhere
     headlight: NotRequired[Light]
     key_light: NotRequired[Light]
@@ -247,7 +247,7 @@ class CellExtremes(TypedDict):
 
 class ArrayInfo(TypedDict):
     name: str
-    association: Literal["point", "cell", "boundary_face"]  # boundary_face: what the solver has on the faces of patches (patch:p); surface layers alone are coloured by it
+    association: Literal["point", "cell", "boundary_face"]  # boundary_face: what the solver has on the faces of patches (patch:p); surface layers alone are colored by it
     components: int
     units: str
     description: str
@@ -372,7 +372,7 @@ RpcDiscoverResult = dict[str, Any]
 
 
 class ServerInfoParams(TypedDict):
-    """server.info: Version, GL renderer, limits, colour maps."""
+    """server.info: Version, GL renderer, limits, color maps."""
 
     pass
 
@@ -623,13 +623,13 @@ class ScenePickResult(TypedDict):
 
 
 class ColorRangeParams(TypedDict):
-    """color.range: The range of the values that colour layers, as far as they are in view."""
+    """color.range: The range of the values that color layers, as far as they are in view."""
 
     layers: list[str]  # ids of layers of the scene
     session: NotRequired[str]  # without it, `scene` is used and nothing is kept
     scene: NotRequired[Scene]  # the scene to be used in place of a session's; nothing is kept of it
     aspect: NotRequired[float]  # width / height of the view; without it, what lies beside the view counts, too
-    of: NotRequired[Literal["layers", "contours"]]  # contours: of the values of the contour lines on the layers, which have a colour scale of their own
+    of: NotRequired[Literal["layers", "contours"]]  # contours: of the values of the contour lines on the layers, which have a color scale of their own
 
 
 class ColorRangeResult(TypedDict):
@@ -730,7 +730,7 @@ class ViewLackingParams(TypedDict):
     revision: int  # of the scene that the frame is of
     sentences: list[str]  # for the user
     empty: list[EmptyLayer]  # layers that are switched on and show nothing
-    missing: list[str]  # layers whose colours have places without a value
+    missing: list[str]  # layers whose colors have places without a value
 
 
 class AppendRefusedParams(TypedDict):

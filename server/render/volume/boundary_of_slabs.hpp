@@ -1,7 +1,7 @@
 // Which part of a volume's boundary lies in which slab.
 #pragma once
 
-#include "render/volume/volume.hpp"
+#include "render/frame/volume.hpp"
 
 namespace ciel::render {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "ciel/slab.hpp"
-#include "render/gl.hpp"
+#include "render/context/gl.hpp"
 
 #include <functional>
 #include <span>

@@ -2,7 +2,7 @@
 // whole slab inside the mesh: these are drawn by a program that need not ask where a ray enters and leaves it.
 #pragma once
 
-#include "render/volume/volume.hpp"
+#include "render/frame/volume.hpp"
 
 namespace ciel::render {
 

@@ -1,7 +1,7 @@
 // The programs that draw a volume's slabs.
 #pragma once
 
-#include "render/shader_program.hpp"
+#include "render/context/shader_program.hpp"
 
 #include <compare>
 

@@ -1,6 +1,6 @@
 #include "render/volume/volume_buffers.hpp"
 
-#include "render/pacing.hpp"
+#include "render/context/pacing.hpp"
 #include "render/volume/boundary_of_slabs.hpp"
 #include "render/volume/slab_shaders.hpp"
 

@@ -1,10 +1,10 @@
 // A volume's slices and boundary on the GL's side, kept from frame to frame.
 #pragma once
 
-#include "render/vertex_arrays.hpp"
+#include "render/context/vertex_arrays.hpp"
+#include "render/frame/volume.hpp"
 #include "render/volume/index_parts.hpp"
 #include "render/volume/inner_polygons.hpp"
-#include "render/volume/volume.hpp"
 
 namespace ciel::render {
 

@@ -2,8 +2,8 @@
 // volume is all but opaque at once, its outline would have steps, for it has one ray per pixel.
 #pragma once
 
-#include "render/shaders.hpp"
-#include "render/sheet.hpp"
+#include "render/frame/frame.hpp"
+#include "render/target/sheet.hpp"
 #include "render/volume/volume_rays.hpp"
 
 #include <array>

@@ -1,10 +1,10 @@
 #include "render/volume/volume_painter.hpp"
 
-#include "render/pacing.hpp"
-#include "render/per_sample.hpp"
-#include "render/shaders.hpp"
+#include "color/transfer_table.hpp"
+#include "render/context/pacing.hpp"
+#include "render/context/shader_program.hpp"
+#include "render/target/per_sample.hpp"
 #include "render/volume/slab_angle.hpp"
-#include "render/volume/transfer_table.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -21,8 +21,8 @@ enum Unit : int { picture_unit = 0, opaque_unit = 1, covered_unit = 2, limits_un
 glm::dvec3 vector_of(const Vec3d& v) { return {v[0], v[1], v[2]}; }
 
 // Value * a + b runs from 0 to 1 over what the table is of; a range of no width sends everything to its middle.
-glm::vec2 normalisation(const ColorScale& scale) {
-    const TableExtent extent = table_extent(scale);
+glm::vec2 normalisation(const color::ColorScale& scale) {
+    const color::TableExtent extent = color::table_extent(scale);
     const auto [low, high] = extent.values(scale.range);
     if (!(high > low)) return {0, static_cast<float>((0.5 + 0.5 * extent.halves_below) / extent.width())};
     return {static_cast<float>(1 / (high - low)), static_cast<float>(-low / (high - low))};
@@ -67,12 +67,13 @@ VolumePainter::VolumePainter(const Gl& gl)
     gl_.GenVertexArrays(1, &no_array_);
 }
 
-void VolumePainter::draw(const Frame& frame, const ViewTransform& transform, Target& target) {
+void VolumePainter::draw(const Frame& frame, const annotations::ViewTransform& transform, Target& target) {
     draw_each(
         frame, transform, {}, [&target] { target.bind_again(); }, frame.samples > 1 && surfaces_ != 0);
 }
 
-GLuint VolumePainter::picture_until(const Frame& frame, const ViewTransform& transform, const LayerInVolumes& layer) {
+GLuint VolumePainter::picture_until(const Frame& frame, const annotations::ViewTransform& transform,
+                                    const LayerInVolumes& layer) {
     together_.size(GL_RGBA32F, frame.width, frame.height);
     together_.begin();
     gl_.ClearColor(0, 0, 0, 0);
@@ -82,8 +83,8 @@ GLuint VolumePainter::picture_until(const Frame& frame, const ViewTransform& tra
     return together_.texture();
 }
 
-void VolumePainter::draw_each(const Frame& frame, const ViewTransform& transform, const LayerInVolumes& layer,
-                              const std::function<void()>& bind_picture, bool per_sample) {
+void VolumePainter::draw_each(const Frame& frame, const annotations::ViewTransform& transform,
+                              const LayerInVolumes& layer, const std::function<void()>& bind_picture, bool per_sample) {
     check_directions(frame);
     const int coarseness = coarseness_of(frame);
     const float opacity = largest_opacity(frame);
@@ -141,10 +142,10 @@ void VolumePainter::load_table(const Volume& volume, Table& kept, double share) 
     if (kept.is_made && kept.scale == volume.scale && kept.opacity_points == volume.opacity_points &&
         kept.share == share)
         return;
-    const TransferTable table = make_transfer_table(volume, share);
+    const color::TransferTable table = color::make_transfer_table(volume.scale, volume.opacity_points, share);
     gl_.BindTexture(GL_TEXTURE_2D, kept.texture);
-    gl_.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, TransferTable::columns, TransferTable::rows, 0, GL_RGBA, GL_FLOAT,
-                   table.texels.data());
+    gl_.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, color::TransferTable::columns, color::TransferTable::rows, 0, GL_RGBA,
+                   GL_FLOAT, table.texels.data());
     filter(gl_, GL_NEAREST);
     kept.densest = 0;
     for (std::size_t i = 3; i < table.texels.size(); i += 4)
@@ -156,16 +157,16 @@ void VolumePainter::load_table(const Volume& volume, Table& kept, double share) 
 }
 
 void VolumePainter::use_programs(const Volume& volume, Slot& slot) {
-    const double table_width = table_extent(volume.scale).width();
+    const double table_width = color::table_extent(volume.scale).width();
     const SlabProgramKind kind{
-        slot.rays->count,    volume.shaded, view_.is_clipped(), view_.opaque != 0, view_.frame->camera.parallel,
-        TransferTable::rows, table_width};
+        slot.rays->count,           volume.shaded, view_.is_clipped(), view_.opaque != 0, view_.frame->camera.parallel,
+        color::TransferTable::rows, table_width};
     const auto made = [&](auto& programs, auto make, const SlabProgramKind& wanted) {
         const auto found = programs.find(wanted);
         return &(found != programs.end() ? found : programs.emplace(wanted, make(gl_, wanted)).first)->second;
     };
     slot.inner = made(slot.inner_programs, make_inner_program,
-                      {1, volume.shaded, false, false, false, TransferTable::rows, table_width});
+                      {1, volume.shaded, false, false, false, color::TransferTable::rows, table_width});
     slot.inner->use();
     set_light(*slot.inner, volume);
     slot.slice = made(slot.slice_programs, make_slice_program, kind);

@@ -2,8 +2,8 @@
 // the front into a target of floats (of bytes for benches), then that onto the picture.
 #pragma once
 
-#include "render/camera.hpp"
-#include "render/target.hpp"
+#include "annotations/camera.hpp"
+#include "render/target/target.hpp"
 #include "render/volume/slab_shaders.hpp"
 #include "render/volume/volume_buffers.hpp"
 #include "render/volume/volume_coverage.hpp"
@@ -27,11 +27,12 @@ public:
     // The texture of window depths on which rays end from now on; 0: volumes are in front of everything.
     void end_on(GLuint depth) { surfaces_ = depth; }
     // Leaves the target bound, depth test and blending as they were: on.
-    void draw(const Frame& frame, const ViewTransform& transform, Target& target);
+    void draw(const Frame& frame, const annotations::ViewTransform& transform, Target& target);
     // All volumes in front of a layer, good where it is; or without one as far as draw() shows them, everywhere.
     // Premultiplied, on nothing; until the next call. Leaves another framebuffer and viewport bound, depth test and
     // blending on.
-    [[nodiscard]] GLuint picture_until(const Frame& frame, const ViewTransform& transform, const LayerInVolumes& layer);
+    [[nodiscard]] GLuint picture_until(const Frame& frame, const annotations::ViewTransform& transform,
+                                       const LayerInVolumes& layer);
     // RGBA32F; A: the window's depth where the volumes begin. 0 before there was any.
     [[nodiscard]] GLuint limits() const { return rays_.begin_of_all(); }
 
@@ -39,7 +40,7 @@ private:
     struct Table {
         GLuint texture = 0;
         bool is_made = false;
-        ColorScale scale; // what it was made from
+        color::ColorScale scale; // what it was made from
         std::vector<std::array<double, 2>> opacity_points;
         double share = 1;
         double densest = 0; // extinction per unit length
@@ -61,7 +62,7 @@ private:
         glm::dvec3 per_depth, start;
     };
 
-    void draw_each(const Frame& frame, const ViewTransform& transform, const LayerInVolumes& layer,
+    void draw_each(const Frame& frame, const annotations::ViewTransform& transform, const LayerInVolumes& layer,
                    const std::function<void()>& bind_picture, bool per_sample);
     void begin_picture(const Frame& frame, const LayerInVolumes& layer);
     [[nodiscard]] Slot& slot_of(std::size_t volume);

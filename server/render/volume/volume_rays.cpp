@@ -1,7 +1,7 @@
 #include "render/volume/volume_rays.hpp"
 
-#include "render/pacing.hpp"
-#include "render/shaders.hpp"
+#include "render/context/pacing.hpp"
+#include "render/context/shader_program.hpp"
 
 #include <algorithm>
 #include <glm/matrix.hpp>

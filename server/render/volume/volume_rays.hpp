@@ -1,9 +1,9 @@
 // Where the ray of each pixel is inside a volume's mesh, between the clip planes, and in front of what is opaque.
 #pragma once
 
-#include "render/camera.hpp"
-#include "render/sheet.hpp"
-#include "render/touched_tiles.hpp"
+#include "annotations/camera.hpp"
+#include "render/target/sheet.hpp"
+#include "render/target/touched_tiles.hpp"
 #include "render/volume/volume_buffers.hpp"
 #include "render/volume/volume_shaders.hpp"
 
@@ -23,7 +23,7 @@ struct RayPlaces {
 // Of the picture being drawn.
 struct VolumeView {
     const Frame* frame = nullptr;
-    const ViewTransform* transform = nullptr;
+    const annotations::ViewTransform* transform = nullptr;
     GLuint opaque = 0;         // window depths that rays end on, or 0
     int width = 0, height = 0; // in rays
     // All volumes' meshes are in this box: offsets from the frame's origin.

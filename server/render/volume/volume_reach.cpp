@@ -1,6 +1,6 @@
 #include "render/volume/volume_reach.hpp"
 
-#include "render/shaders.hpp"
+#include "render/context/shader_program.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -8,7 +8,7 @@
 
 namespace ciel::render {
 
-// Window depths, and colours that are empty where the layer is not: textures of one size, any multiple of the rays'.
+// Window depths, and colors that are empty where the layer is not: textures of one size, any multiple of the rays'.
 struct LayerInVolumes {
     GLuint depth = 0, color = 0; // 0: no layer
 };

@@ -1,6 +1,6 @@
 #include "render/volume/volume_shaders.hpp"
 
-#include "render/per_sample.hpp"
+#include "render/target/per_sample.hpp"
 
 #include <string>
 

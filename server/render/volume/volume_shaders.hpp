@@ -1,7 +1,7 @@
 // The programs that find where rays are in a mesh, and that put finished volumes onto the picture.
 #pragma once
 
-#include "render/shader_program.hpp"
+#include "render/context/shader_program.hpp"
 
 #include <string>
 

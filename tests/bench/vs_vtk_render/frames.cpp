@@ -2,10 +2,11 @@
 #include "vs_vtk_render/pictures.hpp"
 
 #include "bench/volume_pictures.hpp"
-#include "session/scene_geometry.hpp"
+#include "frames/frame_of.hpp"
+#include "geometry/scene_geometry.hpp"
 #include "vs_vtk_render/jpeg.hpp"
 #include "vs_vtk_render/vtk_window.hpp"
-#include "wire/jpeg_stream.hpp"
+#include "wire/pictures/jpeg_stream.hpp"
 
 #include <algorithm>
 #include <cstdio>
@@ -42,8 +43,9 @@ public:
 
     std::uint64_t draw(double value, End end, render::Renderer& renderer) {
         std::get<scene::IsoLayer>(scene_.layers.front().kind).values = {value};
-        const auto geometry = geometry_.update(scene_, data_.loaded, {}, std::numeric_limits<std::size_t>::max(), true);
-        const render::Frame frame = session::frame_of(*geometry, scene_, width, height, 1);
+        const auto geometry =
+            geometry_.update({scene_, data_.loaded}, {}, std::numeric_limits<std::size_t>::max(), true);
+        const render::Frame frame = frames::frame_of(*geometry, scene_, width, height, 1);
         camera_ = frame.camera;
         origin_ = frame.origin;
         const render::Image& image = renderer.draw(frame);
@@ -53,7 +55,7 @@ public:
         return geometry->triangles;
     }
 
-    [[nodiscard]] const render::Camera& camera() const { return camera_; }
+    [[nodiscard]] const annotations::Camera& camera() const { return camera_; }
     [[nodiscard]] const Vec3d& origin() const { return origin_; }
     [[nodiscard]] double covered_share() const { return bench::covered_share(image_->rgb); }
     [[nodiscard]] std::size_t bytes() const { return jpeg_.size(); }
@@ -61,8 +63,8 @@ public:
 private:
     const bench::Case& data_;
     scene::Scene scene_;
-    session::SceneGeometry geometry_{Extraction{}};
-    render::Camera camera_;
+    geometry::SceneGeometry geometry_{Extraction{}};
+    annotations::Camera camera_;
     Vec3d origin_{};
     const render::Image* image_ = nullptr; // the renderer's, of the last draw
     wire::JpegStream stream_;
@@ -101,7 +103,7 @@ private:
     VtkWindow window_;
     std::function<void(double)> set_value_;
     std::function<vtkDataObject*()> surface_;
-    render::Camera camera_;
+    annotations::Camera camera_;
     Vec3d origin_{};
     std::span<const std::uint8_t> pixels_;
     std::vector<std::uint8_t> jpeg_;
@@ -138,13 +140,13 @@ std::vector<Named> pipelines(const bench::Case& data, vtkUnstructuredGrid* grid,
 
 } // namespace
 
-void frames(const bench::Case& data, vtkUnstructuredGrid* grid, session::FrameWorkers& drawing) {
+void frames(const bench::Case& data, vtkUnstructuredGrid* grid, engine::FrameWorkers& drawing) {
     const auto [low, high] = std::ranges::minmax(*data.values);
     // Arbitrary polyhedra take VTK half a second each.
     const std::vector<double> values = bench::values_between(low, high, is_linear(data) ? 20 : 4);
     Own own(data);
     const auto draw = [&](double value, End end) {
-        return drawing.run([&](session::Worker& worker) { return own.draw(value, end, worker.renderer()); });
+        return drawing.run([&](engine::Worker& worker) { return own.draw(value, end, worker.renderer()); });
     };
     (void)draw(values.front(), End::pixels); // says the camera
     std::vector<Named> theirs = pipelines(data, grid, own);

@@ -42,8 +42,8 @@ int main(int argc, char** argv) { // NOLINT(bugprone-exception-escape): a bench 
         return 1;
     }
     const ciel::bench::Case data = ciel::bench::open_case(dataset, array);
-    ciel::session::FrameWorkers drawing(1, ciel::render::Backend::automatic);
-    const std::string gl = drawing.run([](ciel::session::Worker& worker) { return worker.renderer().gl_renderer(); });
+    ciel::engine::FrameWorkers drawing(1, ciel::render::Backend::automatic);
+    const std::string gl = drawing.run([](ciel::engine::Worker& worker) { return worker.renderer().gl_renderer(); });
     std::printf("%s, %s, %u cells, %u threads, VTK %s, CIEL's GL %s\n", dataset.c_str(), data.array.c_str(),
                 data.mesh.cell_count(), ciel::thread_count(), vtkVersion::GetVTKVersion(), gl.c_str());
     vtkObject::GlobalWarningDisplayOff();

@@ -1,7 +1,7 @@
 // Pictures by CIEL and by VTK, in turns. CIEL draws on a thread of its own: GLX and EGL cannot both be current on one.
 #pragma once
 
-#include "session/frame_workers.hpp"
+#include "engine/schedule/frame_workers.hpp"
 #include "vs_vtk/duel.hpp"
 
 namespace ciel::vs_vtk {
@@ -16,7 +16,7 @@ void compare(const Outcome& outcome, const Asked& asked);
 void compare_covered(double ciel, double vtk);
 
 // Each throws Error where a side draws something else than the other.
-void volumes(const bench::Case& data, vtkUnstructuredGrid* grid, session::FrameWorkers& drawing);
-void frames(const bench::Case& data, vtkUnstructuredGrid* grid, session::FrameWorkers& drawing);
+void volumes(const bench::Case& data, vtkUnstructuredGrid* grid, engine::FrameWorkers& drawing);
+void frames(const bench::Case& data, vtkUnstructuredGrid* grid, engine::FrameWorkers& drawing);
 
 } // namespace ciel::vs_vtk

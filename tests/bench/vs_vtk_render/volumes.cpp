@@ -2,7 +2,7 @@
 #include "vs_vtk_render/pictures.hpp"
 
 #include "bench/volume_pictures.hpp"
-#include "render/color_scale.hpp"
+#include "color/color_scale.hpp"
 #include "vs_vtk_render/vtk_window.hpp"
 
 #include <cmath>
@@ -36,7 +36,7 @@ vtkSmartPointer<vtkUnstructuredGrid> tetrahedra_of(vtkUnstructuredGrid* grid) {
 // The mapper takes opacity for extinction per length, whatever the unit distance.
 vtkSmartPointer<vtkVolumeProperty> look_of(const render::Volume& volume) {
     constexpr std::size_t entries = 257;
-    const auto colors = render::color_row(volume.scale, entries);
+    const auto colors = color::color_row(volume.scale, entries);
     const auto [low, high] = volume.scale.range;
     vtkNew<vtkColorTransferFunction> color;
     vtkNew<vtkPiecewiseFunction> extinction;
@@ -105,11 +105,11 @@ private:
 
 } // namespace
 
-void volumes(const bench::Case& data, vtkUnstructuredGrid* grid, session::FrameWorkers& drawing) {
+void volumes(const bench::Case& data, vtkUnstructuredGrid* grid, engine::FrameWorkers& drawing) {
     const auto tetrahedra = tetrahedra_of(grid);
     const auto cells = static_cast<std::uint64_t>(tetrahedra->GetNumberOfCells());
     std::unique_ptr<bench::VolumePictures> pictures;
-    const auto draw_there = [&](auto&& work) { return drawing.run([&](session::Worker&) { return work(); }); };
+    const auto draw_there = [&](auto&& work) { return drawing.run([&](engine::Worker&) { return work(); }); };
     draw_there([&] {
         pictures = std::make_unique<bench::VolumePictures>(data);
         return pictures->cut({0, 1, 0});

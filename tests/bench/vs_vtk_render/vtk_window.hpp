@@ -21,7 +21,7 @@ public:
 
     [[nodiscard]] vtkRenderer* renderer() { return renderer_; }
     // origin: of what is in the renderer.
-    void set_camera(const render::Camera& camera, const Vec3d& origin);
+    void set_camera(const annotations::Camera& camera, const Vec3d& origin);
     // Rows from the bottom, RGBA; until the next draw.
     std::span<const std::uint8_t> draw();
 

@@ -89,7 +89,7 @@ void find_shift(const LabPicture& a, const LabPicture& b, Difference& found) {
 bool is_found_near(const Lab& color, const LabPicture& picture, int x, int y) {
     for (int v = std::max(0, y - 1); v <= std::min(picture.height - 1, y + 1); ++v)
         for (int u = std::max(0, x - 1); u <= std::min(picture.width - 1, x + 1); ++u)
-            if (distance(color, picture.at(u, v)) <= Tolerance::colour) return true;
+            if (distance(color, picture.at(u, v)) <= Tolerance::color) return true;
     return false;
 }
 
@@ -139,7 +139,7 @@ Picture difference_picture(const Picture& a, const Picture& b) {
 
 std::string words(const Difference& difference, const Tolerance& tolerance) {
     std::ostringstream out;
-    out << "the tile at " << difference.shift_x << ", " << difference.shift_y << " changed its mean colour by "
+    out << "the tile at " << difference.shift_x << ", " << difference.shift_y << " changed its mean color by "
         << difference.shift << " (" << tolerance.shift << " may be), " << 100 * difference.share
         << " % of the pixels moved (" << 100 * tolerance.share << " % may)";
     return out.str();

@@ -1,8 +1,8 @@
-// How different two pictures look. Colours are compared in CIE L*a*b* (D65), where a distance of about 2 is what an eye
+// How different two pictures look. Colors are compared in CIE L*a*b* (D65), where a distance of about 2 is what an eye
 // notices side by side. Two measures, because pictures go wrong in two ways and drivers differ in a third:
-//   shift: the largest change of the mean colour of a 16 x 16 tile. Finds what is faint and wide, such as an opacity or
+//   shift: the largest change of the mean color of a 16 x 16 tile. Finds what is faint and wide, such as an opacity or
 //          a light that changed; where two drivers put an edge's samples differently averages out.
-//   share: the part of the pixels whose colour is found nowhere among the nine pixels around its place in the other
+//   share: the part of the pixels whose color is found nowhere among the nine pixels around its place in the other
 //          picture, either way. Finds what moved, vanished or appeared; an edge may be a pixel off.
 #pragma once
 
@@ -21,7 +21,7 @@ struct Difference {
 struct Tolerance {
     double shift = 0.5;
     double share = 0.0005;
-    static constexpr double colour = 10; // further apart than this, pixels count for `share`
+    static constexpr double color = 10; // further apart than this, pixels count for `share`
 };
 
 // Of the same size. Throws std::invalid_argument else.

@@ -1,0 +1,41 @@
+// From a camera and bounds to matrices, in double: far from the origin float has nothing left for the picture.
+#pragma once
+
+#include "ciel/types.hpp"
+
+#include <glm/mat4x4.hpp>
+
+namespace ciel::annotations {
+
+struct Camera {
+    Vec3d position{}, target{}, up{0, 0, 1}; // world coordinates
+    double fov_degrees = 30;
+    bool parallel = false;
+    double parallel_height = 1; // world units from the lower to the upper edge of the picture
+};
+
+// The space that a picture shows, and from where.
+struct Viewpoint {
+    int width = 0, height = 0; // pixels
+    Vec3d origin{};            // of offsets: world coordinates less this
+    Camera camera;
+    Vec3d bounds_min{}, bounds_max{}; // for the depth range, in world coordinates
+};
+
+struct ViewTransform {
+    // Offsets from the view's origin -> the eye's axes, looking along -z. The eye of a parallel view, whose place
+    // along its rays changes nothing, is before all of the bounds.
+    glm::dmat4 view;
+    glm::dmat4 projection; // -> clip space, z from -1 to 1 between the nearest and farthest point of the bounds
+    double scale = 1;      // 1 / the bounds' diagonal
+};
+
+// Throws Error when the camera is not made of finite numbers. A camera at its target, or with `up` along its view,
+// still gives a picture.
+[[nodiscard]] ViewTransform view_transform(const Viewpoint& seen);
+
+// The camera that shows the whole box from a direction, with a small margin; its parallel height fits as well.
+[[nodiscard]] Camera default_camera(Vec3d bounds_min, Vec3d bounds_max, double aspect,
+                                    double fov_degrees = Camera{}.fov_degrees);
+
+} // namespace ciel::annotations

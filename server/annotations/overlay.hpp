@@ -1,0 +1,70 @@
+// A flat drawing over a picture, in pixels from the upper left corner: what the layout makes and the overlay painter
+// draws. In this order: plates, fills, strokes, triangles, labels.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace ciel::annotations {
+
+using Ink = std::array<float, 4>; // RGB and opacity
+
+struct Place {
+    double x = 0, y = 0;
+};
+
+struct Box {
+    double left = 0, top = 0, right = 0, bottom = 0;
+
+    [[nodiscard]] double width() const { return right - left; }
+    [[nodiscard]] double height() const { return bottom - top; }
+    [[nodiscard]] bool overlaps(const Box& other) const {
+        return left < other.right && other.left < right && top < other.bottom && other.top < bottom;
+    }
+    [[nodiscard]] bool holds(const Box& other) const {
+        return left <= other.left && top <= other.top && right >= other.right && bottom >= other.bottom;
+    }
+};
+
+// Which part of a line from a to b is inside the box, as shares of the way; none where they only touch.
+[[nodiscard]] std::optional<std::pair<double, double>> part_inside(const Box& box, const Place& a, const Place& b);
+
+struct Plate { // behind what is written, so that it is read on any picture; fades out around the box
+    Box box;
+    double edge = 0; // pixels over which it does
+    Ink top{}, bottom{};
+};
+struct Fill { // from one ink at the top to another at the bottom
+    Box box;
+    Ink top{}, bottom{};
+};
+struct Stroke { // with soft edges
+    Place from, to;
+    double width = 1;
+    Ink ink{};
+};
+struct Triangle {
+    std::array<Place, 3> corners{};
+    Ink ink{};
+};
+struct Label {
+    std::string text;
+    int pixels = 0;   // size of the font
+    int x = 0, y = 0; // where the text starts on its base line
+    Ink ink{};
+    Box box; // around it, from the highest to the lowest a letter may reach
+};
+
+struct Overlay {
+    std::vector<Plate> plates;
+    std::vector<Fill> fills;
+    std::vector<Stroke> strokes;
+    std::vector<Triangle> triangles;
+    std::vector<Label> labels;
+    Ink halo{}; // around letters and strokes, so that they are read on any background
+};
+
+} // namespace ciel::annotations

@@ -1,0 +1,21 @@
+// How large text is, for who lays it out. Who draws it measures it.
+#pragma once
+
+#include <string_view>
+
+namespace ciel::annotations {
+
+struct FontMetrics { // pixels, all positive
+    int ascent = 0, descent = 0;
+    int digit = 0; // height of a digit above the base line
+};
+
+// Belongs to one thread. Sizes are pixels an em. Every call may throw Error when there is no font.
+class TextMeasure {
+public:
+    virtual ~TextMeasure() = default;
+    [[nodiscard]] virtual FontMetrics metrics(int pixels) = 0;
+    [[nodiscard]] virtual int width(std::string_view utf8, int pixels) = 0; // pixels
+};
+
+} // namespace ciel::annotations

@@ -1,0 +1,29 @@
+// The engine of this process behind the gateway: texts become method calls, binary messages pieces of uploads.
+#pragma once
+
+#include "engine/server.hpp"
+#include "gateway/service.hpp"
+
+namespace ciel::app {
+
+// Keeps a reference to the server, which has to outlive it and its peers.
+class EngineService final : public gateway::Service {
+public:
+    explicit EngineService(engine::Server& server) : server_(server) {}
+
+    [[nodiscard]] const limits::Limits& limits() const override;
+    [[nodiscard]] limits::Memory& memory() override;
+    [[nodiscard]] std::shared_ptr<gateway::Peer> connect(gateway::Client client) override;
+    [[nodiscard]] gateway::Readiness readiness() override;
+    [[nodiscard]] std::string metrics() override;
+
+    void announce_end() override;
+    void drain_frames() override;
+    void drain() override;
+    void give_up() override;
+
+private:
+    engine::Server& server_;
+};
+
+} // namespace ciel::app

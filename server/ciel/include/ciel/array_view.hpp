@@ -1,0 +1,81 @@
+// The caller's arrays as they are: borrowed, of any usual number type, with strides. Not in the paper.
+#pragma once
+
+#include "ciel/types.hpp"
+
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace ciel {
+
+enum class NumberType : std::uint8_t { uint8, int32, uint32, int64, uint64, float32, float64 };
+
+template <class T>
+inline constexpr bool is_array_number =
+    std::same_as<T, std::uint8_t> || std::same_as<T, std::int32_t> || std::same_as<T, std::uint32_t> ||
+    std::same_as<T, std::int64_t> || std::same_as<T, std::uint64_t> || std::same_as<T, float> ||
+    std::same_as<T, double>;
+
+template <class T>
+requires is_array_number<T>
+[[nodiscard]] constexpr NumberType number_type() {
+    if constexpr (std::same_as<T, std::uint8_t>) return NumberType::uint8;
+    if constexpr (std::same_as<T, std::int32_t>) return NumberType::int32;
+    if constexpr (std::same_as<T, std::uint32_t>) return NumberType::uint32;
+    if constexpr (std::same_as<T, std::int64_t>) return NumberType::int64;
+    if constexpr (std::same_as<T, std::uint64_t>) return NumberType::uint64;
+    if constexpr (std::same_as<T, float>) return NumberType::float32;
+    return NumberType::float64;
+}
+
+// `rows` rows of `columns` numbers. Borrows: the array must outlive the call that it is given to, and is never written.
+class ArrayView {
+public:
+    ArrayView() = default;
+    // values.size() / columns rows, one after the other.
+    template <class T>
+    requires is_array_number<T> ArrayView(std::span<const T> values, std::size_t columns = 1)
+        : ArrayView(values.data(), number_type<T>(), values.size() / columns, columns,
+                    static_cast<std::ptrdiff_t>(columns * sizeof(T)), sizeof(T)) {}
+    template <class T>
+    requires is_array_number<T> ArrayView(const std::vector<T>& values, std::size_t columns = 1)
+        : ArrayView(std::span<const T>(values), columns) {}
+    // Strides are in bytes and may be negative, as NumPy's.
+    ArrayView(const void* begin, NumberType type, std::size_t rows, std::size_t columns, std::ptrdiff_t row_stride,
+              std::ptrdiff_t column_stride)
+        : begin_(static_cast<const std::byte*>(begin)), type_(type), rows_(rows), columns_(columns),
+          row_stride_(row_stride), column_stride_(column_stride) {}
+
+    [[nodiscard]] std::size_t rows() const { return rows_; }
+    [[nodiscard]] std::size_t columns() const { return columns_; }
+    [[nodiscard]] bool empty() const { return rows_ == 0; }
+    [[nodiscard]] NumberType type() const { return type_; }
+    // The whole array where it is of T and without gaps, else empty: what need not be copied.
+    template <class T>
+    requires is_array_number<T>
+    [[nodiscard]] std::span<const T> as() const {
+        const bool is_dense = column_stride_ == static_cast<std::ptrdiff_t>(sizeof(T)) &&
+                              row_stride_ == static_cast<std::ptrdiff_t>(columns_ * sizeof(T));
+        if (type_ != number_type<T>() || !is_dense) return {};
+        return {reinterpret_cast<const T*>(begin_), rows_ * columns_};
+    }
+
+    [[nodiscard]] double real(std::size_t row, std::size_t column = 0) const; // of any type
+    // Throws Error for an array of reals. 64 unsigned bits beyond the signed range come out negative.
+    [[nodiscard]] std::int64_t integer(std::size_t row, std::size_t column = 0) const;
+    [[nodiscard]] bool has_integers() const { return type_ != NumberType::float32 && type_ != NumberType::float64; }
+
+private:
+    template <class T>
+    [[nodiscard]] T at(std::size_t row, std::size_t column) const;
+
+    const std::byte* begin_ = nullptr;
+    NumberType type_ = NumberType::float32;
+    std::size_t rows_ = 0, columns_ = 1;
+    std::ptrdiff_t row_stride_ = 0, column_stride_ = 0;
+};
+
+} // namespace ciel

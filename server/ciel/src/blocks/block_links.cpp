@@ -1,0 +1,297 @@
+#include "blocks/block_links.hpp"
+
+#include "ciel/parallel.hpp"
+
+#include <algorithm>
+#include <tuple>
+
+namespace ciel {
+
+namespace {
+
+constexpr std::size_t blocks_per_task = 8;
+
+// `body(block)` for all blocks in parallel.
+template <class F>
+void for_blocks(std::size_t count, F&& body) {
+    parallel_for(count, blocks_per_task, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t b = begin; b < end; ++b) body(static_cast<Index>(b));
+    });
+}
+
+class Linker {
+public:
+    Linker(const FaceMeshView& mesh, std::vector<BuiltBlock>& built, Topology::Blocks& out)
+        : mesh_(mesh), built_(built), out_(out) {}
+
+    void run() {
+        number_half_edges();
+        own_vertices();
+        ring_vertices();
+        own_edges();
+        number_edges();
+        for_blocks(built_.size(), [&](Index b) { renumber_edges(b); });
+        join_twins();
+        for (BuiltBlock& b : built_) out_.block.push_back(std::move(b.block));
+    }
+
+private:
+    struct SharedEdge {
+        Index high, block, edge;
+    };
+    struct SharedLists {
+        std::vector<std::uint64_t> begin; // by mesh vertex, and one more
+        std::vector<SharedEdge> edge;
+    };
+
+    void number_half_edges();
+    void own_vertices();
+    void ring_vertices();
+    void link_border(Block& block, std::span<const Index> next);
+    [[nodiscard]] SharedLists list_by_lower_vertex() const;
+    void own_edges();
+    void give_to_first(std::span<SharedEdge> edges);
+    void number_edges();
+    [[nodiscard]] std::vector<std::vector<std::pair<Index, SharedEdge>>> shared_edges() const;
+    void renumber_edges(Index b);
+    void join_twins();
+    [[nodiscard]] HalfEdge turn_in_mesh(HalfEdge h, Index steps) const;
+
+    const FaceMeshView& mesh_;
+    std::vector<BuiltBlock>& built_;
+    Topology::Blocks& out_;
+    struct Owner {
+        Index edge, block, owner_edge; // a local edge that the local edge of another block owns
+    };
+    std::vector<std::vector<Owner>> ghosts_;   // per block
+    std::vector<std::vector<Index>> new_edge_; // per block: local edge -> its place among the owned, none for ghosts
+};
+
+void Linker::number_half_edges() {
+    std::uint64_t half_edges = 0, vertices = 0;
+    for (BuiltBlock& b : built_) {
+        b.block.half_edge_begin = static_cast<Index>(half_edges);
+        b.block.vertex_begin = static_cast<Index>(vertices);
+        half_edges += b.block.half_edge_count;
+        vertices += b.block.vertex_count;
+        if (half_edges >= none || vertices >= none)
+            fail("a mesh holds fewer than 4,294,967,295 half-edges: split the dataset");
+    }
+    out_.counts.half_edges = half_edges;
+    out_.counts.vertices = mesh_.vertex_count();
+    out_.block_at.resize((half_edges >> 12) + 1);
+    Index b = 0;
+    for (std::size_t i = 0; i < out_.block_at.size(); ++i) {
+        while (b + 1 < built_.size() && built_[b + 1].block.half_edge_begin <= i << 12) ++b;
+        out_.block_at[i] = b;
+    }
+}
+
+// Vertices are numbered by first use, so those that a block is the first to use are consecutive.
+void Linker::own_vertices() {
+    Index owned = 0;
+    for (BuiltBlock& b : built_) {
+        Block& block = b.block;
+        block.own_vertex_begin = owned;
+        const auto first = std::ranges::lower_bound(b.vertices, owned);
+        block.ghost_vertex.assign(b.vertices.begin(), first);
+        for (auto v = first; v != b.vertices.end(); ++v)
+            if (*v != owned++)
+                fail("the mesh is damaged: its vertices are not in the order of their first use; import it again");
+    }
+}
+
+void Linker::ring_vertices() {
+    std::vector<Index> first(mesh_.vertex_count(), none), last(mesh_.vertex_count(), none), next; // slots
+    for (const BuiltBlock& b : built_) {
+        Index slot = b.block.vertex_begin;
+        next.resize(slot + b.vertices.size(), none);
+        for (const Index v : b.vertices) {
+            if (last[v] == none) {
+                first[v] = slot;
+            } else {
+                next[last[v]] = slot;
+                next[slot] = first[v]; // until a later block has it too
+            }
+            last[v] = slot++;
+        }
+    }
+    for_blocks(built_.size(), [&](Index b) {
+        Block& block = built_[b].block;
+        std::visit(
+            [&](auto& arrays) {
+                for (Index local = 0; local < block.vertex_count; ++local)
+                    if (next[block.vertex_begin + local] != none)
+                        arrays.border_vertex.push_back(
+                            static_cast<std::decay_t<decltype(arrays.border_vertex[0])>>(local));
+                arrays.border_vertex.shrink_to_fit();
+            },
+            block.arrays);
+    });
+    for_blocks(built_.size(), [&](Index b) { link_border(built_[b].block, next); });
+}
+
+// `next`: by slot, the next one in the ring.
+void Linker::link_border(Block& block, std::span<const Index> next) {
+    const auto block_with = [&](Index slot) {
+        const auto after =
+            std::ranges::upper_bound(built_, slot, {}, [](const BuiltBlock& b) { return b.block.vertex_begin; });
+        return static_cast<Index>(after - built_.begin() - 1);
+    };
+    std::visit(
+        [&](auto& arrays) {
+            using Local = std::decay_t<decltype(arrays.border_vertex[0])>;
+            std::vector<Index> there;
+            for (const Index local : arrays.border_vertex)
+                there.push_back(block_with(next[block.vertex_begin + local]));
+            block.neighbour = there;
+            std::ranges::sort(block.neighbour);
+            block.neighbour.erase(std::unique(block.neighbour.begin(), block.neighbour.end()), block.neighbour.end());
+            block.neighbour.shrink_to_fit();
+            arrays.border_block.reserve(there.size());
+            arrays.border_place.reserve(there.size());
+            for (std::size_t i = 0; i < there.size(); ++i) {
+                const Block& other = built_[there[i]].block;
+                const Index local = next[block.vertex_begin + arrays.border_vertex[i]] - other.vertex_begin;
+                arrays.border_block.push_back(
+                    static_cast<Local>(std::ranges::lower_bound(block.neighbour, there[i]) - block.neighbour.begin()));
+                arrays.border_place.push_back(static_cast<Local>(other.border_place_of(local)));
+            }
+        },
+        block.arrays);
+}
+
+// Edges that may be in several blocks: both ends are. By block; each with its lower mesh vertex.
+std::vector<std::vector<std::pair<Index, Linker::SharedEdge>>> Linker::shared_edges() const {
+    std::vector<std::vector<std::pair<Index, SharedEdge>>> shared(built_.size());
+    for_blocks(built_.size(), [&](Index b) {
+        const Block& block = built_[b].block;
+        block.with([&](const auto& arrays) {
+            std::vector<std::uint8_t> border(block.vertex_count, 0);
+            for (const auto v : arrays.border_vertex) border[v] = 1;
+            for (Index e = 0; e < block.edge_count; ++e) {
+                const auto [low, high] = built_[b].edge_ends[e];
+                if (border[low] && border[high]) shared[b].push_back({block.vertex(low), {block.vertex(high), b, e}});
+            }
+        });
+    });
+    return shared;
+}
+
+// Of the edges that one vertex is the lower end of, sorted by block. Short lists as they are; long ones, of a vertex
+// that many blocks meet at, by their upper ends.
+void Linker::give_to_first(std::span<SharedEdge> edges) {
+    constexpr std::size_t short_list = 64;
+    const auto give = [this](const SharedEdge& ghost, const SharedEdge& owner) {
+        ghosts_[ghost.block].push_back({ghost.edge, owner.block, owner.edge});
+    };
+    if (edges.size() > short_list) {
+        std::ranges::sort(edges, {}, [](const SharedEdge& e) { return std::tuple(e.high, e.block, e.edge); });
+        for (std::size_t i = 1, owner = 0; i < edges.size(); ++i)
+            if (edges[i].high == edges[owner].high)
+                give(edges[i], edges[owner]);
+            else
+                owner = i;
+        return;
+    }
+    for (std::size_t i = 1; i < edges.size(); ++i) {
+        const auto owner = std::ranges::find(edges.first(i), edges[i].high, &SharedEdge::high);
+        if (owner != edges.begin() + static_cast<std::ptrdiff_t>(i)) give(edges[i], *owner);
+    }
+}
+
+// By lower vertex, and there block by block.
+Linker::SharedLists Linker::list_by_lower_vertex() const {
+    const auto shared = shared_edges();
+    SharedLists lists;
+    lists.begin.assign(std::size_t{mesh_.vertex_count()} + 1, 0);
+    for (const auto& edges : shared)
+        for (const auto& [low, edge] : edges) ++lists.begin[low + 1];
+    for (std::size_t v = 1; v < lists.begin.size(); ++v) lists.begin[v] += lists.begin[v - 1];
+    lists.edge.resize(lists.begin.back());
+    std::vector<std::uint64_t> cursor(lists.begin.begin(), lists.begin.end() - 1);
+    for (const auto& edges : shared)
+        for (const auto& [low, edge] : edges) lists.edge[cursor[low]++] = edge;
+    return lists;
+}
+
+// Equal edges meet in the list of their lower vertex; the first block owns them.
+void Linker::own_edges() {
+    SharedLists lists = list_by_lower_vertex();
+    ghosts_.resize(built_.size());
+    for (std::size_t v = 0; v + 1 < lists.begin.size(); ++v)
+        give_to_first(std::span(lists.edge).subspan(lists.begin[v], lists.begin[v + 1] - lists.begin[v]));
+}
+
+// Ids through the mesh: a block's own edges one after another, ghosts have their owner's.
+void Linker::number_edges() {
+    new_edge_.resize(built_.size());
+    std::uint64_t edges = 0;
+    for (Index b = 0; b < built_.size(); ++b) {
+        Block& block = built_[b].block;
+        new_edge_[b].assign(block.edge_count, 0);
+        for (const Owner& ghost : ghosts_[b]) new_edge_[b][ghost.edge] = none;
+        Index owned = 0;
+        for (Index& e : new_edge_[b])
+            if (e != none) e = owned++;
+        block.edge_begin = static_cast<Index>(edges);
+        out_.edge_begin.push_back(block.edge_begin);
+        edges += owned;
+    }
+    out_.edge_begin.push_back(static_cast<Index>(edges));
+    out_.counts.edges = edges; // fewer than half-edges, so they fit
+}
+
+void Linker::renumber_edges(Index b) {
+    Block& block = built_[b].block;
+    std::vector<std::pair<Index, Index>> ghosts; // (mesh-wide id, old local edge)
+    for (const Owner& ghost : ghosts_[b])
+        ghosts.emplace_back(built_[ghost.block].block.edge_begin + new_edge_[ghost.block][ghost.owner_edge],
+                            ghost.edge);
+    std::ranges::sort(ghosts);
+    std::vector<Index> renumbered = new_edge_[b];
+    for (Index& e : renumbered)
+        if (e != none) e += static_cast<Index>(ghosts.size());
+    for (const auto& [id, edge] : ghosts) {
+        renumbered[edge] = static_cast<Index>(block.ghost_edge.size());
+        block.ghost_edge.push_back(id);
+    }
+    block.ghost_edge.shrink_to_fit();
+    const auto renumber = [&](auto& edges) {
+        for (auto& e : edges) e = static_cast<std::decay_t<decltype(e)>>(renumbered[e]);
+    };
+    for (StandardSection& section : block.standard) renumber(section.edge);
+    std::visit([&](auto& arrays) { renumber(arrays.polyhedra.edge); }, block.arrays);
+}
+
+void Linker::join_twins() {
+    std::vector<std::array<HalfEdge, 2>> anchor(mesh_.face_count(), {none, none}); // by side
+    for_blocks(built_.size(), [&](Index b) {
+        for (const BuiltBlock::Tail& tail : built_[b].tails)
+            anchor[tail.face][tail.side] = built_[b].block.half_edge_begin + tail.anchor;
+    });
+    for_blocks(built_.size(), [&](Index b) {
+        std::vector<HalfEdge>& twin = built_[b].block.twin;
+        twin.reserve(built_[b].tails.size());
+        for (const BuiltBlock::Tail& tail : built_[b].tails) {
+            const HalfEdge other =
+                tail.mate != none ? built_[b].block.half_edge_begin + tail.mate : anchor[tail.face][1 - tail.side];
+            twin.push_back(other == none ? none : turn_in_mesh(other, tail.steps));
+        }
+    });
+}
+
+HalfEdge Linker::turn_in_mesh(HalfEdge h, Index steps) const {
+    const auto after =
+        std::ranges::upper_bound(built_, h, {}, [](const BuiltBlock& b) { return b.block.half_edge_begin; });
+    const Block& block = (after - 1)->block;
+    return block.half_edge_begin + turn(block, h - block.half_edge_begin, steps);
+}
+
+} // namespace
+
+void link_blocks(const FaceMeshView& mesh, std::vector<BuiltBlock>& built, Topology::Blocks& out) {
+    Linker(mesh, built, out).run();
+}
+
+} // namespace ciel

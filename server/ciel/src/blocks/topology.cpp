@@ -1,0 +1,131 @@
+#include "ciel/topology.hpp"
+
+#include "blocks/block_links.hpp"
+#include "ciel/parallel.hpp"
+#include "ciel/standard_shapes.hpp"
+
+#include <algorithm>
+
+namespace ciel {
+
+namespace {
+
+// Block boundaries (cells), so that each block but a giant cell's has local ids of 16 bits: a standard cell's
+// half-edges have such ids, a polyhedron's corners, which most often serve two cells.
+std::vector<Index> divide(const FaceMeshView& mesh, const CellFaces& faces, Index cells_per_block) {
+    constexpr std::uint64_t room = 96000, corner_room = 64000;
+    std::vector<Index> begin{0};
+    std::uint64_t used = 0, corners = 0; // corners: of each face once
+    for (Index cell = 0; cell < mesh.cell_count(); ++cell) {
+        std::uint64_t of_cell = 0, new_corners = 0;
+        std::size_t largest = 0;
+        for (const Index f : faces.of(cell)) {
+            const std::size_t size = mesh.loop(f).size();
+            of_cell += size;
+            largest = std::max(largest, size);
+            if (mesh.owner[f] == cell || mesh.owner[f] < begin.back()) new_corners += size;
+        }
+        const bool standard = type_of_faces(faces.of(cell).size(), of_cell, largest) != CellType::polyhedron;
+        const std::uint64_t room_of_cell = standard ? 2 * of_cell : of_cell;
+        used += room_of_cell;
+        corners += new_corners;
+        if (cell > begin.back() && (cell - begin.back() == cells_per_block || used > room || corners > corner_room)) {
+            begin.push_back(cell);
+            used = room_of_cell;
+            corners = of_cell;
+        }
+    }
+    if (mesh.cell_count() > 0) begin.push_back(mesh.cell_count());
+    return begin;
+}
+
+// Cells that hang together by faces.
+std::uint64_t count_components(const FaceMeshView& mesh) {
+    std::vector<Index> parent(mesh.cell_count());
+    for (Index c = 0; c < parent.size(); ++c) parent[c] = c;
+    const auto root = [&](Index c) {
+        while (parent[c] != c) c = parent[c] = parent[parent[c]];
+        return c;
+    };
+    std::uint64_t components = parent.size();
+    const Ids owners = mesh.owner; // copies: their limits stay in registers while `parent` is written
+    const OptionalIds neighbours = mesh.neighbour;
+    for (std::size_t f = 0; f < owners.size(); ++f) {
+        const Index neighbour = neighbours[f];
+        if (neighbour == none) continue;
+        const Index a = root(owners[f]), b = root(neighbour);
+        if (a == b) continue;
+        parent[std::max(a, b)] = std::min(a, b);
+        --components;
+    }
+    return components;
+}
+
+template <class T>
+std::size_t bytes(const std::vector<T>& v) {
+    return v.capacity() * sizeof(T);
+}
+
+std::size_t bytes_of(const StandardSection& section) {
+    return bytes(section.cell) + bytes(section.vertex) + bytes(section.edge) + bytes(section.mate) +
+           bytes(section.next_entry) + bytes(section.group_parts);
+}
+
+template <class Local>
+std::size_t bytes_of(const PolyhedralSection<Local>& section) {
+    return bytes(section.cell) + bytes(section.vertex) + bytes(section.edge) + bytes(section.next_entry) +
+           bytes(section.mate_face) + bytes(section.mate_escapes) + bytes(section.face_begin) +
+           bytes(section.face_cell) + bytes(section.face_start) + bytes(section.face_rank) +
+           bytes(section.cell_face_begin) + bytes(section.cell_face);
+}
+
+std::size_t bytes_of(const Block& block) {
+    std::size_t sum = sizeof(Block) + bytes(block.ghost_vertex) + bytes(block.ghost_edge) + bytes(block.twin) +
+                      bytes(block.neighbour) + bytes(block.standard);
+    for (const StandardSection& section : block.standard) sum += bytes_of(section);
+    return sum + block.with([](const auto& arrays) {
+        return bytes(arrays.first_entry) + bytes(arrays.border_vertex) + bytes(arrays.border_block) +
+               bytes(arrays.border_place) + bytes_of(arrays.polyhedra);
+    });
+}
+
+} // namespace
+
+Topology::Topology(const FaceMeshView& mesh, Options options) : blocks_(std::make_unique<Blocks>()) {
+    check_face_mesh(mesh);
+    const CellFaces faces = cell_faces(mesh);
+    const std::vector<Index> begin = divide(mesh, faces, std::max<Index>(1, options.cells_per_block));
+    std::vector<BuiltBlock> built(begin.size() - 1);
+    // Few tasks: each has scratch that grows to the largest of its blocks.
+    parallel_for(built.size(), built.size() / (std::size_t{4} * thread_count()) + 1,
+                 [&](std::size_t first, std::size_t last) {
+                     BlockBuilder builder(mesh, faces);
+                     for (std::size_t b = first; b < last; ++b) built[b] = builder.build(begin[b], begin[b + 1]);
+                 });
+    link_blocks(mesh, built, *blocks_);
+    TopologyCounts& counts = blocks_->counts;
+    counts.faces = mesh.face_count();
+    counts.boundary_faces = static_cast<std::uint64_t>(std::ranges::count(mesh.neighbour.unchecked(), none));
+    counts.cells = mesh.cell_count();
+    counts.components = count_components(mesh);
+}
+
+Topology::~Topology() = default;
+Topology::Topology(Topology&&) noexcept = default;
+Topology& Topology::operator=(Topology&&) noexcept = default;
+
+const TopologyCounts& Topology::counts() const { return blocks_->counts; }
+Index Topology::block_count() const { return static_cast<Index>(blocks_->block.size()); }
+
+std::size_t Topology::memory_bytes() const {
+    std::size_t sum = sizeof(Blocks) + bytes(blocks_->block_at) + bytes(blocks_->edge_begin);
+    for (const Block& block : blocks_->block) sum += bytes_of(block);
+    return sum;
+}
+
+Index Topology::Blocks::block_of_cell(Index cell) const {
+    const auto after = std::ranges::upper_bound(block, cell, {}, &Block::cell_begin);
+    return static_cast<Index>(after - block.begin() - 1);
+}
+
+} // namespace ciel

@@ -1,0 +1,267 @@
+// The paper's six operators (section 2.2) on the layout of blocks.hpp.
+#include "blocks/blocks.hpp"
+
+#include <algorithm>
+
+namespace ciel {
+
+namespace {
+
+// Of a standard section: which cell, and which of its half-edges.
+struct Place {
+    Index cell, half_edge;
+};
+
+// A division by a number that the compiler knows: the operators are little else.
+Place place_of(const StandardSection& section, Index local_half_edge) {
+    Place place{};
+    const Index at = local_half_edge - section.half_edge_begin;
+    with_shape(section.shape->type, [&]<const StandardShape & shape>() {
+        place = {at / shape.half_edges, at % shape.half_edges};
+    });
+    return place;
+}
+
+// The first half-edge that leaves the vertex of an entry, in the entry's cell or, of a face that two cells share,
+// along the loop or else, in a tail, whichever there is.
+HalfEdge first_at_entry(const Block& block, Index entry) {
+    if (const StandardSection* section = block.section_of_entry(entry)) {
+        const StandardShape& shape = *section->shape;
+        const Index i = (entry - section->entry_begin) / shape.corners;
+        return block.half_edge_begin + section->half_edge_begin + i * shape.half_edges +
+               shape.first_at_corner[(entry - section->entry_begin) % shape.corners];
+    }
+    return block.with([&](const auto& arrays) {
+        const auto& polyhedra = arrays.polyhedra;
+        const Index corner = entry - polyhedra.entry_begin;
+        const bool far = corner >= polyhedra.far_corner;
+        return block.half_edge_begin + polyhedra.half_edge_begin +
+               polyhedra.half_edge(far ? polyhedra.previous_in_loop(corner, polyhedra.face(corner)) : corner,
+                                   far ? 1 : 0);
+    });
+}
+
+} // namespace
+
+Index Topology::vertex(HalfEdge h) const {
+    const Block& block = blocks_->block[blocks_->block_of(h)];
+    const Index local = h - block.half_edge_begin;
+    if (const StandardSection* section = block.section_of_half_edge(local)) {
+        const auto [i, k] = place_of(*section, local);
+        return block.vertex(section->vertex[i * section->shape->corners + section->shape->target(k)]);
+    }
+    return block.with([&](const auto& arrays) {
+        const auto& polyhedra = arrays.polyhedra;
+        const Index of_section = local - polyhedra.half_edge_begin, corner = polyhedra.corner(of_section);
+        return block.vertex(
+            polyhedra.vertex[polyhedra.side(of_section) == 1 ? corner
+                                                             : polyhedra.next_in_loop(corner, polyhedra.face(corner))]);
+    });
+}
+
+Index Topology::edge(HalfEdge h) const {
+    const Block& block = blocks_->block[blocks_->block_of(h)];
+    const Index local = h - block.half_edge_begin;
+    if (const StandardSection* section = block.section_of_half_edge(local)) {
+        const auto [i, k] = place_of(*section, local);
+        return block.edge_id(section->edge[i * section->shape->edges + section->shape->edge[k]]);
+    }
+    return block.edge_id(block.with([&](const auto& arrays) {
+        return Index{arrays.polyhedra.edge[arrays.polyhedra.corner(local - arrays.polyhedra.half_edge_begin)]};
+    }));
+}
+
+HalfEdge Topology::next_around_face(HalfEdge h) const {
+    const Block& block = blocks_->block[blocks_->block_of(h)];
+    return block.half_edge_begin + turn(block, h - block.half_edge_begin, 1);
+}
+
+HalfEdge Topology::mate_face(HalfEdge h) const {
+    const Block& block = blocks_->block[blocks_->block_of(h)];
+    const Index local = h - block.half_edge_begin;
+    if (const StandardSection* section = block.section_of_half_edge(local)) {
+        const Index k = place_of(*section, local).half_edge;
+        return h - k + section->shape->mate[k];
+    }
+    return block.half_edge_begin + block.with([&](const auto& arrays) {
+        return arrays.polyhedra.half_edge_begin + arrays.polyhedra.mate(local - arrays.polyhedra.half_edge_begin);
+    });
+}
+
+// The mate of a face's first half-edge is stored; around the other side the order is reversed.
+HalfEdge Topology::mate_polyhedron(HalfEdge h) const {
+    const Block& block = blocks_->block[blocks_->block_of(h)];
+    const Index local = h - block.half_edge_begin;
+    if (const StandardSection* section = block.section_of_half_edge(local)) {
+        const StandardShape& shape = *section->shape;
+        const auto [i, k] = place_of(*section, local);
+        const std::uint16_t mate = section->mate[i * shape.faces + shape.face[k]];
+        if (mate == StandardSection::no_mate) return none;
+        const HalfEdge first = mate < block.standard_half_edges ? block.half_edge_begin + mate
+                                                                : block.twin[mate - block.standard_half_edges];
+        const Index steps = k - shape.face_begin[shape.face[k]], n = shape.face_size(shape.face[k]);
+        return blocks_->turn_back(first, steps, n);
+    }
+    return block.with([&](const auto& arrays) {
+        const auto& polyhedra = arrays.polyhedra;
+        const Index of_section = local - polyhedra.half_edge_begin;
+        if (of_section < 2 * polyhedra.inner_corners)
+            return block.half_edge_begin + polyhedra.half_edge_begin + (of_section ^ 1U);
+        const Index corner = polyhedra.corner(of_section), face = polyhedra.face(corner);
+        const HalfEdge first = block.twin[polyhedra.twin_begin + face - polyhedra.inner_faces];
+        const Index n = polyhedra.face_begin[face + 1] - polyhedra.face_begin[face];
+        const Index along = corner - polyhedra.face_begin[face]; // against the way of side 1
+        return first == none ? none : blocks_->turn_back(first, polyhedra.side(of_section) == 0 ? along : n - along, n);
+    });
+}
+
+// In a standard cell, its half-edges that leave the corner. At each corner of a stored loop: the half-edge that leaves
+// along the loop, then the one that leaves against it.
+HalfEdge Topology::next_around_vertex(HalfEdge h) const {
+    const Index b = blocks_->block_of(h);
+    const Block& block = blocks_->block[b];
+    const Index local = h - block.half_edge_begin;
+    if (const StandardSection* section = block.section_of_half_edge(local)) {
+        const StandardShape& shape = *section->shape;
+        const auto [i, k] = place_of(*section, local);
+        if (shape.next_at_corner[k] != StandardShape::end_of_list) return h - k + shape.next_at_corner[k];
+        const Index corner = i * shape.corners + shape.origin[k];
+        return blocks_->first_after(b, section->next_entry[corner], section->vertex[corner]);
+    }
+    return block.with([&](const auto& arrays) {
+        const auto& polyhedra = arrays.polyhedra;
+        const Index of_section = local - polyhedra.half_edge_begin;
+        const Index segment = polyhedra.corner(of_section), side = polyhedra.side(of_section);
+        const Index face = polyhedra.face(segment);
+        const Index corner = side == 0 ? segment : polyhedra.next_in_loop(segment, face);
+        if (side == 0 && segment < polyhedra.inner_corners)
+            return block.half_edge_begin + polyhedra.half_edge_begin +
+                   polyhedra.half_edge(polyhedra.previous_in_loop(corner, face), 1);
+        return blocks_->first_after(b, polyhedra.next_entry[corner], polyhedra.vertex[corner]);
+    });
+}
+
+HalfEdge Topology::half_edge_of_vertex(Index vertex) const {
+    const BlockVertex first = blocks_->first_with(vertex);
+    if (first.block == none) return none;
+    const HalfEdge h = blocks_->first_at(first);
+    return h != none ? h : blocks_->first_after_block(first);
+}
+
+Index Topology::cell(HalfEdge h) const {
+    const Block& block = blocks_->block[blocks_->block_of(h)];
+    const Index local = h - block.half_edge_begin;
+    if (const StandardSection* section = block.section_of_half_edge(local))
+        return block.cell_begin + section->local_cell(place_of(*section, local).cell);
+    return block.cell_begin + block.with([&](const auto& arrays) {
+        const auto& polyhedra = arrays.polyhedra;
+        const Index of_section = local - polyhedra.half_edge_begin;
+        const Index face = polyhedra.face(polyhedra.corner(of_section));
+        return polyhedra.local_cell(polyhedra.face_cell[face][polyhedra.side(of_section)]);
+    });
+}
+
+HalfEdge Topology::half_edge_begin(Index cell) const {
+    const std::vector<HalfEdge> all = half_edges(cell);
+    return all.empty() ? none : all.front();
+}
+
+std::vector<HalfEdge> Topology::half_edges(Index cell) const {
+    const Block& block = blocks_->block[blocks_->block_of_cell(cell)];
+    std::vector<HalfEdge> out;
+    const auto place = [local = cell - block.cell_begin](const auto& section) {
+        if (section.cell.empty()) return local < section.count() ? local : none;
+        const auto found = std::ranges::lower_bound(section.cell, local);
+        return found != section.cell.end() && *found == local ? static_cast<Index>(found - section.cell.begin()) : none;
+    };
+    for (const StandardSection& section : block.standard) {
+        const Index i = place(section), n = section.shape->half_edges;
+        if (i == none) continue;
+        for (Index k = 0; k < n; ++k) out.push_back(block.half_edge_begin + section.half_edge_begin + i * n + k);
+        return out;
+    }
+    block.with([&](const auto& arrays) {
+        const auto& polyhedra = arrays.polyhedra;
+        const Index i = place(polyhedra);
+        if (i == none) return;
+        for (const Index ref : polyhedra.faces_of(i))
+            for (Index k = polyhedra.face_begin[ref / 2]; k < polyhedra.face_begin[ref / 2 + 1]; ++k)
+                out.push_back(block.half_edge_begin + polyhedra.half_edge_begin + polyhedra.half_edge(k, ref % 2));
+    });
+    return out;
+}
+
+BlockVertex Topology::Blocks::first_with(Index vertex) const {
+    const auto after = std::ranges::upper_bound(block, vertex, {}, &Block::own_vertex_begin);
+    if (after == block.begin()) return {none, none};
+    const Block& owner = *(after - 1);
+    const auto ghosts = static_cast<Index>(owner.ghost_vertex.size());
+    const Index local = ghosts + vertex - owner.own_vertex_begin;
+    if (local >= owner.vertex_count) return {none, none};
+    return {static_cast<Index>(after - 1 - block.begin()), local};
+}
+
+HalfEdge Topology::Blocks::first_at(BlockVertex at) const {
+    const Block& here = block[at.block];
+    const Index entry = here.with([&](const auto& arrays) {
+        const auto first = arrays.first_entry[at.vertex];
+        return first == arrays.polyhedra.end_of_list ? none : Index{first};
+    });
+    return entry == none ? none : first_at_entry(here, entry);
+}
+
+HalfEdge Topology::Blocks::first_after(Index b, Index entry, Index local_vertex) const {
+    const bool at_end = block[b].with([&](const auto& arrays) { return entry == Index{arrays.polyhedra.end_of_list}; });
+    return at_end ? first_after_block({b, local_vertex}) : first_at_entry(block[b], entry);
+}
+
+HalfEdge Topology::Blocks::first_after_block(BlockVertex start) const {
+    const Index place = block[start.block].border_place_of(start.vertex);
+    if (place == none) return first_at(start);
+    BorderVertex at{start.block, place};
+    do {
+        at = next_in_ring(at);
+        const HalfEdge h = first_at({at.block, vertex_at(at)});
+        if (h != none) return h;
+    } while (at.block != start.block);
+    return none;
+}
+
+HalfEdge Topology::Blocks::turn_back(HalfEdge h, Index steps, Index face_size) const {
+    const Block& there = block[block_of(h)];
+    return there.half_edge_begin + turn(there, h - there.half_edge_begin, face_size - steps);
+}
+
+const StandardSection* Block::section_of_half_edge(Index h) const {
+    for (const StandardSection& section : standard)
+        if (h < section.half_edge_begin + section.count() * section.shape->half_edges) return &section;
+    return nullptr;
+}
+
+const StandardSection* Block::section_of_entry(Index entry) const {
+    for (const StandardSection& section : standard)
+        if (entry < section.entry_begin + section.vertex.size()) return &section;
+    return nullptr;
+}
+
+Index Block::border_place_of(Index local_vertex) const {
+    return with([&](const auto& all) {
+        const auto found = std::ranges::lower_bound(all.border_vertex, local_vertex);
+        return found != all.border_vertex.end() && *found == local_vertex
+                   ? static_cast<Index>(found - all.border_vertex.begin())
+                   : none;
+    });
+}
+
+Index Block::first_entry_from(Index local_vertex, Index begin) const {
+    return with([&](const auto& all) {
+        Index entry = all.first_entry[local_vertex];
+        while (entry < begin) { // of a standard section: the polyhedra's are the last
+            const StandardSection& section = *section_of_entry(entry);
+            entry = section.next_entry[entry - section.entry_begin];
+        }
+        return entry;
+    });
+}
+
+} // namespace ciel

@@ -1,0 +1,319 @@
+#include "extraction/active_edges.hpp"
+#include "parallel/vector_units.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <numeric>
+
+namespace ciel {
+
+float threshold_of(double nu) {
+    if (std::isnan(nu)) return std::numeric_limits<float>::infinity();
+    const auto nearest = static_cast<float>(nu);
+    return nearest >= nu ? nearest : std::nextafter(nearest, std::numeric_limits<float>::infinity());
+}
+
+CutScratch& scratch_of_this_thread() {
+    static thread_local CutScratch scratch;
+    return scratch;
+}
+
+// One byte per value: the loop that meets every vertex of a block.
+CIEL_FOR_ALL_VECTOR_UNITS void mark_high(const float* values, std::size_t count, float threshold, std::uint8_t* high) {
+    for (std::size_t v = 0; v < count; ++v) high[v] = values[v] >= threshold ? 1 : 0;
+}
+
+namespace {
+
+template <class T>
+void grow(std::vector<T>& room, std::size_t size) {
+    if (room.size() < size) room.resize(size);
+}
+
+const std::uint8_t* mark(std::span<const float> values, float threshold, CutScratch& scratch) {
+    const std::size_t padded = (values.size() + 63) / 64 * 64;
+    grow(scratch.high, padded);
+    std::uint8_t* high = scratch.high.data();
+    mark_high(values.data(), values.size(), threshold, high);
+    std::fill(high + values.size(), high + padded, std::uint8_t{0});
+    return high;
+}
+
+// Eight bytes of 0 or 1 to eight bits: each product bit of the top byte gets one of them.
+std::uint64_t bits_of(const std::uint8_t* bytes) {
+    std::uint64_t word;
+    std::memcpy(&word, bytes, sizeof word);
+    return word * 0x0102040810204080U >> 56;
+}
+
+} // namespace
+
+bool classify(std::span<const float> values, float threshold, CutScratch& scratch, ActiveBlock& cut) {
+    const std::uint8_t* high = mark(values, threshold, scratch);
+    const std::size_t words = (values.size() + 63) / 64;
+    bool same = cut.known;
+    cut.signature.resize(words);
+    for (std::size_t w = 0; w < words; ++w) {
+        std::uint64_t bits = 0;
+        for (std::size_t i = 0; i < 8; ++i) bits |= bits_of(high + 64 * w + 8 * i) << 8 * i;
+        same = same && cut.signature[w] == bits;
+        cut.signature[w] = bits;
+    }
+    return same;
+}
+
+namespace {
+
+bool crosses(const CellRanges::Range& range, float threshold) { return range[0] < threshold && range[1] >= threshold; }
+
+template <std::size_t corners>
+Index high_corners(const std::uint16_t* vertex, const std::uint8_t* high) {
+    Index bits = 0;
+    for (std::size_t c = 0; c < corners; ++c) bits |= Index{high[vertex[c]]} << c;
+    return bits;
+}
+
+// Appends to scratch.cell. Without a branch: which cells are active is unpredictable.
+template <std::size_t corners>
+void list_active(const StandardSection& section, Index begin, Index end, CutScratch& scratch) {
+    constexpr Index all = (Index{1} << corners) - 1;
+    const std::uint16_t* vertex = section.vertex.data();
+    const std::uint8_t* high = scratch.high.data();
+    CutScratch::ActiveCell* to = scratch.cell.data() + scratch.cells;
+    for (Index i = begin; i < end; ++i) {
+        const Index bits = high_corners<corners>(vertex + i * corners, high);
+        *to = {i, bits};
+        to += bits != 0 && bits != all ? 1 : 0;
+    }
+    scratch.cells = static_cast<Index>(to - scratch.cell.data());
+}
+
+// The vertices of a group of cells lie in few parts of the block's, most of which are all low or all high. What is
+// behind the last vertex counts as low: it costs a look.
+void find_parts(const Block& block, CutScratch& scratch) {
+    constexpr std::uint64_t all_high = 0x0101010101010101U;
+    const Index step = block.vertices_per_part();
+    scratch.low_parts = scratch.high_parts = 0;
+    for (Index begin = 0, part = 0; begin < block.vertex_count; begin += step, ++part) {
+        std::uint64_t any = 0, all = all_high;
+        for (Index v = begin; v < std::min(begin + step, block.vertex_count); v += 8) {
+            std::uint64_t eight;
+            std::memcpy(&eight, scratch.high.data() + v, sizeof eight);
+            any |= eight;
+            all &= eight;
+        }
+        scratch.high_parts |= std::uint64_t{any != 0} << part;
+        scratch.low_parts |= std::uint64_t{all != all_high} << part;
+    }
+}
+
+// Asks for memory that is about to be read.
+template <class T>
+void fetch(const T* from, std::size_t count) {
+    for (std::size_t i = 0; i < count; i += 64 / sizeof(T)) __builtin_prefetch(from + i);
+}
+
+void find_active(const StandardSection& section, const BlockValues& in, std::span<const CellRanges::Range> groups,
+                 CutScratch& scratch) {
+    scratch.cells = 0;
+    const auto may_be_active = [&](Index g) {
+        if (!groups.empty()) return crosses(groups[g], in.threshold);
+        const std::uint64_t parts = section.group_parts[g];
+        return (parts & scratch.low_parts) != 0 && (parts & scratch.high_parts) != 0;
+    };
+    constexpr Index step = StandardSection::cells_per_group, ahead = 8;
+    with_shape(section.shape->type, [&]<const StandardShape & shape>() {
+        for (Index g = 0; g < section.group_count(); ++g) {
+            if (g + ahead < section.group_count() && may_be_active(g + ahead))
+                fetch(&section.vertex[(g + ahead) * step * shape.corners], step * shape.corners);
+            if (may_be_active(g))
+                list_active<shape.corners>(section, g * step, std::min((g + 1) * step, section.count()), scratch);
+        }
+    });
+}
+
+enum FaceKind : std::uint8_t { low_face = 1, high_face = 2, mixed_face = 3 };
+
+// Two cells look at each face: what it has of high and low corners is found once. Pointers, because a byte that is
+// written might be part of anything.
+template <class Local>
+void sort_faces(const PolyhedralSection<Local>& section, CutScratch& scratch) {
+    scratch.face_kinds.resize(section.face_count());
+    std::uint8_t* kind = scratch.face_kinds.data();
+    const std::uint8_t* is_high = scratch.high.data();
+    const Local *vertex = section.vertex.data(), *begin = section.face_begin.data();
+    for (std::size_t face = 0, faces = section.face_count(), k = 0; face < faces; ++face) {
+        unsigned any = 0, all = 1;
+        for (const std::size_t end = begin[face + 1]; k < end; ++k) {
+            const unsigned high = is_high[vertex[k]];
+            any |= high;
+            all &= high;
+        }
+        kind[face] = any != all ? mixed_face : any != 0 ? high_face : low_face;
+    }
+}
+
+template <class Local>
+bool is_active(const PolyhedralSection<Local>& section, Index cell, const CutScratch& scratch) {
+    unsigned kinds = 0;
+    for (const Index ref : section.faces_of(cell)) kinds |= scratch.face_kinds[ref / 2];
+    return kinds == mixed_face;
+}
+
+template <class Local>
+void find_active(const PolyhedralSection<Local>& section, const BlockValues& in,
+                 std::span<const CellRanges::Range> ranges, CutScratch& scratch) {
+    scratch.cells = 0;
+    if (ranges.empty()) sort_faces(section, scratch);
+    for (Index cell = 0; cell < section.count(); ++cell)
+        if (ranges.empty() ? is_active(section, cell, scratch) : crosses(ranges[cell], in.threshold))
+            scratch.cell[scratch.cells++] = {cell, 0};
+}
+
+// One more than there are: what is not active is written beyond the last that is.
+void begin_cut(const Block& block, CutScratch& scratch, ActiveBlock& cut) {
+    grow(scratch.ends, block.edge_count + std::size_t{1});
+    grow(scratch.cell, block.cell_count + std::size_t{1});
+    cut.polygon_cell.clear();
+    cut.polygon_end.clear();
+    cut.polygon_edge.clear();
+    cut.wasted = false;
+    cut.decided = false;
+}
+
+// The sections' polygons into the order of their cells.
+void sort_polygons(CutScratch& scratch, ActiveBlock& cut) {
+    auto& [order, cell, end, edge] = scratch.sorted;
+    order.resize(cut.polygon_cell.size());
+    std::iota(order.begin(), order.end(), Index{0});
+    std::ranges::sort(order, [&](Index p, Index q) {
+        return cut.polygon_cell[p] != cut.polygon_cell[q] ? cut.polygon_cell[p] < cut.polygon_cell[q] : p < q;
+    });
+    cell.clear();
+    end.clear();
+    edge.clear();
+    for (const Index p : order) {
+        cell.push_back(cut.polygon_cell[p]);
+        const Index begin = p == 0 ? 0 : cut.polygon_end[p - 1];
+        edge.insert(edge.end(), cut.polygon_edge.begin() + begin, cut.polygon_edge.begin() + cut.polygon_end[p]);
+        end.push_back(static_cast<Index>(edge.size()));
+    }
+    cut.polygon_cell.assign(cell.begin(), cell.end());
+    cut.polygon_end.assign(end.begin(), end.end());
+    cut.polygon_edge.assign(edge.begin(), edge.end());
+}
+
+CIEL_FOR_ALL_VECTOR_UNITS Index rank_active(const std::uint64_t* active, std::size_t words, Index* rank) {
+    Index count = 0;
+    for (std::size_t w = 0; w < words; ++w) {
+        rank[w] = count;
+        count += static_cast<Index>(std::popcount(active[w]));
+    }
+    return count;
+}
+
+void list_edges(const Block& block, CutScratch& scratch, ActiveBlock& cut) {
+    cut.rank.resize(cut.active.size());
+    cut.ends.resize(rank_active(cut.active.data(), cut.active.size(), cut.rank.data()));
+    std::array<Index, 2>* to = cut.ends.data();
+    for (std::size_t w = 0; w < cut.active.size(); ++w)
+        for (std::uint64_t bits = cut.active[w]; bits != 0; bits &= bits - 1)
+            *to++ = scratch.ends[64 * w + static_cast<std::size_t>(std::countr_zero(bits))];
+    const auto count = static_cast<Index>(cut.ends.size());
+    cut.ghosts = count == 0 || block.ghost_edge.size() == block.edge_count
+                     ? count
+                     : cut.place(static_cast<Index>(block.ghost_edge.size()));
+}
+
+template <class Edges>
+void cut_sections(const Block& block, const BlockValues& in, CutScratch& scratch, ActiveBlock& cut) {
+    if (in.naive)
+        scratch.low_parts = scratch.high_parts = ~std::uint64_t{0};
+    else if (in.ranges.empty())
+        find_parts(block, scratch);
+    std::size_t first = 0;
+    for (const StandardSection& section : block.standard) {
+        const std::size_t groups = section.group_count();
+        find_active(section, in, in.ranges.empty() ? in.ranges : in.ranges.subspan(first, groups), scratch);
+        first += groups;
+        cut_standard<Edges>(section, in, scratch, cut);
+    }
+    block.with([&](const auto& arrays) {
+        find_active(arrays.polyhedra, in, in.ranges.empty() ? in.ranges : in.ranges.subspan(first), scratch);
+        cut_polyhedra<Edges>(arrays.polyhedra, in, scratch, cut);
+    });
+    if (!std::ranges::is_sorted(cut.polygon_cell)) sort_polygons(scratch, cut);
+}
+
+// The same where it is known which cells may be active.
+template <class Edges>
+void cut_listed(const Block& block, const BlockValues& in, std::span<const Index> cells, CutScratch& scratch,
+                ActiveBlock& cut) {
+    // Calls found(index in the section) for those of the cells that are in it.
+    const auto for_each_in = [&](const auto& section, auto&& found) {
+        scratch.cells = 0;
+        for (const Index cell : cells) {
+            if (section.cell.empty()) {
+                if (section.count() > 0) found(cell);
+                continue;
+            }
+            const auto at = std::ranges::lower_bound(section.cell, cell);
+            if (at != section.cell.end() && *at == cell) found(static_cast<Index>(at - section.cell.begin()));
+        }
+    };
+    for (const StandardSection& section : block.standard) {
+        with_shape(section.shape->type, [&]<const StandardShape & shape>() {
+            for_each_in(section, [&](Index i) { list_active<shape.corners>(section, i, i + 1, scratch); });
+        });
+        cut_standard<Edges>(section, in, scratch, cut);
+    }
+    block.with([&](const auto& arrays) {
+        for_each_in(arrays.polyhedra, [&](Index i) { scratch.cell[scratch.cells++] = {i, 0}; });
+        cut_polyhedra<Edges>(arrays.polyhedra, in, scratch, cut);
+    });
+    if (!std::ranges::is_sorted(cut.polygon_cell)) sort_polygons(scratch, cut);
+}
+
+void begin_cut_alone(const Block& block, const BlockValues& in, CutScratch& scratch, ActiveBlock& cut) {
+    begin_cut(block, scratch, cut);
+    grow(scratch.met, block.edge_count);
+    (void)mark(in.values, in.threshold, scratch);
+    scratch.met_before += scratch.met_most; // all that may have been given out, should the cut before have failed
+    scratch.met_most = block.edge_count;
+    scratch.met_count = 0;
+    if (scratch.met_before > none - block.edge_count) {
+        std::ranges::fill(scratch.met, Index{0});
+        scratch.met_before = 1;
+    }
+}
+
+} // namespace
+
+void cut_block(const Block& block, const BlockValues& in, CutScratch& scratch, ActiveBlock& cut) {
+    begin_cut(block, scratch, cut);
+    cut.active.assign((block.edge_count + 63) / 64, 0);
+    cut_sections<SharedEdges>(block, in, scratch, cut);
+    list_edges(block, scratch, cut);
+}
+
+void cut_cells(const Block& block, const BlockValues& in, std::span<const Index> cells, CutScratch& scratch,
+               ActiveBlock& cut) {
+    begin_cut(block, scratch, cut);
+    cut.active.assign((block.edge_count + 63) / 64, 0);
+    cut_listed<SharedEdges>(block, in, cells, scratch, cut);
+    list_edges(block, scratch, cut);
+}
+
+void cut_block_alone(const Block& block, const BlockValues& in, CutScratch& scratch, ActiveBlock& cut) {
+    begin_cut_alone(block, in, scratch, cut);
+    cut_sections<MetEdges>(block, in, scratch, cut);
+}
+
+void cut_cells_alone(const Block& block, const BlockValues& in, std::span<const Index> cells, CutScratch& scratch,
+                     ActiveBlock& cut) {
+    begin_cut_alone(block, in, scratch, cut);
+    cut_listed<MetEdges>(block, in, cells, scratch, cut);
+}
+
+} // namespace ciel

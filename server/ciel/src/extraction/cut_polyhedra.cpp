@@ -1,0 +1,322 @@
+// Algorithm 4 of the paper: intersection polygons by turning around the faces of a polyhedron.
+//
+// A face is entered where its loop, seen from outside, climbs from low to high, and left at the next active edge, where
+// it descends: the high side of every face is cut off by itself, so two cells agree on the face between them. Over that
+// edge the polygon goes on in another face of the cell. Where every active edge of the cell is entered once, it is
+// enough to note for each where the face behind it is left; where the cell touches itself, mate_face tells the ways
+// apart. A decider may join the high sides of a face instead: then it is left at the active edge before.
+#include "extraction/active_edges.hpp"
+#include "extraction/joins_high.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ciel {
+
+namespace {
+
+// Stamps tell what is left of cells and cuts before. Zero is nobody's.
+template <class Marks>
+Index next_stamp(Index& stamp, std::vector<Marks>& marks) {
+    if (++stamp == 0) { // after four thousand million of them old ones would come round
+        for (Marks& mark : marks) mark.stamp = 0;
+        stamp = 1;
+    }
+    return stamp;
+}
+
+template <class Edges, class Local>
+class PolyhedronCutter {
+public:
+    PolyhedronCutter(const PolyhedralSection<Local>& section, const BlockValues& in, CutScratch& scratch,
+                     ActiveBlock& cut)
+        : section_(section), vertex_(section.vertex.data()), edge_(section.edge.data()), high_(scratch.high.data()),
+          in_(in), scratch_(scratch), cut_(cut), edges_(scratch, cut) {}
+
+    void run() {
+        if (scratch_.cells == 0) return;
+        if (scratch_.way.size() < scratch_.ends.size()) scratch_.way.resize(scratch_.ends.size());
+        const std::span cells = scratch_.active_cells();
+        for (std::size_t i = 0; i < cells.size(); ++i) {
+            if (i + 1 < cells.size()) fetch(cells[i + 1].index);
+            cut_cell(cells[i].index);
+        }
+        edges_.finish();
+    }
+
+private:
+    void fetch(Index cell) const;
+    void cut_cell(Index cell);
+    bool has_gap(Index cell) const;
+    [[nodiscard]] std::uint64_t high_corners(Index begin, Index size) const;
+    [[nodiscard]] std::span<const CutScratch::CrossedFace> find_crossed(Index cell);
+    bool link(Index entry, Index after, Index exit);
+    bool link_once(const CutScratch::CrossedFace& face);
+    bool link_often(const CutScratch::CrossedFace& face);
+    void find_crossings(Index face);
+    bool is_joined(Index face);
+    void follow(Index cell);
+    void walk_all(Index cell);
+    void walk(Index cell, Index start);
+    void finish_walk(Index cell, std::size_t begin);
+    void finish(Index cell, std::size_t begin);
+
+    [[nodiscard]] bool is_high(Index corner) const { return high_[vertex_[corner]] != 0; }
+    [[nodiscard]] bool is_active(Index corner, Index face) const {
+        return is_high(corner) != is_high(section_.next_in_loop(corner, face));
+    }
+    void activate(Index corner, Index next) {
+        const Index edge = edge_[corner], a = vertex_[corner], b = vertex_[next];
+        if (in_.gaps && (std::isnan(in_.values[a]) || std::isnan(in_.values[b]))) return;
+        (void)edges_.activate(edge, a, b);
+    }
+
+    const PolyhedralSection<Local>& section_;
+    const Local *vertex_, *edge_;
+    const std::uint8_t* high_;
+    const BlockValues& in_;
+    CutScratch& scratch_;
+    ActiveBlock& cut_;
+    Edges edges_;
+};
+
+// A cell's faces lie apart in memory, and waiting for them was half of the time: they are asked for one cell ahead.
+template <class Edges, class Local>
+void PolyhedronCutter<Edges, Local>::fetch(Index cell) const {
+    for (const Index ref : section_.faces_of(cell)) {
+        const std::size_t first = section_.face_begin[ref / 2];
+        __builtin_prefetch(vertex_ + first);
+        __builtin_prefetch(edge_ + first);
+    }
+}
+
+template <class Edges, class Local>
+bool PolyhedronCutter<Edges, Local>::has_gap(Index cell) const {
+    for (const Index ref : section_.faces_of(cell))
+        for (Index k = section_.face_begin[ref / 2]; k < section_.face_begin[ref / 2 + 1]; ++k)
+            if (std::isnan(in_.values[vertex_[k]])) return true;
+    return false;
+}
+
+// Eight corners without a branch: the sizes of faces are unpredictable. What lies behind the face is masked.
+template <class Edges, class Local>
+std::uint64_t PolyhedronCutter<Edges, Local>::high_corners(Index begin, Index size) const {
+    const Local* vertex = vertex_ + begin;
+    std::uint64_t bits = 0;
+    if (size <= 8 && begin + 8 <= section_.vertex.size()) {
+        for (Index i = 0; i < 8; ++i) bits |= std::uint64_t{high_[vertex[i]]} << i;
+        return bits & ((std::uint64_t{1} << size) - 1);
+    }
+    for (Index i = 0; i < size; ++i) bits |= std::uint64_t{high_[vertex[i]]} << i;
+    return bits;
+}
+
+// Lists the faces that nu crosses, without a branch on which they are. To look at a face for both of its cells costs
+// less than to remember that it has been looked at.
+template <class Edges, class Local>
+std::span<const CutScratch::CrossedFace> PolyhedronCutter<Edges, Local>::find_crossed(Index cell) {
+    const std::span<const Local> faces = section_.faces_of(cell);
+    if (scratch_.crossed.size() <= faces.size()) scratch_.crossed.resize(faces.size() + 1);
+    const Local* begin = section_.face_begin.data();
+    CutScratch::CrossedFace* to = scratch_.crossed.data();
+    for (const Index ref : faces) {
+        const Index face = ref / 2, size = begin[face + 1] - begin[face];
+        const bool many = size > 64;
+        const std::uint64_t here = many ? 0 : high_corners(begin[face], size);
+        const std::uint64_t next = here >> 1 | (here & 1) << ((size - 1) % 64);
+        *to = {face, ref % 2, many ? ~std::uint64_t{0} : ~here & next, here & ~next};
+        to += to->climbs != 0 ? 1 : 0;
+    }
+    return {scratch_.crossed.data(), to};
+}
+
+// From an entry to its exit, two corners of the stored loop. False where the edge is entered a second time in this
+// cell. Each active edge of the cell is the entry of one of its faces.
+template <class Edges, class Local>
+bool PolyhedronCutter<Edges, Local>::link(Index entry, Index after, Index exit) {
+    activate(entry, after);
+    CutScratch::Way& way = scratch_.way[edge_[entry]];
+    if (way.stamp == scratch_.cell_stamp) return false;
+    way = {scratch_.cell_stamp, edge_[exit]};
+    scratch_.entry.push_back(edge_[entry]);
+    return true;
+}
+
+// Against the loop, what descends along it climbs.
+template <class Edges, class Local>
+bool PolyhedronCutter<Edges, Local>::link_once(const CutScratch::CrossedFace& face) {
+    const Index begin = section_.face_begin[face.face], end = section_.face_begin[face.face + 1];
+    const Index climbing = begin + static_cast<Index>(std::countr_zero(face.climbs));
+    const Index descending = begin + static_cast<Index>(std::countr_zero(face.descends));
+    const Index entry = face.side == 0 ? climbing : descending, exit = face.side == 0 ? descending : climbing;
+    const Index after = entry + 1 == end ? begin : entry + 1;
+    if (edge_[entry] != edge_[exit]) return link(entry, after, exit);
+    // A face that collapsed to a line leads from an edge to itself, which may have no other face.
+    activate(entry, after);
+    scratch_.returning.push_back(edge_[entry]);
+    return true;
+}
+
+template <class Edges, class Local>
+bool PolyhedronCutter<Edges, Local>::link_often(const CutScratch::CrossedFace& face) {
+    find_crossings(face.face);
+    const auto& crossing = scratch_.crossing;
+    const std::size_t n = crossing.size(), to_exit = is_joined(face.face) ? n - 1 : 1;
+    bool simple = true;
+    for (std::size_t i = 0; i < n; i += 2) {
+        const auto &climbing = crossing[i], &descending = crossing[(i + to_exit) % n];
+        simple = (face.side == 0 ? link(climbing[0], climbing[1], descending[0])
+                                 : link(descending[0], descending[1], climbing[0])) &&
+                 simple;
+    }
+    return simple;
+}
+
+// The active edges of a face along its stored loop; climbing and descending ones alternate, and a climbing one is
+// first.
+template <class Edges, class Local>
+void PolyhedronCutter<Edges, Local>::find_crossings(Index face) {
+    scratch_.crossing.clear();
+    const Index begin = section_.face_begin[face], end = section_.face_begin[face + 1];
+    bool high = is_high(begin);
+    for (Index k = begin; k < end; ++k) {
+        const Index next = k + 1 == end ? begin : k + 1;
+        const bool next_high = is_high(next);
+        if (high != next_high) scratch_.crossing.push_back({k, next});
+        high = next_high;
+    }
+    if (!scratch_.crossing.empty() && is_high(scratch_.crossing.front()[0]))
+        std::rotate(scratch_.crossing.begin(), scratch_.crossing.begin() + 1, scratch_.crossing.end());
+}
+
+template <class Edges, class Local>
+bool PolyhedronCutter<Edges, Local>::is_joined(Index face) {
+    if (in_.decider == Decider::isolate_high || scratch_.crossing.size() < 4) return false;
+    cut_.decided = true;
+    const Index begin = section_.face_begin[face];
+    return joins_high(section_.face_begin[face + 1] - begin, in_.nu,
+                      [&](std::size_t i) { return double{in_.values[vertex_[begin + i]]}; });
+}
+
+template <class Edges, class Local>
+void PolyhedronCutter<Edges, Local>::cut_cell(Index cell) {
+    scratch_.entry.clear();
+    scratch_.returning.clear();
+    (void)next_stamp(scratch_.cell_stamp, scratch_.way);
+    bool simple = true;
+    for (const CutScratch::CrossedFace& face : find_crossed(cell)) {
+        const bool once = (face.climbs & (face.climbs - 1)) == 0;
+        simple = (once ? link_once(face) : link_often(face)) && simple;
+    }
+    for (const Index edge : scratch_.returning)
+        if (scratch_.way[edge].stamp != scratch_.cell_stamp) cut_.wasted = true;
+    if (in_.gaps && has_gap(cell))
+        cut_.wasted = true;
+    else if (simple)
+        follow(cell);
+    else
+        walk_all(cell);
+}
+
+template <class Edges, class Local>
+void PolyhedronCutter<Edges, Local>::follow(Index cell) {
+    std::vector<Index>& loop = cut_.polygon_edge;
+    for (const Index start : scratch_.entry) {
+        if (scratch_.way[start].stamp != scratch_.cell_stamp) continue; // part of a polygon by now
+        const std::size_t begin = loop.size();
+        Index edge = start;
+        do {
+            loop.push_back(edge);
+            scratch_.way[edge].stamp = 0;
+            edge = scratch_.way[edge].exit;
+        } while (edge != start);
+        finish(cell, begin);
+    }
+}
+
+template <class Edges, class Local>
+void PolyhedronCutter<Edges, Local>::walk_all(Index cell) {
+    if (scratch_.walked.size() < 2 * section_.mate_face.size())
+        scratch_.walked.resize(2 * section_.mate_face.size(), 0);
+    std::vector<Index>& entries = scratch_.entry; // half-edges now: what is linked is not used
+    entries.clear();
+    for (const Index ref : section_.faces_of(cell)) {
+        const Index face = ref / 2, side = ref % 2;
+        for (Index k = section_.face_begin[face]; k < section_.face_begin[face + 1]; ++k)
+            if (is_active(k, face) && is_high(k) == (side == 1)) entries.push_back(section_.half_edge(k, side));
+    }
+    for (const Index h : entries) scratch_.walked[h] = 0;
+    for (const Index h : entries)
+        if (scratch_.walked[h] == 0) walk(cell, h);
+}
+
+template <class Edges, class Local>
+void PolyhedronCutter<Edges, Local>::walk(Index cell, Index start) {
+    std::vector<Index>& loop = cut_.polygon_edge;
+    const std::size_t begin = loop.size();
+    Index h = start;
+    const auto joined = [this](Index face) {
+        if (in_.decider == Decider::isolate_high) return false;
+        find_crossings(face);
+        return is_joined(face);
+    };
+    do {
+        scratch_.walked[h] = 1;
+        Index corner = section_.corner(h);
+        const Index side = section_.side(h), face = section_.face(corner), here = edge_[corner];
+        if (loop.size() == begin || loop.back() != here) loop.push_back(here);
+        const bool forward = (side == 0) != joined(face);
+        do corner = forward ? section_.next_in_loop(corner, face) : section_.previous_in_loop(corner, face);
+        while (!is_active(corner, face));
+        h = section_.mate(section_.half_edge(corner, side));
+    } while (h != start);
+    finish_walk(cell, begin);
+}
+
+// Where the cell touches itself or has collapsed, a walk may pass an edge more than once.
+template <class Edges, class Local>
+void PolyhedronCutter<Edges, Local>::finish_walk(Index cell, std::size_t begin) {
+    std::vector<Index>& loop = cut_.polygon_edge;
+    while (loop.size() > begin + 1 && loop.back() == loop[begin]) loop.pop_back();
+    const auto first = loop.begin() + static_cast<std::ptrdiff_t>(begin);
+    if (std::all_of(first, loop.end(), [&](Index e) { return e == *first || e == *(first + 1); })) {
+        loop.resize(begin);
+        cut_.wasted = true;
+        return;
+    }
+    finish(cell, begin);
+}
+
+// The walk has the high side on its left seen from outside: reversed, the right-hand normal points to it.
+template <class Edges, class Local>
+void PolyhedronCutter<Edges, Local>::finish(Index cell, std::size_t begin) {
+    std::vector<Index>& loop = cut_.polygon_edge;
+    if (loop.size() - begin < 3) {
+        loop.resize(begin);
+        cut_.wasted = true;
+        return;
+    }
+    std::reverse(loop.begin() + static_cast<std::ptrdiff_t>(begin), loop.end());
+    for (std::size_t i = begin; i < loop.size(); ++i) loop[i] = edges_.kept(loop[i]);
+    cut_.polygon_cell.push_back(section_.local_cell(cell));
+    cut_.polygon_end.push_back(static_cast<Index>(loop.size()));
+}
+
+} // namespace
+
+template <class Edges, class Local>
+void cut_polyhedra(const PolyhedralSection<Local>& section, const BlockValues& in, CutScratch& scratch,
+                   ActiveBlock& cut) {
+    PolyhedronCutter<Edges, Local>(section, in, scratch, cut).run();
+}
+
+template void cut_polyhedra<SharedEdges>(const PolyhedralSection<std::uint16_t>&, const BlockValues&, CutScratch&,
+                                         ActiveBlock&);
+template void cut_polyhedra<SharedEdges>(const PolyhedralSection<std::uint32_t>&, const BlockValues&, CutScratch&,
+                                         ActiveBlock&);
+template void cut_polyhedra<MetEdges>(const PolyhedralSection<std::uint16_t>&, const BlockValues&, CutScratch&,
+                                      ActiveBlock&);
+template void cut_polyhedra<MetEdges>(const PolyhedralSection<std::uint32_t>&, const BlockValues&, CutScratch&,
+                                      ActiveBlock&);
+
+} // namespace ciel

@@ -1,0 +1,28 @@
+// Where nu cuts an edge: linear between its ends (paper, section 2.2: "compute intersection").
+#pragma once
+
+#include "blocks/blocks.hpp"
+#include "ciel/extract.hpp"
+
+#include <algorithm>
+
+namespace ciel {
+
+// The share of the way between two values, 0 at the first. The same everywhere, so that points that are made in
+// different places have the same bits.
+[[nodiscard]] inline float share_at(double nu, double from, double to) {
+    return static_cast<float>(std::clamp((nu - from) / (to - from), 0.0, 1.0));
+}
+
+// `ends`: local vertices of a block, whose values are `values`.
+[[nodiscard]] inline EdgePoint edge_point(const Block& block, std::span<const float> values,
+                                          const std::array<Index, 2>& ends, double nu) {
+    return {block.vertex(ends[0]), block.vertex(ends[1]), share_at(nu, values[ends[0]], values[ends[1]])};
+}
+
+[[nodiscard]] inline Vec3f position_of(const EdgePoint& point, std::span<const float> positions) {
+    const float *a = &positions[3 * std::size_t{point.a}], *b = &positions[3 * std::size_t{point.b}];
+    return {lerp(a[0], b[0], point.t), lerp(a[1], b[1], point.t), lerp(a[2], b[2], point.t)};
+}
+
+} // namespace ciel

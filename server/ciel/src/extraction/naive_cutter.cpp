@@ -1,0 +1,40 @@
+// The paper's own baseline: no list of active edges, every cell of the mesh is looked at for every value.
+#include "ciel/parallel.hpp"
+#include "extraction/cutter.hpp"
+#include "fields/field_data.hpp"
+
+namespace ciel {
+
+namespace {
+
+class NaiveCutter : public Cutter {
+public:
+    using Cutter::Cutter;
+
+    void set_field(const Field& field) override { field_ = &field.data(); }
+    bool update(double nu, const StopToken& stop) override {
+        const float threshold = threshold_of(nu);
+        parallel_for(cut_.size(), 2, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t b = begin; b < end && !stop.stop_requested(); ++b) {
+                const std::span<const float> values = field_->of_block(static_cast<Index>(b));
+                CutScratch& scratch = scratch_of_this_thread();
+                (void)classify(values, threshold, scratch, cut_[b]);
+                cut_block(topology_.blocks().block[b],
+                          {values, field_->gaps[b] != 0, threshold, nu, decider_, {}, true}, scratch, cut_[b]);
+            }
+        });
+        active_.clear();
+        for (Index b = 0; b < cut_.size(); ++b)
+            if (!cut_[b].ends.empty()) active_.push_back(b);
+        return !stop.stop_requested();
+    }
+
+private:
+    const Field::Data* field_ = nullptr;
+};
+
+} // namespace
+
+std::unique_ptr<Cutter> make_naive_cutter(const Topology& topology) { return std::make_unique<NaiveCutter>(topology); }
+
+} // namespace ciel

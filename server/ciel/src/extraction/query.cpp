@@ -1,0 +1,81 @@
+// Algorithms 1 and 3 of the paper: bring the active edges to nu, intersect them, draw the cells around them.
+#include "extraction/surface_writer.hpp"
+
+namespace ciel {
+
+namespace {
+
+std::unique_ptr<Cutter> make_cutter(Algorithm algorithm, const Topology& topology) {
+    switch (algorithm) {
+    case Algorithm::propagation:
+        return make_propagation_cutter(topology);
+    case Algorithm::naive:
+        return make_naive_cutter(topology);
+    case Algorithm::signatures:
+        break;
+    }
+    return make_signature_cutter(topology);
+}
+
+} // namespace
+
+struct Query::State {
+    const Topology* topology;
+    FaceMeshView mesh;
+    std::unique_ptr<Cutter> cutter;
+    const Field::Data* field = nullptr;
+    Normals normals = Normals::gradient;
+    SurfaceScratch scratch{};
+};
+
+Query::Query(const Topology& topology, const FaceMeshView& mesh, Extraction extraction)
+    : state_(std::make_unique<State>(State{&topology, mesh, make_cutter(extraction.algorithm, topology)})) {
+    set_mesh(mesh);
+    set_decider(extraction.decider);
+}
+
+void Query::set_mesh(const FaceMeshView& mesh) {
+    const TopologyCounts& counts = state_->topology->counts();
+    if (mesh.vertex_count() != counts.vertices || mesh.cell_count() != counts.cells)
+        fail("the mesh is not the one that the topology was built from");
+    state_->mesh = mesh;
+}
+
+void Query::set_normals(Normals normals) { state_->normals = normals; }
+
+void Query::set_decider(Decider decider) { state_->cutter->set_decider(decider); }
+
+Query::~Query() = default;
+Query::Query(Query&&) noexcept = default;
+Query& Query::operator=(Query&&) noexcept = default;
+
+void Query::set_field(const Field& field) {
+    if (field.data().topology != state_->topology) fail("the field belongs to another topology");
+    state_->field = &field.data();
+    state_->cutter->set_field(field);
+}
+
+bool Query::extract(double nu, bool normals, Surface& out, const StopToken& stop) {
+    if (state_->field == nullptr) fail("choose a field before extracting a surface");
+    if (!state_->cutter->update(nu, stop)) return false;
+    write_surface(*state_->topology, state_->mesh, *state_->field, *state_->cutter, nu,
+                  normals ? std::optional(state_->normals) : std::nullopt, state_->scratch, out);
+    return !stop.stop_requested();
+}
+
+std::size_t Query::memory_bytes() const {
+    return sizeof(State) + state_->cutter->memory_bytes() + state_->scratch.memory_bytes();
+}
+
+bool extract_series(Query& query, std::span<const double> values, bool normals,
+                    const std::function<void(double nu, Surface&&)>& sink, const StopToken& stop) {
+    Surface surface;
+    for (const double nu : values) {
+        if (!query.extract(nu, normals, surface, stop)) return false;
+        sink(nu, std::move(surface));
+        // What the sink left is as good as new: extract replaces it.
+    }
+    return true;
+}
+
+} // namespace ciel

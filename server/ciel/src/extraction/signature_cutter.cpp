@@ -1,0 +1,51 @@
+// Which vertices of a block are high says all about its cut: while that is the same, the cut is.
+#include "extraction/cutter.hpp"
+#include "fields/field_data.hpp"
+#include "parallel/grain.hpp"
+
+namespace ciel {
+
+namespace {
+
+class SignatureCutter : public Cutter {
+public:
+    using Cutter::Cutter;
+
+    void set_field(const Field& field) override { field_ = &field.data(); }
+    bool update(double nu, const StopToken& stop) override;
+
+private:
+    void update_block(Index b, float threshold, double nu);
+    const Field::Data* field_ = nullptr;
+};
+
+bool SignatureCutter::update(double nu, const StopToken& stop) {
+    const float threshold = threshold_of(nu);
+    active_.clear();
+    for (Index b = 0; b < cut_.size(); ++b)
+        if (field_->low[b] < threshold && field_->high[b] >= threshold) active_.push_back(b);
+    parallel_for(active_.size(), fair_grain(active_.size(), 2), [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end && !stop.stop_requested(); ++i) update_block(active_[i], threshold, nu);
+    });
+    return !stop.stop_requested();
+}
+
+void SignatureCutter::update_block(Index b, float threshold, double nu) {
+    const Block& block = topology_.blocks().block[b];
+    ActiveBlock& cut = cut_[b];
+    CutScratch& scratch = scratch_of_this_thread();
+    const std::span<const float> values = field_->of_block(b);
+    const bool gaps = field_->gaps[b] != 0;
+    if (classify(values, threshold, scratch, cut) && !gaps) return;
+    cut.known = false; // should there be no memory for it
+    cut_block(block, {values, gaps, threshold, nu, decider_, field_->ranges.of(block, b, values)}, scratch, cut);
+    cut.known = !gaps && !cut.decided;
+}
+
+} // namespace
+
+std::unique_ptr<Cutter> make_signature_cutter(const Topology& topology) {
+    return std::make_unique<SignatureCutter>(topology);
+}
+
+} // namespace ciel

@@ -1,0 +1,187 @@
+#include "ciel/slab.hpp"
+
+#include "extraction/join_pieces.hpp"
+#include "extraction/polygon.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace ciel {
+
+namespace {
+
+// Adds polygons to a SlabMesh whose first vertices are the points that they join.
+class FanWriter {
+public:
+    explicit FanWriter(SlabMesh& out) : out_(out), taken_(taken_of_this_thread()) {
+        taken_.assign(out.vertices.size(), 0);
+    }
+
+    void add(std::span<const Index> loop, const std::array<float, 2>& limits) {
+        if (loop.size() < 3) return;
+        const std::size_t corner = best_corner(loop), n = loop.size();
+        const Index apex = own(loop[corner]);
+        out_.vertices[apex].limits = limits;
+        for (std::size_t i = 1; i + 1 < n; ++i)
+            out_.triangles.insert(out_.triangles.end(), {apex, loop[(corner + i) % n], loop[(corner + i + 1) % n]});
+    }
+
+private:
+    // A vertex is the first of one polygon's triangles only, for it has the limits of one cell.
+    [[nodiscard]] Index own(Index point) {
+        if (taken_[point] == 0) {
+            taken_[point] = 1;
+            return point;
+        }
+        const SlabVertex copy = out_.vertices[point];
+        out_.vertices.push_back(copy);
+        return static_cast<Index>(out_.vertices.size() - 1);
+    }
+
+    [[nodiscard]] static std::vector<std::uint8_t>& taken_of_this_thread() {
+        static thread_local std::vector<std::uint8_t> taken;
+        return taken;
+    }
+
+    // A corner from which no triangle turns over, of 64 or so where there are more: a fan that folds back would be
+    // blended twice. One that nobody has taken yet where there is a choice.
+    [[nodiscard]] std::size_t best_corner(std::span<const Index> loop) const {
+        if (loop.size() == 3) return free_corner(loop);
+        const Vec3d normal = area_of(loop);
+        std::size_t best = 0;
+        double best_worst = -std::numeric_limits<double>::infinity();
+        const std::size_t step = std::max<std::size_t>(1, loop.size() / 64); // linear, not quadratic
+        for (std::size_t k = 0, first = free_corner(loop); k < loop.size() && best_worst < 0; k += step) {
+            const std::size_t corner = (first + k) % loop.size();
+            const double worst = worst_area(loop, normal, corner);
+            if (worst > best_worst) {
+                best_worst = worst;
+                best = corner;
+            }
+        }
+        return best;
+    }
+
+    [[nodiscard]] std::size_t free_corner(std::span<const Index> loop) const {
+        const auto found = std::ranges::find_if(loop, [&](Index p) { return taken_[p] == 0; });
+        return found == loop.end() ? 0 : static_cast<std::size_t>(found - loop.begin());
+    }
+
+    [[nodiscard]] Vec3d to(Index from, Index point) const {
+        return arm(out_.vertices[from].position, out_.vertices[point].position);
+    }
+    [[nodiscard]] Vec3d area_of(std::span<const Index> loop) const {
+        Vec3d sum{};
+        for (std::size_t i = 1; i + 1 < loop.size(); ++i) {
+            const Vec3d piece = cross(to(loop[0], loop[i]), to(loop[0], loop[i + 1]));
+            for (std::size_t axis = 0; axis < 3; ++axis) sum[axis] += piece[axis];
+        }
+        return sum;
+    }
+    [[nodiscard]] double worst_area(std::span<const Index> loop, const Vec3d& normal, std::size_t corner) const {
+        const std::size_t n = loop.size();
+        // Rounding may turn a sliver over: that much is no fold.
+        double worst = 1e-5 * dot(normal, normal);
+        for (std::size_t i = 1; i + 1 < n; ++i)
+            worst = std::min(worst, 1e-6 * dot(normal, normal) +
+                                        dot(normal, cross(to(loop[corner], loop[(corner + i) % n]),
+                                                          to(loop[corner], loop[(corner + i + 1) % n]))));
+        return worst;
+    }
+
+    SlabMesh& out_;
+    std::vector<std::uint8_t>& taken_; // by point: the first vertex of a polygon
+};
+
+bool is_filled(const std::array<float, 2>& limits) { return limits[0] <= limits[1]; }
+
+Vec3f lerp(const Vec3f& a, const Vec3f& b, float t) {
+    return {ciel::lerp(a[0], b[0], t), ciel::lerp(a[1], b[1], t), ciel::lerp(a[2], b[2], t)};
+}
+
+} // namespace
+
+std::vector<std::array<float, 2>> cell_limits(const FaceMeshView& mesh, std::span<const float> values) {
+    constexpr float infinity = std::numeric_limits<float>::infinity();
+    std::vector<std::array<float, 2>> limits(mesh.cell_count(), not_filled);
+    const auto widen = [&](Index cell, float low, float high) {
+        limits[cell] = {std::min(limits[cell][0], low), std::max(limits[cell][1], high)};
+    };
+    std::vector<Index> empty;
+    for (Index face = 0; face < mesh.face_count(); ++face) {
+        float low = infinity, high = -infinity;
+        bool has_values = true;
+        for (const Index vertex : mesh.loop(face)) {
+            has_values = has_values && std::isfinite(values[vertex]);
+            low = std::min(low, values[vertex]);
+            high = std::max(high, values[vertex]);
+        }
+        for (const Index cell : {mesh.owner[face], mesh.neighbour[face]}) {
+            if (cell == none) continue;
+            widen(cell, low, high);
+            if (!has_values) empty.push_back(cell);
+        }
+    }
+    for (const Index cell : empty) limits[cell] = not_filled;
+    return limits;
+}
+
+void SlabSink::write(const BlockPolygons& cut, Piece& piece) const {
+    piece.vertices.clear();
+    piece.vertices.reserve(cut.points.size() + cut.polygon_count() / 2);
+    for (std::size_t i = 0; i < cut.points.size(); ++i) {
+        const auto& [a, b, t] = cut.points[i];
+        piece.vertices.push_back({cut.positions[i],
+                                  ciel::lerp(property.value[a], property.value[b], t),
+                                  lerp(property.gradient[a], property.gradient[b], t),
+                                  {}});
+    }
+    piece.triangles.clear();
+    piece.triangles.reserve(3 * (cut.polygon_point.size() - 2 * cut.polygon_count()));
+    FanWriter fans(piece);
+    for (std::size_t i = 0; i < cut.polygon_count(); ++i)
+        if (const auto& limits = property.limits[cut.cell_begin + cut.polygon_cell[i]]; is_filled(limits))
+            fans.add(cut.polygon(i), limits);
+}
+
+void SlabSink::join(std::span<const Piece* const> pieces, Out& out) const {
+    join_arrays(pieces, &Piece::vertices, out);
+    join_triangles(pieces, &Piece::vertices, out);
+}
+
+SlabMesh slab_boundary(const FaceMeshView& mesh, const SlabProperty& property) {
+    const auto filled = [&](Index cell) { return cell != none && is_filled(property.limits[cell]); };
+    SlabMesh out;
+    struct Side {
+        Index face, cell;
+        bool is_owner; // out of whom the loop is wound
+    };
+    std::vector<Side> sides;
+    std::vector<Index> local(mesh.vertex_count(), none), loop;
+    for (Index face = 0; face < mesh.face_count(); ++face) {
+        const Index owner = mesh.owner[face], neighbour = mesh.neighbour[face];
+        if (filled(owner) == filled(neighbour)) continue;
+        sides.push_back({face, filled(owner) ? owner : neighbour, filled(owner)});
+        for (const Index vertex : mesh.loop(face)) {
+            if (local[vertex] == none) {
+                local[vertex] = static_cast<Index>(out.vertices.size());
+                const float* at = &mesh.positions[std::size_t{3} * vertex];
+                out.vertices.push_back({{at[0], at[1], at[2]}, property.value[vertex], property.gradient[vertex], {}});
+            }
+        }
+    }
+    FanWriter fans(out);
+    for (const auto& [face, cell, is_owner] : sides) {
+        loop.clear();
+        for (const Index vertex : mesh.loop(face)) {
+            if (local[vertex] == none) mesh.face_vertex.refuse(); // changed since it was numbered
+            loop.push_back(local[vertex]);
+        }
+        if (!is_owner) std::ranges::reverse(loop);
+        fans.add(loop, property.limits[cell]);
+    }
+    return out;
+}
+
+} // namespace ciel

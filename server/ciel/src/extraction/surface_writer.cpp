@@ -1,0 +1,179 @@
+#include "extraction/surface_writer.hpp"
+
+#include "extraction/edge_points.hpp"
+#include "extraction/polygon.hpp"
+#include "parallel/grain.hpp"
+
+#include <algorithm>
+
+namespace ciel {
+
+namespace {
+
+constexpr std::size_t most_blocks_per_task = 4;
+constexpr Index ahead = 8; // points whose positions are on their way from memory
+
+class Writer {
+public:
+    Writer(const Topology& topology, const FaceMeshView& mesh, const Field::Data& field, Cutter& cutter, double nu,
+           std::optional<Normals> normals, SurfaceScratch& scratch, Surface& out)
+        : blocks_(topology.blocks()), mesh_(mesh), field_(field), active_(cutter.active()), cut_(cutter.cut()), nu_(nu),
+          normals_(normals), scratch_(scratch), out_(out) {}
+
+    void run() {
+        number();
+        if (normals_ == Normals::gradient) field_.gradients.make_at(mesh_, field_, active_, cut_);
+        parallel_for(active_.size(), fair_grain(active_.size(), most_blocks_per_task),
+                     [this](std::size_t begin, std::size_t end) {
+                         static thread_local std::vector<Index> point;
+                         for (std::size_t i = begin; i < end; ++i) {
+                             const Block& block = blocks_.block[active_[i]];
+                             write_points(active_[i], block);
+                             if (normals_ == Normals::gradient) write_normals(active_[i]);
+                             write_polygons(active_[i], block, point);
+                         }
+                     });
+        if (normals_ == Normals::polygons) {
+            list_ranges();
+            write_polygon_normals(scratch_, out_);
+        }
+        if (std::ranges::any_of(active_, [this](Index b) { return cut_[b].wasted; })) drop_unused_points();
+        if (normals_ == Normals::gradient) mend_normals(scratch_, out_);
+    }
+
+private:
+    void number();
+    void write_points(Index b, const Block& block);
+    void write_normals(Index b);
+    void write_polygons(Index b, const Block& block, std::vector<Index>& point);
+    [[nodiscard]] Index point_of_ghost(Index edge, Index& owner) const;
+    void list_ranges();
+    void drop_unused_points();
+
+    const Topology::Blocks& blocks_;
+    const FaceMeshView& mesh_;
+    const Field::Data& field_;
+    std::span<const Index> active_;
+    std::span<ActiveBlock> cut_;
+    double nu_;
+    std::optional<Normals> normals_;
+    SurfaceScratch& scratch_;
+    Surface& out_;
+};
+
+void Writer::number() {
+    std::uint64_t points = 0, polygons = 0, corners = 0;
+    out_.chunks.clear();
+    for (const Index b : active_) {
+        ActiveBlock& cut = cut_[b];
+        cut.first_point = static_cast<Index>(points);
+        cut.first_polygon = static_cast<Index>(polygons);
+        cut.first_corner = static_cast<Index>(corners);
+        points += cut.owned();
+        polygons += cut.polygon_cell.size();
+        corners += cut.polygon_edge.size();
+        if (corners >= none) fail("the surface has more than 4,294,967,294 corners: choose another value");
+        if (!cut.polygon_cell.empty()) out_.chunks.push_back({b, cut.first_polygon, static_cast<Index>(polygons)});
+    }
+    out_.positions.resize(points);
+    out_.points.resize(points);
+    out_.normals.resize(normals_ ? points : 0);
+    out_.polygon_offset.resize(polygons + 1);
+    out_.polygon_offset[0] = 0;
+    out_.polygon_cell.resize(polygons);
+    out_.polygon_vertex.resize(corners);
+}
+
+void Writer::write_points(Index b, const Block& block) {
+    const ActiveBlock& cut = cut_[b];
+    const std::span<const float> values = field_.of_block(b);
+    const std::span ends = std::span(cut.ends).subspan(cut.ghosts);
+    for (Index i = 0; i < cut.owned(); ++i) {
+        if (i + ahead < ends.size())
+            for (const Index end : ends[i + ahead])
+                __builtin_prefetch(&mesh_.positions[3 * std::size_t{block.vertex(end)}]);
+        const EdgePoint point = edge_point(block, values, ends[i], nu_);
+        out_.points[cut.first_point + i] = point;
+        out_.positions[cut.first_point + i] = position_of(point, mesh_.positions);
+    }
+}
+
+void Writer::write_normals(Index b) {
+    const ActiveBlock& cut = cut_[b];
+    const Vec3f* gradient = field_.gradients.of_block(b);
+    for (Index i = 0; i < cut.owned(); ++i) {
+        const auto [low, high] = cut.ends[cut.ghosts + i];
+        const Vec3f &from = gradient[low], &to = gradient[high];
+        const double t = out_.points[cut.first_point + i].t;
+        Vec3d between{};
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            between[axis] = from[axis] + t * (static_cast<double>(to[axis]) - from[axis]);
+        out_.normals[cut.first_point + i] = unit(between);
+    }
+}
+
+// Ghosts are sorted by mesh-wide id, so their owners ascend too: `owner` only ever moves on.
+Index Writer::point_of_ghost(Index edge, Index& owner) const {
+    if (blocks_.edge_begin[owner + 1] <= edge)
+        owner = static_cast<Index>(std::ranges::upper_bound(blocks_.edge_begin, edge) - blocks_.edge_begin.begin() - 1);
+    const ActiveBlock& cut = cut_[owner];
+    const auto local = edge - blocks_.edge_begin[owner] + static_cast<Index>(blocks_.block[owner].ghost_edge.size());
+    return cut.first_point + cut.place(local) - cut.ghosts;
+}
+
+// `point`: by local edge, scratch.
+void Writer::write_polygons(Index b, const Block& block, std::vector<Index>& point) {
+    const ActiveBlock& cut = cut_[b];
+    point.resize(64 * cut.active.size());
+    Index owner = 0, i = 0;
+    for (std::size_t w = 0; w < cut.active.size(); ++w)
+        for (std::uint64_t bits = cut.active[w]; bits != 0; bits &= bits - 1, ++i) {
+            const auto edge = static_cast<Index>(64 * w) + static_cast<Index>(std::countr_zero(bits));
+            point[edge] =
+                i < cut.ghosts ? point_of_ghost(block.ghost_edge[edge], owner) : cut.first_point + i - cut.ghosts;
+        }
+    for (std::size_t k = 0; k < cut.polygon_edge.size(); ++k)
+        out_.polygon_vertex[cut.first_corner + k] = point[cut.polygon_edge[k]];
+    for (std::size_t k = 0; k < cut.polygon_cell.size(); ++k) {
+        out_.polygon_offset[cut.first_polygon + k + 1] = cut.first_corner + cut.polygon_end[k];
+        out_.polygon_cell[cut.first_polygon + k] = block.cell_begin + cut.polygon_cell[k];
+    }
+}
+
+void Writer::list_ranges() {
+    scratch_.ranges.clear();
+    for (const Index b : active_) {
+        const ActiveBlock& cut = cut_[b];
+        scratch_.ranges.push_back({cut.first_polygon, cut.first_polygon + static_cast<Index>(cut.polygon_cell.size()),
+                                   cut.first_point, cut.first_point + cut.owned()});
+    }
+}
+
+// Where cells were passed over, an active edge may have no polygon.
+void Writer::drop_unused_points() {
+    std::vector<Index>& renumbered = scratch_.renumbered;
+    renumbered.assign(out_.points.size(), none);
+    for (const Index p : out_.polygon_vertex) renumbered[p] = 0;
+    Index kept = 0;
+    for (std::size_t p = 0; p < renumbered.size(); ++p) {
+        if (renumbered[p] == none) continue;
+        renumbered[p] = kept;
+        out_.points[kept] = out_.points[p];
+        out_.positions[kept] = out_.positions[p];
+        if (normals_) out_.normals[kept] = out_.normals[p];
+        ++kept;
+    }
+    if (normals_) out_.normals.resize(kept);
+    out_.points.resize(kept);
+    out_.positions.resize(kept);
+    for (Index& p : out_.polygon_vertex) p = renumbered[p];
+}
+
+} // namespace
+
+void write_surface(const Topology& topology, const FaceMeshView& mesh, const Field::Data& field, Cutter& cutter,
+                   double nu, std::optional<Normals> normals, SurfaceScratch& scratch, Surface& out) {
+    Writer(topology, mesh, field, cutter, nu, normals, scratch, out).run();
+}
+
+} // namespace ciel

@@ -1,0 +1,79 @@
+#include "fields/cell_ranges.hpp"
+
+#include <algorithm>
+
+namespace ciel {
+
+namespace {
+
+constexpr float infinity = std::numeric_limits<float>::infinity();
+constexpr CellRanges::Range nothing{infinity, -infinity};
+
+// A comparison with NaN is false, which leaves it out.
+void widen(CellRanges::Range& range, float value) {
+    range[0] = value < range[0] ? value : range[0];
+    range[1] = value > range[1] ? value : range[1];
+}
+
+void append(const StandardSection& section, std::span<const float> values, std::vector<CellRanges::Range>& out) {
+    const std::size_t per_group = std::size_t{StandardSection::cells_per_group} * section.shape->corners;
+    for (std::size_t begin = 0; begin < section.vertex.size(); begin += per_group) {
+        CellRanges::Range range = nothing;
+        for (std::size_t i = begin; i < std::min(begin + per_group, section.vertex.size()); ++i)
+            widen(range, values[section.vertex[i]]);
+        out.push_back(range);
+    }
+}
+
+template <class Local>
+void append(const PolyhedralSection<Local>& section, std::span<const float> values,
+            std::vector<CellRanges::Range>& out) {
+    const std::size_t begin = out.size();
+    out.resize(begin + section.count(), nothing);
+    for (Index face = 0; face < section.face_count(); ++face) {
+        CellRanges::Range range = nothing;
+        for (Index k = section.face_begin[face]; k < section.face_begin[face + 1]; ++k)
+            widen(range, values[section.vertex[k]]);
+        if (!(range[0] <= range[1])) continue; // no value on it
+        for (const Local cell : section.face_cell[face]) {
+            widen(out[begin + cell], range[0]);
+            widen(out[begin + cell], range[1]);
+        }
+    }
+}
+
+} // namespace
+
+// Tells other threads how it ended. Where there was no memory the next one to ask tries again.
+class CellRanges::Making {
+public:
+    explicit Making(std::atomic<std::uint8_t>& state) : state_(state) {}
+    ~Making() { state_.store(result, std::memory_order_release); }
+    Making(const Making&) = delete;
+
+    State result = asked_once;
+
+private:
+    std::atomic<std::uint8_t>& state_;
+};
+
+void CellRanges::resize(std::size_t blocks) {
+    state_ = std::make_unique<std::atomic<std::uint8_t>[]>(blocks);
+    ranges_.resize(blocks);
+}
+
+std::span<const CellRanges::Range> CellRanges::of(const Block& block, Index b, std::span<const float> values) {
+    std::uint8_t state = state_[b].load(std::memory_order_acquire);
+    if (state == made) return ranges_[b];
+    if (state == in_the_making) return {};
+    const auto next = static_cast<std::uint8_t>(state + 1);
+    if (!state_[b].compare_exchange_strong(state, next, std::memory_order_acquire) || next == asked_once) return {};
+    Making making(state_[b]);
+    ranges_[b].clear();
+    for (const StandardSection& section : block.standard) append(section, values, ranges_[b]);
+    block.with([&](const auto& arrays) { append(arrays.polyhedra, values, ranges_[b]); });
+    making.result = made;
+    return ranges_[b];
+}
+
+} // namespace ciel

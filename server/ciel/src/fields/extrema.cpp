@@ -1,0 +1,113 @@
+// Sorted local minima (paper, section 2.2), and maxima for sweeping downwards. The order (value, id) leaves no ties: a
+// plateau has exactly the extrema that its rim needs. Of a distance along a direction, only where it can have some.
+#include "blocks/blocks.hpp"
+#include "ciel/geometric_vertices.hpp"
+#include "ciel/parallel.hpp"
+#include "fields/field_data.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+
+namespace ciel {
+
+namespace {
+
+void mark(std::uint8_t& flag) { std::atomic_ref(flag).store(1, std::memory_order_relaxed); }
+
+class RuleOut {
+public:
+    RuleOut(const Block& block, std::span<const float> values, std::vector<std::uint8_t>& not_minimum,
+            std::vector<std::uint8_t>& not_maximum)
+        : block_(block), values_(values), not_minimum_(not_minimum), not_maximum_(not_maximum) {}
+
+    void run() {
+        for (const StandardSection& section : block_.standard)
+            with_shape(section.shape->type, [&]<const StandardShape & shape>() {
+                for (std::size_t begin = 0; begin < section.vertex.size(); begin += shape.corners)
+                    for (std::size_t e = 0; e < shape.edges; ++e)
+                        edge(section.vertex[begin + shape.edge_ends[e][0]],
+                             section.vertex[begin + shape.edge_ends[e][1]]);
+            });
+        block_.with([&](const auto& arrays) {
+            const auto& polyhedra = arrays.polyhedra;
+            for (Index face = 0; face < polyhedra.face_count(); ++face)
+                for (Index k = polyhedra.face_begin[face]; k < polyhedra.face_begin[face + 1]; ++k)
+                    edge(polyhedra.vertex[k], polyhedra.vertex[polyhedra.next_in_loop(k, face)]);
+        });
+    }
+
+private:
+    // An edge rules its upper end out as a minimum and its lower end as a maximum. The order of local ids is that of
+    // the mesh's.
+    void edge(Index a, Index b) {
+        if (std::isnan(values_[a]) || std::isnan(values_[b])) return;
+        const bool upward = values_[a] != values_[b] ? values_[a] < values_[b] : a < b;
+        mark(not_minimum_[block_.vertex(upward ? b : a)]);
+        mark(not_maximum_[block_.vertex(upward ? a : b)]);
+    }
+
+    const Block& block_;
+    std::span<const float> values_;
+    std::vector<std::uint8_t>&not_minimum_, &not_maximum_;
+};
+
+} // namespace
+
+// Everywhere: each edge rules two vertices out.
+void Field::Data::find_extrema() const {
+    const Topology::Blocks& all = topology->blocks();
+    std::vector<std::uint8_t> not_minimum(values.size(), 0), not_maximum(values.size(), 0);
+    parallel_for(all.block.size(), 8, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t b = begin; b < end; ++b)
+            RuleOut(all.block[b], of_block(static_cast<Index>(b)), not_minimum, not_maximum).run();
+    });
+    for (Index v = 0; v < values.size(); ++v) {
+        if (!std::isfinite(values[v]) || topology->half_edge_of_vertex(v) == none) continue;
+        if (!not_minimum[v]) minima.push_back(v);
+        if (!not_maximum[v]) maxima.push_back(v);
+    }
+}
+
+// On the boundary and at reflex corners, around each vertex. False where the distances are so large that a float may
+// take two of them for one: ties are broken by id, and then any vertex may be an extremum.
+bool Field::Data::find_geometric_extrema() const {
+    if (!where_extrema) return false;
+    const GeometricVertices::Found& where = where_extrema->find(*topology);
+    const double largest = std::max(std::abs(range[0]), std::abs(range[1]));
+    if (!(largest <= direction_length * where.largest_distance)) return false;
+    std::vector<std::uint8_t> sides(where.vertices.size(), 0); // 1: has a neighbour below, 2: above
+    parallel_for(sides.size(), 4096, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            const Index v = where.vertices[i];
+            const HalfEdge start = topology->half_edge_of_vertex(v);
+            if (start == none || !std::isfinite(values[v])) sides[i] = 3;
+            for (HalfEdge h = start; sides[i] != 3;) {
+                const Index other = topology->vertex(h);
+                if (std::isfinite(values[other]))
+                    sides[i] |= std::pair(values[other], other) < std::pair(values[v], v) ? 1 : 2;
+                h = topology->next_around_vertex(h);
+                if (h == start) break;
+            }
+        }
+    });
+    for (std::size_t i = 0; i < sides.size(); ++i) {
+        if ((sides[i] & 1) == 0) minima.push_back(where.vertices[i]);
+        if ((sides[i] & 2) == 0) maxima.push_back(where.vertices[i]);
+    }
+    return true;
+}
+
+void Field::Data::make_extrema() const {
+    const Locked lock(extrema_mutex);
+    if (extrema_made) return;
+    minima.clear();
+    maxima.clear();
+    if (!find_geometric_extrema()) find_extrema();
+    const auto below = [this](Index a, Index b) { return values[a] != values[b] ? values[a] < values[b] : a < b; };
+    std::ranges::sort(minima, below);
+    std::ranges::sort(maxima, [&](Index a, Index b) { return below(b, a); });
+    extrema_made = true;
+}
+
+} // namespace ciel

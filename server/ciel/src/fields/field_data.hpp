@@ -1,0 +1,48 @@
+// The layout behind Field, for the kernel's own files. What is mutable is made on demand, under the lock beside it or
+// of its own. The sorted minima are those of the paper's section 2.2, the gradients of its section 3.
+#pragma once
+
+#include "ciel/field.hpp"
+#include "fields/cell_ranges.hpp"
+#include "fields/gradient.hpp"
+
+#include <optional>
+
+namespace ciel {
+
+struct Field::Data {
+    std::optional<Mesh> mesh; // keeps the topology alive where there is one
+    const Topology* topology = nullptr;
+    std::span<const float> values;
+    std::shared_ptr<const void> keep_alive;
+    std::vector<float> low, high;   // per block, finite values only; low > high where there are none
+    std::vector<std::uint8_t> gaps; // per block: some vertex has no value
+    std::array<float, 2> range{};
+
+    // Values in block order (Block::vertex_begin), NaN where there is none: of the blocks that somebody has looked at.
+    std::unique_ptr<float[]> local;
+    std::unique_ptr<std::atomic<bool>[]> taken; // by block
+    mutable std::array<Mutex, 16> take_in_mutex;
+    std::shared_ptr<const GeometricVertices> where_extrema; // null: anywhere
+    double direction_length = 0;                            // of the normal whose distance the values are
+
+    mutable Mutex extrema_mutex;
+    mutable bool extrema_made = false;
+    mutable std::vector<Index> minima, maxima; // sorted by (value, id), upwards and downwards
+    mutable CellRanges ranges;
+    mutable GradientCache gradients;
+
+    [[nodiscard]] std::span<const float> of_block(Index block) const {
+        if (!taken[block].load(std::memory_order_acquire)) take_in(block);
+        const Block& b = topology->blocks().block[block];
+        return {local.get() + b.vertex_begin, b.vertex_count};
+    }
+    void make_extrema() const; // once
+
+private:
+    void take_in(Index block) const;
+    [[nodiscard]] bool find_geometric_extrema() const;
+    void find_extrema() const;
+};
+
+} // namespace ciel

@@ -1,0 +1,132 @@
+#include "ciel/geometric_vertices.hpp"
+
+#include "blocks/blocks.hpp"
+#include "ciel/parallel.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+
+namespace ciel {
+
+namespace {
+
+Vec3d cross_of(const Vec3d& a, const Vec3d& b) {
+    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+double dot_of(const Vec3d& a, const Vec3d& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+Vec3d difference(const Vec3d& a, const Vec3d& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
+
+// Flags the vertices where a corner of a cell is not convex by at least `margin`: the distance of the vertex from the
+// triangles between the ends of the corner's edges. Any direction then has a neighbour that lies so much further.
+class ReflexCorners {
+public:
+    ReflexCorners(const FaceMeshView& mesh, const Block& block, double margin, std::vector<std::uint8_t>& flag)
+        : mesh_(mesh), block_(block), margin_(margin), flag_(flag) {}
+
+    void run() {
+        for (const StandardSection& section : block_.standard)
+            with_shape(section.shape->type, [&]<const StandardShape & shape>() { standard<shape>(section); });
+        block_.with([&](const auto& arrays) { polyhedra(arrays.polyhedra); });
+    }
+
+private:
+    [[nodiscard]] Vec3d position(Index local) const {
+        const float* p = &mesh_.positions[3 * std::size_t{block_.vertex(local)}];
+        return {p[0], p[1], p[2]};
+    }
+
+    // `around`: the other ends of its edges, in the order in which next_around_face(mate_face(h)) leads round.
+    void corner(Index vertex, std::span<const Index> around) {
+        bool convex = around.size() >= 3;
+        const Vec3d apex = position(vertex);
+        for (std::size_t i = 2; i < around.size() && convex; ++i) {
+            const Vec3d a = difference(position(around[0]), apex), b = difference(position(around[i - 1]), apex),
+                        c = difference(position(around[i]), apex);
+            const Vec3d area = cross_of(difference(b, a), difference(c, a));
+            convex = dot_of(a, cross_of(b, c)) > margin_ * std::sqrt(dot_of(area, area)); // false for NaN
+        }
+        if (!convex) std::atomic_ref(flag_[block_.vertex(vertex)]).store(1, std::memory_order_relaxed);
+    }
+
+    template <const StandardShape& shape>
+    void standard(const StandardSection& section) {
+        const auto next = [](std::size_t h) {
+            const std::size_t begin = shape.face_begin[shape.face[h]];
+            return begin + (h - begin + 1) % shape.face_size(shape.face[h]);
+        };
+        for (std::size_t first = 0; first < section.vertex.size(); first += shape.corners)
+            for (std::size_t c = 0; c < shape.corners; ++c) {
+                around_.clear();
+                const std::size_t start = shape.first_at_corner[c];
+                std::size_t h = start;
+                do {
+                    around_.push_back(section.vertex[first + shape.target(h)]);
+                    h = next(shape.mate[h]);
+                } while (h != start);
+                corner(section.vertex[first + c], around_);
+            }
+    }
+
+    template <class Local>
+    void polyhedra(const PolyhedralSection<Local>& section) {
+        const auto half_edges = static_cast<Index>(section.vertex.size() + section.inner_corners);
+        const auto next = [&](Index h) {
+            const Index k = section.corner(h), side = section.side(h), face = section.face(k);
+            return section.half_edge(side == 0 ? section.next_in_loop(k, face) : section.previous_in_loop(k, face),
+                                     side);
+        };
+        const auto target = [&](Index h) {
+            const Index k = section.corner(h);
+            return Index{section.vertex[section.side(h) == 0 ? section.next_in_loop(k, section.face(k)) : k]};
+        };
+        seen_.assign(half_edges, 0);
+        for (Index start = 0; start < half_edges; ++start) {
+            if (seen_[start] != 0) continue;
+            around_.clear();
+            Index h = start;
+            do {
+                seen_[h] = 1;
+                around_.push_back(target(h));
+                h = next(section.mate(h));
+            } while (h != start);
+            corner(section.origin(start), around_);
+        }
+    }
+
+    const FaceMeshView& mesh_;
+    const Block& block_;
+    double margin_;
+    std::vector<std::uint8_t>& flag_;
+    std::vector<Index> around_;
+    std::vector<std::uint8_t> seen_;
+};
+
+} // namespace
+
+const GeometricVertices::Found& GeometricVertices::find(const Topology& topology) const {
+    const Locked lock(mutex_);
+    if (made_) return found_;
+    double largest = 0;
+    for (std::size_t i = 0; i + 2 < mesh_.positions.size(); i += 3) {
+        const Vec3d p{mesh_.positions[i], mesh_.positions[i + 1], mesh_.positions[i + 2]};
+        largest = std::max(largest, dot_of(p, p));
+    }
+    found_.largest_distance = 4 * std::sqrt(largest);
+    const double margin = found_.largest_distance * std::numeric_limits<float>::epsilon();
+    std::vector<std::uint8_t> flag(mesh_.vertex_count(), 0);
+    for (Index face = 0; face < mesh_.face_count(); ++face)
+        if (mesh_.neighbour[face] == none)
+            for (const Index v : mesh_.loop(face)) flag[v] = 1;
+    const std::vector<Block>& blocks = topology.blocks().block;
+    parallel_for(blocks.size(), 8, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t b = begin; b < end; ++b) ReflexCorners(mesh_, blocks[b], margin, flag).run();
+    });
+    found_.vertices.clear(); // of a call that found no memory
+    for (Index v = 0; v < flag.size(); ++v)
+        if (flag[v] != 0) found_.vertices.push_back(v);
+    made_ = true;
+    return found_;
+}
+
+} // namespace ciel

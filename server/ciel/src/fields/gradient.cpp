@@ -1,0 +1,277 @@
+#include "fields/gradient.hpp"
+
+#include "ciel/parallel.hpp"
+#include "fields/field_data.hpp"
+#include "fields/gradient_sums.hpp"
+#include "fields/polyhedron_gradient.hpp"
+
+#include <atomic>
+
+namespace ciel {
+
+namespace {
+
+constexpr std::size_t blocks_per_task = 2;
+// So few vertices that the cells around them are found one by one rather than by looking at all of the block.
+constexpr std::size_t few = 12;
+
+enum State : std::uint8_t { wanted = 1, asked_by_neighbour = 2, known = 4 };
+
+struct Scratch {
+    std::vector<Sample> sample; // by local vertex
+    std::vector<GradientSum> sum;
+    std::vector<Index> wanted, cells;
+    std::vector<BlockVertex> ring;
+    std::vector<std::uint8_t> face_asked;
+    PolyhedronSolver polyhedron;
+};
+
+Scratch& scratch_of_this_thread() {
+    static thread_local Scratch scratch;
+    return scratch;
+}
+
+// For a few vertices: each cell around is solved anew.
+struct AddSolved {
+    const FaceMeshView& mesh;
+    const Field::Data& field;
+    Scratch& scratch;
+    GradientSum sum;
+
+    [[nodiscard]] BlockSampler sampler(Index b) const {
+        return {mesh, field.topology->blocks().block[b], field.of_block(b)};
+    }
+    template <const StandardShape& shape>
+    void standard(Index b, const StandardSection& section, Index i, Index) {
+        sum.add(cell_gradient<shape>(&section.vertex[i * shape.corners], sampler(b)));
+    }
+    void polyhedron(Index b, Index i, Index) {
+        field.topology->blocks().block[b].with([&](const auto& arrays) {
+            scratch.polyhedron.begin(field.topology->blocks().block[b], arrays.polyhedra);
+            sum.add(scratch.polyhedron.solve(arrays.polyhedra, i, sampler(b)));
+        });
+    }
+};
+
+// The vertices that are wanted now. Where they are many, the blocks around them solve each of their cells once; then
+// the vertices that several blocks share are summed up.
+class Pass {
+public:
+    Pass(const FaceMeshView& mesh, const Field::Data& field, std::span<std::uint8_t> state,
+         std::span<std::uint8_t> busy, std::span<std::unique_ptr<Vec3f[]>> gradient)
+        : mesh_(mesh), field_(field), blocks_(field.topology->blocks()), state_(state), busy_(busy),
+          gradient_(gradient) {}
+
+    void run(std::span<const Index> active, std::span<const ActiveBlock> cut) {
+        for_each(active, [&](Index b) { want(b, cut[b]); });
+        std::vector<Index> busy;
+        for (Index b = 0; b < busy_.size(); ++b)
+            if (busy_[b] != 0) busy.push_back(b);
+        if (busy.empty()) return;
+        cell_.resize(blocks_.block.size());
+        for_each(busy, [this](Index b) { sum_inside(b); });
+        for_each(active, [this](Index b) { sum_at_border(b); });
+        for_each(busy, [this](Index b) { settle(b); });
+    }
+
+private:
+    template <class F>
+    void for_each(std::span<const Index> blocks, F&& body) {
+        parallel_for(blocks.size(), blocks_per_task, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end; ++i) body(blocks[i]);
+        });
+    }
+    [[nodiscard]] std::span<std::uint8_t> states(const Block& block) const {
+        return state_.subspan(block.vertex_begin, block.vertex_count);
+    }
+    void mark_busy(Index b) { std::atomic_ref(busy_[b]).store(1, std::memory_order_relaxed); }
+
+    void want(Index b, const ActiveBlock& cut);
+    void solve_one_by_one(Index b, std::span<const Index> vertices);
+    void ask_neighbours(Index b);
+    void sum_inside(Index b);
+    template <const StandardShape& shape>
+    void add_standard(const StandardSection& section, std::span<const std::uint8_t> state, CellGradient* cell);
+    template <class Local>
+    void add_polyhedra(const PolyhedralSection<Local>& section, std::span<const std::uint8_t> state,
+                       CellGradient* cell);
+    void sum_at_border(Index b);
+    void settle(Index b);
+
+    const FaceMeshView& mesh_;
+    const Field::Data& field_;
+    const Topology::Blocks& blocks_;
+    std::span<std::uint8_t> state_;
+    std::span<std::uint8_t> busy_; // by block
+    std::span<std::unique_ptr<Vec3f[]>> gradient_;
+    std::vector<std::unique_ptr<CellGradient[]>> cell_; // by block; sections one after another
+};
+
+void Pass::want(Index b, const ActiveBlock& cut) {
+    const Block& block = blocks_.block[b];
+    if (gradient_[b] == nullptr) gradient_[b] = std::make_unique_for_overwrite<Vec3f[]>(block.vertex_count);
+    const std::span<std::uint8_t> state = states(block);
+    std::vector<Index>& found = scratch_of_this_thread().wanted;
+    found.clear();
+    for (const auto& ends : std::span(cut.ends).subspan(cut.ghosts))
+        for (const Index v : ends) {
+            // A neighbour may be asking at the same time.
+            std::atomic_ref here(state[v]);
+            if ((here.load(std::memory_order_relaxed) & (known | wanted)) != 0) continue;
+            here.fetch_or(wanted, std::memory_order_relaxed);
+            found.push_back(v);
+        }
+    if (found.empty()) return;
+    if (found.size() <= few) return solve_one_by_one(b, found);
+    mark_busy(b);
+    ask_neighbours(b);
+}
+
+void Pass::solve_one_by_one(Index b, std::span<const Index> vertices) {
+    const Block& block = blocks_.block[b];
+    Scratch& scratch = scratch_of_this_thread();
+    for (const Index v : vertices) {
+        const Index place = block.border_place_of(v);
+        if (place == none)
+            scratch.ring.assign(1, {b, v});
+        else
+            list_ring(blocks_, {b, place}, scratch.ring);
+        AddSolved add{mesh_, field_, scratch, {}};
+        for_cells_around(blocks_, scratch.ring, scratch.cells, add);
+        gradient_[b][v] = add.sum.mean();
+        std::atomic_ref state(states(block)[v]);
+        state.fetch_xor(wanted | known, std::memory_order_relaxed);
+    }
+}
+
+void Pass::ask_neighbours(Index b) {
+    const Block& block = blocks_.block[b];
+    const std::span<std::uint8_t> state = states(block);
+    block.with([&](const auto& arrays) {
+        for (Index place = 0; place < arrays.border_vertex.size(); ++place) {
+            if ((std::atomic_ref(state[arrays.border_vertex[place]]).load(std::memory_order_relaxed) & wanted) == 0)
+                continue;
+            for (BorderVertex at = blocks_.next_in_ring({b, place}); at.block != b; at = blocks_.next_in_ring(at)) {
+                std::atomic_ref(states(blocks_.block[at.block])[blocks_.vertex_at(at)])
+                    .fetch_or(asked_by_neighbour, std::memory_order_relaxed);
+                mark_busy(at.block);
+            }
+        }
+    });
+}
+
+void Pass::sum_inside(Index b) {
+    const Block& block = blocks_.block[b];
+    Scratch& scratch = scratch_of_this_thread();
+    const BlockSampler sampler(mesh_, block, field_.of_block(b));
+    scratch.sample.resize(block.vertex_count);
+    for (Index v = 0; v < block.vertex_count; ++v) scratch.sample[v] = sampler(v);
+    scratch.sum.assign(block.vertex_count, {});
+    cell_[b] = std::make_unique_for_overwrite<CellGradient[]>(block.cell_count);
+    const std::span<const std::uint8_t> state = states(block);
+    CellGradient* cell = cell_[b].get();
+    for (const StandardSection& section : block.standard) {
+        with_shape(section.shape->type,
+                   [&]<const StandardShape & shape>() { add_standard<shape>(section, state, cell); });
+        cell += section.count();
+    }
+    block.with([&](const auto& arrays) {
+        scratch.polyhedron.begin(block, arrays.polyhedra);
+        add_polyhedra(arrays.polyhedra, state, cell);
+    });
+    for (Index v = 0; v < block.vertex_count; ++v)
+        if ((state[v] & wanted) != 0) gradient_[b][v] = scratch.sum[v].mean();
+}
+
+template <const StandardShape& shape>
+void Pass::add_standard(const StandardSection& section, std::span<const std::uint8_t> state, CellGradient* cell) {
+    Scratch& scratch = scratch_of_this_thread();
+    for (std::size_t begin = 0; begin < section.vertex.size(); begin += shape.corners, ++cell) {
+        const std::uint16_t* vertex = &section.vertex[begin];
+        unsigned states = 0;
+        for (std::size_t c = 0; c < shape.corners; ++c) states |= state[vertex[c]];
+        if ((states & (wanted | asked_by_neighbour)) == 0) continue;
+        *cell = cell_gradient<shape>(vertex, [&](Index v) { return scratch.sample[v]; });
+        GradientSum weighted;
+        weighted.add(*cell);
+        for (std::size_t c = 0; c < shape.corners; ++c) scratch.sum[vertex[c]].add(weighted);
+    }
+}
+
+template <class Local>
+void Pass::add_polyhedra(const PolyhedralSection<Local>& section, std::span<const std::uint8_t> state,
+                         CellGradient* cell) {
+    Scratch& scratch = scratch_of_this_thread();
+    // Two cells look at each face.
+    scratch.face_asked.resize(section.face_count());
+    for (Index face = 0; face < section.face_count(); ++face) {
+        unsigned states = 0;
+        for (Index k = section.face_begin[face]; k < section.face_begin[face + 1]; ++k)
+            states |= state[section.vertex[k]];
+        scratch.face_asked[face] = (states & (wanted | asked_by_neighbour)) != 0 ? 1 : 0;
+    }
+    for (Index i = 0; i < section.count(); ++i, ++cell) {
+        if (std::ranges::none_of(section.faces_of(i), [&](Index ref) { return scratch.face_asked[ref / 2] != 0; }))
+            continue;
+        *cell = scratch.polyhedron.solve(section, i, [&](Index v) { return scratch.sample[v]; });
+        GradientSum weighted;
+        weighted.add(*cell);
+        for (const Index v : scratch.polyhedron.vertices()) scratch.sum[v].add(weighted);
+    }
+}
+
+void Pass::sum_at_border(Index b) {
+    if (busy_[b] == 0) return;
+    const Block& block = blocks_.block[b];
+    Scratch& scratch = scratch_of_this_thread();
+    const std::span<const std::uint8_t> state = states(block);
+    block.with([&](const auto& arrays) {
+        for (Index place = 0; place < arrays.border_vertex.size(); ++place) {
+            const Index v = arrays.border_vertex[place];
+            if ((state[v] & wanted) == 0) continue;
+            list_ring(blocks_, {b, place}, scratch.ring);
+            AddStored add([this](Index other) { return cell_[other].get(); });
+            for_cells_around(blocks_, scratch.ring, scratch.cells, add);
+            gradient_[b][v] = add.sum.mean();
+        }
+    });
+}
+
+void Pass::settle(Index b) {
+    for (std::uint8_t& state : states(blocks_.block[b]))
+        state = static_cast<std::uint8_t>((state & (wanted | known)) != 0 ? known : 0);
+}
+
+} // namespace
+
+void GradientCache::make_at(const FaceMeshView& mesh, const Field::Data& field, std::span<const Index> blocks,
+                            std::span<const ActiveBlock> cut) {
+    if (blocks.empty()) return;
+    const Locked lock(mutex_);
+    const Block& last = field.topology->blocks().block.back();
+    state_.resize(std::size_t{last.vertex_begin} + last.vertex_count);
+    vertex_.resize(field.topology->blocks().block.size());
+    busy_.assign(vertex_.size(), 0);
+    if (!settled_)
+        for (std::uint8_t& state : state_) state &= known;
+    settled_ = false;
+    Pass(mesh, field, state_, busy_, vertex_).run(blocks, cut);
+    settled_ = true;
+}
+
+void GradientCache::forget() {
+    const Locked lock(mutex_);
+    state_.clear();
+    vertex_.clear();
+    settled_ = true;
+}
+
+std::size_t GradientCache::memory_bytes() const {
+    const Locked lock(mutex_);
+    std::size_t made = 0;
+    for (const auto& block : vertex_) made += block != nullptr ? 1 : 0;
+    const std::size_t mean_slots = state_.size() / std::max<std::size_t>(1, vertex_.size());
+    return state_.capacity() + made * mean_slots * sizeof(Vec3f);
+}
+
+} // namespace ciel

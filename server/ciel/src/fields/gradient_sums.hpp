@@ -1,0 +1,129 @@
+// What the lazy and the full gradients share: cells of a block one after another, and the sum at a vertex. They make
+// the averages of the paper's section 3.
+#pragma once
+
+#include "blocks/blocks.hpp"
+#include "fields/cell_gradient.hpp"
+
+#include <algorithm>
+
+namespace ciel {
+
+struct GradientSum {
+    Four weighted{}; // the gradient times the volume, and the volume
+
+    void add(const CellGradient& cell) {
+        const double volume = cell.volume;
+        weighted += Four{volume * cell.gradient[0], volume * cell.gradient[1], volume * cell.gradient[2], volume};
+    }
+    void add(const GradientSum& other) { weighted += other.weighted; }
+    [[nodiscard]] Vec3f mean() const {
+        const double volume = weighted[3];
+        if (!(volume > 0)) return {};
+        return {static_cast<float>(weighted[0] / volume), static_cast<float>(weighted[1] / volume),
+                static_cast<float>(weighted[2] / volume)};
+    }
+};
+
+// A block's vertices with their values; `values` is the block's.
+class BlockSampler {
+public:
+    BlockSampler(const FaceMeshView& mesh, const Block& block, std::span<const float> values)
+        : mesh_(mesh), block_(block), values_(values) {}
+
+    [[nodiscard]] Sample operator()(Index local) const {
+        const float* p = &mesh_.positions[3 * std::size_t{block_.vertex(local)}];
+        return {p[0], p[1], p[2], values_[local]};
+    }
+
+private:
+    const FaceMeshView& mesh_;
+    const Block& block_;
+    std::span<const float> values_;
+};
+
+template <const StandardShape& shape, class Sampler>
+[[nodiscard]] CellGradient cell_gradient(const std::uint16_t* vertex, const Sampler& sample) {
+    std::array<Sample, shape.corners> samples;
+    for (std::size_t c = 0; c < shape.corners; ++c) samples[c] = sample(vertex[c]);
+    return standard_gradient<shape>(samples);
+}
+
+// The blocks that have a vertex at the border of one of them, ascending.
+inline void list_ring(const Topology::Blocks& blocks, BorderVertex at, std::vector<BlockVertex>& out) {
+    out.clear();
+    const Index start = at.block;
+    std::size_t lowest = 0;
+    do {
+        if (!out.empty() && at.block < out[lowest].block) lowest = out.size();
+        out.push_back({at.block, blocks.vertex_at(at)});
+        at = blocks.next_in_ring(at);
+    } while (at.block != start);
+    std::rotate(out.begin(), out.begin() + static_cast<std::ptrdiff_t>(lowest), out.end());
+}
+
+// Calls visit.template standard<shape>(block, section, i, place) for the cells of standard types around a vertex, kind
+// by kind and ascending, then visit.polyhedron(block, i, place) for the polyhedra, ascending and once each. `i` counts
+// in the section, `place` through the block's sections one after another.
+template <class Visit>
+void for_cells_around(const Topology::Blocks& blocks, std::span<const BlockVertex> ring, std::vector<Index>& scratch,
+                      Visit&& visit) {
+    const auto standard = [&]<const StandardShape & shape>() {
+        for (const BlockVertex at : ring) {
+            const Block& block = blocks.block[at.block];
+            Index place = 0;
+            for (const StandardSection& section : block.standard) {
+                if (section.shape != &shape) {
+                    place += section.count();
+                    continue;
+                }
+                const Index end = section.entry_begin + static_cast<Index>(section.vertex.size());
+                Index entry = block.first_entry_from(at.vertex, section.entry_begin);
+                for (; entry < end; entry = section.next_entry[entry - section.entry_begin]) {
+                    const Index i = (entry - section.entry_begin) / shape.corners;
+                    visit.template standard<shape>(at.block, section, i, place + i);
+                }
+            }
+        }
+    };
+    standard.template operator()<tetrahedron_shape>();
+    standard.template operator()<hexahedron_shape>();
+    standard.template operator()<wedge_shape>();
+    standard.template operator()<pyramid_shape>();
+    for (const BlockVertex at : ring) {
+        const Block& block = blocks.block[at.block];
+        block.with([&](const auto& arrays) {
+            const auto& polyhedra = arrays.polyhedra;
+            scratch.clear();
+            for (Index entry = block.first_entry_from(at.vertex, polyhedra.entry_begin); entry != polyhedra.end_of_list;
+                 entry = polyhedra.next_entry[entry - polyhedra.entry_begin])
+                for (const Index i : polyhedra.face_cell[polyhedra.face(entry - polyhedra.entry_begin)])
+                    scratch.push_back(i);
+            std::ranges::sort(scratch);
+            scratch.erase(std::unique(scratch.begin(), scratch.end()), scratch.end());
+            const Index place = block.cell_count - polyhedra.count();
+            for (const Index i : scratch) visit.polyhedron(at.block, i, place + i);
+        });
+    }
+}
+
+// A visitor for it where cells are solved already: `stored(block)` is where those of a block begin, in the order of
+// `place`.
+template <class Stored>
+class AddStored {
+public:
+    explicit AddStored(Stored stored) : stored_(stored) {}
+
+    template <const StandardShape& shape>
+    void standard(Index b, const StandardSection&, Index, Index place) {
+        sum.add(stored_(b)[place]);
+    }
+    void polyhedron(Index b, Index, Index place) { sum.add(stored_(b)[place]); }
+
+    GradientSum sum;
+
+private:
+    Stored stored_;
+};
+
+} // namespace ciel

@@ -1,0 +1,104 @@
+// All gradients at once: a volume needs them. Cells are kept for the vertices that two blocks share.
+#include "ciel/parallel.hpp"
+#include "fields/field_data.hpp"
+#include "fields/gradient.hpp"
+#include "fields/gradient_sums.hpp"
+#include "fields/polyhedron_gradient.hpp"
+
+namespace ciel {
+
+namespace {
+
+constexpr std::size_t blocks_per_task = 2;
+
+class Everywhere {
+public:
+    Everywhere(const FaceMeshView& mesh, const Field::Data& field)
+        : mesh_(mesh), field_(field), blocks_(field.topology->blocks()),
+          cell_(std::make_unique_for_overwrite<CellGradient[]>(blocks_.counts.cells)), out_(mesh.vertex_count()) {}
+
+    std::vector<Vec3f> run() {
+        for_blocks([this](Index b) { sum_inside(b); });
+        for_blocks([this](Index b) { sum_at_border(b); });
+        return std::move(out_);
+    }
+
+private:
+    template <class F>
+    void for_blocks(F&& body) {
+        parallel_for(blocks_.block.size(), blocks_per_task, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t b = begin; b < end; ++b) body(static_cast<Index>(b));
+        });
+    }
+    void sum_inside(Index b);
+    void sum_at_border(Index b);
+
+    const FaceMeshView& mesh_;
+    const Field::Data& field_;
+    const Topology::Blocks& blocks_;
+    std::unique_ptr<CellGradient[]> cell_; // block by block, sections one after another
+    std::vector<Vec3f> out_;
+};
+
+void Everywhere::sum_inside(Index b) {
+    const Block& block = blocks_.block[b];
+    const BlockSampler sampler(mesh_, block, field_.of_block(b));
+    std::vector<Sample> samples(block.vertex_count);
+    for (Index v = 0; v < block.vertex_count; ++v) samples[v] = sampler(v);
+    const auto sample = [&](Index v) { return samples[v]; };
+    std::vector<GradientSum> sum(block.vertex_count);
+    CellGradient* cell = &cell_[block.cell_begin];
+    for (const StandardSection& section : block.standard)
+        with_shape(section.shape->type, [&]<const StandardShape & shape>() {
+            for (std::size_t begin = 0; begin < section.vertex.size(); begin += shape.corners, ++cell) {
+                *cell = cell_gradient<shape>(&section.vertex[begin], sample);
+                GradientSum weighted;
+                weighted.add(*cell);
+                for (std::size_t c = 0; c < shape.corners; ++c) sum[section.vertex[begin + c]].add(weighted);
+            }
+        });
+    PolyhedronSolver solver;
+    block.with([&](const auto& arrays) {
+        solver.begin(block, arrays.polyhedra);
+        for (Index i = 0; i < arrays.polyhedra.count(); ++i, ++cell) {
+            *cell = solver.solve(arrays.polyhedra, i, sample);
+            GradientSum weighted;
+            weighted.add(*cell);
+            for (const Index v : solver.vertices()) sum[v].add(weighted);
+        }
+    });
+    const auto ghosts = static_cast<Index>(block.ghost_vertex.size());
+    for (Index v = ghosts; v < block.vertex_count; ++v) out_[block.vertex(v)] = sum[v].mean();
+}
+
+void Everywhere::sum_at_border(Index b) {
+    const Block& block = blocks_.block[b];
+    std::vector<BlockVertex> ring;
+    std::vector<Index> scratch;
+    block.with([&](const auto& arrays) {
+        const auto first_own = std::ranges::lower_bound(arrays.border_vertex, block.ghost_vertex.size());
+        for (auto v = first_own; v != arrays.border_vertex.end(); ++v) {
+            list_ring(blocks_, {b, static_cast<Index>(v - arrays.border_vertex.begin())}, ring);
+            AddStored add([this](Index other) { return &cell_[blocks_.block[other].cell_begin]; });
+            for_cells_around(blocks_, ring, scratch, add);
+            out_[block.vertex(*v)] = add.sum.mean();
+        }
+    });
+}
+
+} // namespace
+
+std::vector<Vec3f> gradients_everywhere(const FaceMeshView& mesh, const Field::Data& field) {
+    return Everywhere(mesh, field).run();
+}
+
+std::vector<Vec3f> vertex_gradients(const FaceMeshView& mesh, std::span<const float> values) {
+    return vertex_gradients(Topology(mesh), mesh, values);
+}
+
+std::vector<Vec3f> vertex_gradients(const Topology& topology, const FaceMeshView& mesh, std::span<const float> values) {
+    const Field field(topology, values, nullptr);
+    return gradients_everywhere(mesh, field.data());
+}
+
+} // namespace ciel

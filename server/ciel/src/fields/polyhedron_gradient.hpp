@@ -1,0 +1,99 @@
+// The gradient in polyhedra (paper, section 3): their distinct vertices are found on the way. Scratch for many blocks,
+// one per thread.
+#pragma once
+
+#include "blocks/blocks.hpp"
+#include "fields/gradient_sums.hpp"
+
+namespace ciel {
+
+class PolyhedronSolver {
+public:
+    // Before the cells of another block or of other values. `sample(local vertex)` is called once for each that a cell
+    // has.
+    template <class Local>
+    void begin(const Block& block, const PolyhedralSection<Local>& section) {
+        if (vertex_.size() < block.vertex_count) vertex_.resize(block.vertex_count);
+        area_known_.assign(section.face_count(), 0);
+        if (area_.size() < section.face_count()) area_.resize(section.face_count());
+        if (stamp_ > none - block.cell_count - 2) forget_stamps();
+        first_stamp_ = ++stamp_;
+    }
+
+    template <class Local, class Sampler>
+    [[nodiscard]] CellGradient solve(const PolyhedralSection<Local>& section, Index cell, const Sampler& sample) {
+        ++stamp_;
+        vertices_.clear();
+        samples_.clear();
+        for (const Index ref : section.faces_of(cell))
+            for (Index k = section.face_begin[ref / 2]; k < section.face_begin[ref / 2 + 1]; ++k)
+                see(section.vertex[k], sample);
+        if (samples_.size() < 4) return {};
+        const LeastSquares fit = least_squares(samples_);
+        if (!fit.good) return {};
+        return {fit.gradient, volume(section, cell, fit.mean)};
+    }
+    // Of the cell that was solved last.
+    [[nodiscard]] std::span<const Index> vertices() const { return vertices_; }
+
+private:
+    struct Vertex {
+        Sample sample;
+        Index stamp = 0; // of the cell that saw it last; from first_stamp_ on the sample is this block's
+    };
+
+    template <class Sampler>
+    void see(Index v, const Sampler& sample) {
+        Vertex& vertex = vertex_[v];
+        if (vertex.stamp == stamp_) return;
+        if (vertex.stamp < first_stamp_) vertex.sample = sample(v);
+        vertex.stamp = stamp_;
+        vertices_.push_back(v);
+        samples_.push_back(vertex.sample);
+    }
+
+    // Each face is a fan of cones to the mean. The fan's area vector is the same from both sides.
+    template <class Local>
+    [[nodiscard]] double volume(const PolyhedralSection<Local>& section, Index cell, const Sample& mean) {
+        double six_volumes = 0;
+        for (const Index ref : section.faces_of(cell)) {
+            const Index face = ref / 2;
+            const Sample& apex = vertex_[section.vertex[section.face_begin[face]]].sample;
+            if (area_known_[face] == 0) {
+                area_[face] = area(section, face, apex);
+                area_known_[face] = 1;
+            }
+            const double cones = dot(arm(mean, apex), area_[face]);
+            six_volumes += ref % 2 == 0 ? cones : -cones;
+        }
+        return std::abs(six_volumes) / 6;
+    }
+
+    template <class Local>
+    [[nodiscard]] Vec3d area(const PolyhedralSection<Local>& section, Index face, const Sample& apex) const {
+        Vec3d sum{};
+        const Index begin = section.face_begin[face], end = section.face_begin[face + 1];
+        Vec3d before = arm(apex, vertex_[section.vertex[begin + 1]].sample);
+        for (Index k = begin + 2; k < end; ++k) {
+            const Vec3d here = arm(apex, vertex_[section.vertex[k]].sample);
+            const Vec3d part = cross(before, here);
+            for (std::size_t axis = 0; axis < 3; ++axis) sum[axis] += part[axis];
+            before = here;
+        }
+        return sum;
+    }
+
+    void forget_stamps() {
+        for (Vertex& vertex : vertex_) vertex.stamp = 0;
+        stamp_ = 0;
+    }
+
+    std::vector<Vertex> vertex_; // by local vertex
+    std::vector<Vec3d> area_;    // by face, twice, along the stored loop
+    std::vector<std::uint8_t> area_known_;
+    std::vector<Index> vertices_;
+    std::vector<Sample> samples_;
+    Index stamp_ = 0, first_stamp_ = 0;
+};
+
+} // namespace ciel

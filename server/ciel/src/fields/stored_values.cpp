@@ -1,0 +1,22 @@
+#include "fields/stored_values.hpp"
+
+#include <string>
+
+namespace ciel {
+
+std::vector<float> stored_values(const Mesh& mesh, const ArrayView& values, PerItem item) {
+    const bool is_point = item == PerItem::point;
+    const std::size_t wanted = is_point ? mesh.point_count() : mesh.cell_count();
+    if (values.rows() != wanted || values.columns() != 1)
+        fail("values must be one number per " + std::string(is_point ? "point" : "cell") + " of the mesh (" +
+             std::to_string(wanted) + "), not " + std::to_string(values.rows()) + " rows of " +
+             std::to_string(values.columns()));
+    const std::span<const Index> original = is_point ? mesh.original_vertex() : mesh.original_cell();
+    const std::size_t count = is_point ? mesh.stored().vertex_count() : mesh.stored().cell_count();
+    std::vector<float> stored(count);
+    for (std::size_t i = 0; i < count; ++i)
+        stored[i] = static_cast<float>(values.real(original.empty() ? i : original[i]));
+    return stored;
+}
+
+} // namespace ciel

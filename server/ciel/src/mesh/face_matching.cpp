@@ -1,0 +1,319 @@
+#include "mesh/face_matching.hpp"
+
+#include "ciel/parallel.hpp"
+#include "mesh/cell_winding.hpp"
+#include "mesh/loop.hpp"
+#include "mesh/repeated_cells.hpp"
+
+#include <algorithm>
+
+namespace ciel {
+
+namespace {
+
+constexpr std::size_t faces_per_task = 16384;
+
+struct Claim {
+    Index smallest = none; // vertex; none for faces that cannot match
+    std::uint32_t fingerprint = 0;
+    Index face = none;
+};
+
+void append_loop(const PolyhedraView& input, Index face, std::vector<Index>& out) {
+    const std::uint64_t begin = input.face_offset[face];
+    append_without_repeats(input.face_vertex.subspan(begin, input.face_offset[face + 1] - begin), out);
+}
+
+std::uint32_t mix(Index v) { return static_cast<std::uint32_t>((v + 1ULL) * 0x9E3779B97F4A7C15ULL >> 32); }
+
+// Faces that collapsed to a line or a point separate nothing: they stay on the boundary.
+std::vector<Claim> make_claims(const PolyhedraView& input, std::span<const Index> cell_of_face) {
+    std::vector<Claim> claims(cell_of_face.size());
+    parallel_for(claims.size(), faces_per_task, [&](std::size_t begin, std::size_t end) {
+        std::vector<Index> loop;
+        for (std::size_t f = begin; f < end; ++f) {
+            if (cell_of_face[f] == none) continue;
+            loop.clear();
+            append_loop(input, static_cast<Index>(f), loop);
+            if (loop.size() < 3) continue;
+            Claim& claim = claims[f];
+            claim.face = static_cast<Index>(f);
+            claim.smallest = *std::ranges::min_element(loop);
+            for (const Index v : loop) claim.fingerprint += mix(v); // the order around the face must not matter
+        }
+    });
+    return claims;
+}
+
+// Claims grouped by smallest vertex; inside a group, claims of equal faces are neighbours.
+std::vector<Claim> group_claims(const std::vector<Claim>& claims, std::size_t vertices) {
+    std::vector<std::uint64_t> begin(vertices + 1, 0);
+    for (const Claim& claim : claims)
+        if (claim.smallest != none) ++begin[claim.smallest + 1];
+    for (std::size_t v = 0; v < vertices; ++v) begin[v + 1] += begin[v];
+    std::vector<Claim> grouped(begin.back());
+    std::vector<std::uint64_t> cursor(begin.begin(), begin.end() - 1);
+    for (const Claim& claim : claims)
+        if (claim.smallest != none) grouped[cursor[claim.smallest]++] = claim;
+    parallel_for(vertices, faces_per_task, [&](std::size_t first, std::size_t last) {
+        for (std::size_t v = first; v < last; ++v)
+            std::sort(grouped.begin() + static_cast<std::ptrdiff_t>(begin[v]),
+                      grouped.begin() + static_cast<std::ptrdiff_t>(begin[v + 1]), [](const Claim& a, const Claim& b) {
+                          return a.fingerprint != b.fingerprint ? a.fingerprint < b.fingerprint : a.face < b.face;
+                      });
+    });
+    return grouped;
+}
+
+class Matcher {
+public:
+    Matcher(const PolyhedraView& input, CellOfFace faces) : input_(input), faces_(faces) {}
+
+    MatchedFaces run();
+
+private:
+    enum class Relation { different, same_direction, opposite };
+
+    void pair_faces();
+    [[nodiscard]] std::vector<Index> suspects() const;
+    bool leave_out_repeated_cells();
+    void settle_equal(std::span<const Claim> claims);
+    void settle_group(std::span<const Index> group);
+    Relation compare(Index a, Index b);
+    bool wound_alike(Index a, Index b); // as they are turned now
+    void match(Index a, Index b);
+    void agree_across_faces();
+    void divide_into_units(const std::vector<Index>& conflicts);
+    void spread_from(Index start);
+    void settle_crowd(const std::vector<Index>& group);
+
+    const PolyhedraView& input_;
+    CellOfFace faces_;
+    MatchedFaces result_;
+    std::vector<std::vector<Index>> crowds_; // faces with more than two claims
+    std::vector<Index> loop_a_, loop_b_;
+    // What is turned as one: a cell, or a lobe of one. Units below the number of cells are cells or their first lobes.
+    std::vector<Index> unit_of_face_;
+    std::vector<Index> cell_of_unit_;
+    std::vector<std::uint8_t> divided_; // cell
+    std::vector<std::uint8_t> parity_;  // unit: 0 not seen, 1 keep, 2 turn
+};
+
+Matcher::Relation Matcher::compare(Index a, Index b) {
+    loop_a_.clear();
+    loop_b_.clear();
+    append_loop(input_, a, loop_a_);
+    append_loop(input_, b, loop_b_);
+    const std::size_t n = loop_a_.size();
+    if (n != loop_b_.size()) return Relation::different;
+    for (std::size_t shift = 0; shift < n; ++shift) {
+        if (loop_b_[shift] != loop_a_[0]) continue;
+        bool forward = true, backward = true;
+        for (std::size_t i = 0; i < n && (forward || backward); ++i) {
+            forward = forward && loop_a_[i] == loop_b_[(shift + i) % n];
+            backward = backward && loop_a_[i] == loop_b_[(shift + n - i) % n];
+        }
+        if (backward) return Relation::opposite;
+        if (forward) return Relation::same_direction;
+    }
+    return Relation::different;
+}
+
+bool Matcher::wound_alike(Index a, Index b) {
+    return (compare(a, b) == Relation::same_direction) == (faces_.turn[a] == faces_.turn[b]);
+}
+
+void Matcher::match(Index a, Index b) {
+    result_.partner[a] = b;
+    result_.partner[b] = a;
+}
+
+void Matcher::settle_group(std::span<const Index> group) {
+    if (group.size() == 2) {
+        if (faces_.cell[group[0]] != faces_.cell[group[1]]) match(group[0], group[1]);
+    } else if (group.size() > 2) {
+        crowds_.emplace_back(group.begin(), group.end());
+    }
+}
+
+// Equal fingerprints are nearly always equal faces; this separates the ones that are not.
+void Matcher::settle_equal(std::span<const Claim> claims) {
+    if (claims.size() < 2) return;
+    std::vector<Index> left, group, rest;
+    for (const Claim& claim : claims) left.push_back(claim.face);
+    while (!left.empty()) {
+        group.assign(1, left[0]);
+        rest.clear();
+        for (std::size_t i = 1; i < left.size(); ++i)
+            (compare(left[0], left[i]) == Relation::different ? rest : group).push_back(left[i]);
+        settle_group(group);
+        left.swap(rest);
+    }
+}
+
+// Cells are wound outwards one by one. Where that makes two neighbours disagree (one of them is folded, or has no
+// volume to tell by, or touches itself), the topology needs agreement more than volume: the lesser part gives in.
+void Matcher::agree_across_faces() {
+    std::vector<Index> conflicts;
+    const auto disagree = [&](Index f) {
+        return result_.partner[f] != none && f < result_.partner[f] && wound_alike(f, result_.partner[f]);
+    };
+    for (Index f = 0; f < result_.partner.size(); ++f)
+        if (disagree(f)) conflicts.push_back(f);
+    if (conflicts.empty()) return;
+    divide_into_units(conflicts);
+    for (const Index f : conflicts)
+        if (parity_[unit_of_face_[f]] == 0) spread_from(unit_of_face_[f]);
+    for (std::size_t f = 0; f < faces_.cell.size(); ++f)
+        if (faces_.cell[f] != none && parity_[unit_of_face_[f]] == 2) faces_.turn[f] ^= 1;
+    for (const Index f : conflicts)
+        if (disagree(f)) { // a one-sided ring of cells: it has to be cut somewhere
+            result_.partner[result_.partner[f]] = none;
+            result_.partner[f] = none;
+            ++result_.internal_boundaries;
+        }
+}
+
+void Matcher::divide_into_units(const std::vector<Index>& conflicts) {
+    unit_of_face_.assign(faces_.cell.begin(), faces_.cell.end());
+    cell_of_unit_.resize(faces_.volume.size());
+    for (Index c = 0; c < cell_of_unit_.size(); ++c) cell_of_unit_[c] = c;
+    std::vector<Index> cells;
+    for (const Index f : conflicts) {
+        cells.push_back(faces_.cell[f]);
+        cells.push_back(faces_.cell[result_.partner[f]]);
+    }
+    std::ranges::sort(cells);
+    cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
+    divided_.assign(faces_.volume.size(), 0);
+    CellWinding winding(input_);
+    for (const Index cell : cells) {
+        const std::vector<Index> lobes = winding.lobes(cell);
+        const auto first_new = static_cast<Index>(cell_of_unit_.size());
+        for (std::size_t i = 0; i < lobes.size(); ++i)
+            if (lobes[i] > 0) unit_of_face_[input_.cell_offset[cell] + i] = first_new + lobes[i] - 1;
+        cell_of_unit_.resize(first_new + *std::ranges::max_element(lobes), cell);
+        divided_[cell] = cell_of_unit_.size() > first_new ? 1 : 0;
+    }
+    parity_.assign(cell_of_unit_.size(), 0);
+}
+
+// Gives every unit that hangs together with `start` the parity that makes all faces between them agree, or none at all
+// where no parity does.
+void Matcher::spread_from(Index start) {
+    std::vector<Index> component{start};
+    bool consistent = true;
+    parity_[start] = 1;
+    for (std::size_t next = 0; next < component.size(); ++next) {
+        const Index unit = component[next], cell = cell_of_unit_[unit];
+        for (std::uint64_t f = input_.cell_offset[cell]; f < input_.cell_offset[cell + 1]; ++f) {
+            if (unit_of_face_[f] != unit || result_.partner[f] == none) continue;
+            const Index other = unit_of_face_[result_.partner[f]];
+            const bool turn = wound_alike(static_cast<Index>(f), result_.partner[f]);
+            const auto parity = turn ? static_cast<std::uint8_t>(3 - parity_[unit]) : parity_[unit];
+            if (parity_[other] == 0) {
+                parity_[other] = parity;
+                component.push_back(other);
+            }
+            consistent = consistent && parity_[other] == parity;
+        }
+    }
+    double balance = 0;
+    for (const Index unit : component) {
+        const double volume = unit < faces_.volume.size() ? faces_.volume[unit] : 0;
+        balance += parity_[unit] == 1 ? volume : -volume;
+    }
+    for (const Index unit : component) {
+        if (balance < 0) parity_[unit] = static_cast<std::uint8_t>(3 - parity_[unit]);
+        if (!consistent) parity_[unit] = 1;
+        if (parity_[unit] == 2 && !divided_[cell_of_unit_[unit]] && faces_.volume[unit] > 0)
+            result_.inverted_cells.push_back(unit);
+    }
+}
+
+// More than two claims. Cells collapsed to nothing claim the face twice, once from each side: they are strung between
+// the one or two cells that claim it once. Anything else has no right answer and stays unmatched.
+void Matcher::settle_crowd(const std::vector<Index>& group) {
+    std::vector<Index> single;
+    std::vector<std::array<Index, 2>> folds;
+    for (std::size_t i = 0; i < group.size(); ++i) { // a cell's faces are consecutive
+        const bool twice = i + 1 < group.size() && faces_.cell[group[i]] == faces_.cell[group[i + 1]];
+        if (!twice) {
+            single.push_back(group[i]);
+        } else {
+            folds.push_back({group[i], group[i + 1]});
+            ++i;
+        }
+    }
+    bool possible = !single.empty() && single.size() <= 2 && !folds.empty();
+    if (possible && single.size() == 2) possible = !wound_alike(single[0], single[1]);
+    for (const auto& fold : folds) possible = possible && !wound_alike(fold[0], fold[1]);
+    if (!possible) {
+        ++result_.internal_boundaries;
+        return;
+    }
+    Index open = single[0];
+    for (const auto& fold : folds) {
+        const bool first = !wound_alike(open, fold[0]);
+        match(open, fold[first ? 0 : 1]);
+        open = fold[first ? 1 : 0];
+    }
+    if (single.size() == 2) match(open, single[1]);
+}
+
+// Cells that may have another one's faces: all of theirs are in crowds, or matched with one and the same cell.
+std::vector<Index> Matcher::suspects() const {
+    std::vector<Index> out;
+    for (const auto& crowd : crowds_)
+        for (const Index f : crowd) out.push_back(faces_.cell[f]);
+    for (Index cell = 0; cell < input_.cell_types.size(); ++cell) {
+        Index other = none;
+        for (std::uint64_t f = input_.cell_offset[cell]; f < input_.cell_offset[cell + 1]; ++f) {
+            if (result_.partner[f] == none) continue;
+            const Index behind = faces_.cell[result_.partner[f]];
+            if (behind == other) out.push_back(cell);
+            if (other != none) break; // two faces tell
+            other = behind;
+        }
+    }
+    std::ranges::sort(out);
+    out.erase(std::unique(out.begin(), out.end()), out.end());
+    return out;
+}
+
+bool Matcher::leave_out_repeated_cells() {
+    result_.repeated_cells = repeated_cells(input_, suspects());
+    for (const Index cell : result_.repeated_cells)
+        std::ranges::fill(
+            faces_.cell.subspan(input_.cell_offset[cell], input_.cell_offset[cell + 1] - input_.cell_offset[cell]),
+            none);
+    return !result_.repeated_cells.empty();
+}
+
+void Matcher::pair_faces() {
+    result_.partner.assign(faces_.cell.size(), none);
+    crowds_.clear();
+    const std::vector<Claim> claims = group_claims(make_claims(input_, faces_.cell), input_.positions.size() / 3);
+    for (std::size_t begin = 0, end; begin < claims.size(); begin = end) {
+        end = begin + 1;
+        while (end < claims.size() && claims[end].smallest == claims[begin].smallest &&
+               claims[end].fingerprint == claims[begin].fingerprint)
+            ++end;
+        settle_equal(std::span(claims).subspan(begin, end - begin));
+    }
+}
+
+MatchedFaces Matcher::run() {
+    pair_faces();
+    if (leave_out_repeated_cells()) pair_faces();
+    agree_across_faces();
+    for (const auto& crowd : crowds_) settle_crowd(crowd);
+    std::ranges::sort(result_.inverted_cells);
+    return std::move(result_);
+}
+
+} // namespace
+
+MatchedFaces match_faces(const PolyhedraView& input, CellOfFace faces) { return Matcher(input, faces).run(); }
+
+} // namespace ciel

@@ -1,0 +1,116 @@
+#include "ciel/mesh.hpp"
+
+#include "mesh/polyhedra_lists.hpp"
+
+#include <string>
+
+namespace ciel {
+
+// Members that point into others are set once these stand in their place.
+struct Mesh::State {
+    std::shared_ptr<const void> keep_alive;
+    std::shared_ptr<const Assembled> assembled; // null where the faces were stored before
+    std::shared_ptr<const Topology> topology;
+    std::vector<float> moved_positions;
+    std::vector<Index> original_cell;
+    FaceMeshView faces;
+    MeshReport report;
+    std::size_t points = 0, cells = 0;
+};
+
+namespace {
+
+// Ids in the report are those in the lists; the caller's lists may have more.
+void name_source_cells(const std::vector<Index>& source, AssembleReport& report) {
+    const auto name = [&source](std::vector<Index>& ids) {
+        for (Index& id : ids) id = source[id];
+    };
+    for (BadCells& bad : report.bad_cells) name(bad.first_ids);
+    name(report.first_short);
+    name(report.first_inverted);
+}
+
+} // namespace
+
+template <class Put>
+Mesh Mesh::make(const ArrayView& points, std::size_t cells, const Put& put) {
+    PolyhedraLists lists;
+    put_points(points, lists);
+    put(lists);
+    auto state = std::make_shared<State>();
+    auto assembled = std::make_shared<Assembled>(assemble(lists.view()));
+    state->points = points.rows();
+    state->cells = cells;
+    state->report.assembled = assembled->report;
+    state->report.skipped_cells = lists.skipped;
+    state->report.reduced_cells = lists.reduced;
+    state->report.bytes_copied = lists.bytes();
+    name_source_cells(lists.source_cell, state->report.assembled);
+    state->original_cell = assembled->original_cell;
+    for (Index& cell : state->original_cell) cell = lists.source_cell[cell];
+    state->faces = assembled->mesh.view();
+    state->topology = std::make_shared<const Topology>(state->faces);
+    state->assembled = std::move(assembled);
+    return Mesh(std::move(state));
+}
+
+Mesh Mesh::from_polyhedra(const ArrayView& points, const ArrayView& cell_offset, const ArrayView& face_offset,
+                          const ArrayView& face_vertex) {
+    return make(points, cell_offset.empty() ? 0 : cell_offset.rows() - 1,
+                [&](PolyhedraLists& lists) { put_polyhedra(cell_offset, face_offset, face_vertex, lists); });
+}
+
+Mesh Mesh::from_faces(const ArrayView& points, const ArrayView& face_offset, const ArrayView& face_vertex,
+                      const ArrayView& owner, const ArrayView& neighbour) {
+    std::size_t cells = 0;
+    for (std::size_t face = 0; face < owner.rows(); ++face)
+        cells = std::max(cells, static_cast<std::size_t>(owner.integer(face) + 1));
+    for (std::size_t face = 0; face < neighbour.rows(); ++face)
+        cells = std::max(cells, static_cast<std::size_t>(std::max<std::int64_t>(neighbour.integer(face), -1) + 1));
+    return make(points, cells,
+                [&](PolyhedraLists& lists) { put_owner_faces(face_offset, face_vertex, owner, neighbour, lists); });
+}
+
+Mesh Mesh::from_cells(const ArrayView& points, const VtkCells& cells) {
+    return make(points, cells.types.rows(), [&](PolyhedraLists& lists) { put_vtk_cells(cells, lists); });
+}
+
+Mesh Mesh::from_stored(const FaceMeshView& faces, std::shared_ptr<const void> keep_alive) {
+    auto state = std::make_shared<State>();
+    state->keep_alive = std::move(keep_alive);
+    state->faces = faces;
+    state->topology = std::make_shared<const Topology>(faces);
+    state->points = faces.vertex_count();
+    state->cells = faces.cell_count();
+    return Mesh(std::move(state));
+}
+
+Mesh Mesh::moved(const ArrayView& points) const {
+    if (points.columns() != 3 || points.rows() != state_->points)
+        fail("moved points must be " + std::to_string(state_->points) +
+             " rows of three numbers, as the mesh was made from");
+    auto state = std::make_shared<State>(*state_);
+    const std::span<const Index> source = original_vertex();
+    state->moved_positions.resize(state->faces.positions.size());
+    for (std::size_t v = 0; v < state->faces.vertex_count(); ++v)
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            state->moved_positions[3 * v + axis] =
+                static_cast<float>(points.real(source.empty() ? v : source[v], axis) - state->faces.origin[axis]);
+    state->faces.positions = state->moved_positions;
+    state->report.bytes_copied += state->moved_positions.size() * sizeof(float);
+    return Mesh(std::move(state));
+}
+
+std::size_t Mesh::point_count() const { return state_->points; }
+std::size_t Mesh::cell_count() const { return state_->cells; }
+const MeshReport& Mesh::report() const { return state_->report; }
+const Topology& Mesh::topology() const { return *state_->topology; }
+const FaceMeshView& Mesh::stored() const { return state_->faces; }
+
+std::span<const Index> Mesh::original_vertex() const {
+    if (!state_->assembled) return {};
+    return state_->assembled->original_vertex;
+}
+std::span<const Index> Mesh::original_cell() const { return state_->original_cell; }
+
+} // namespace ciel

@@ -1,0 +1,278 @@
+#include "mesh/polyhedra_lists.hpp"
+
+#include "ciel/standard_shapes.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+
+namespace ciel {
+namespace {
+
+// Points of a mesh lie near this: floats from there lose least.
+Vec3d middle_of(const ArrayView& points) {
+    Vec3d middle{};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        double low = INFINITY, high = -INFINITY;
+        for (std::size_t i = 0; i < points.rows(); ++i) {
+            const double at = points.real(i, axis);
+            if (!std::isfinite(at)) continue;
+            low = std::min(low, at);
+            high = std::max(high, at);
+        }
+        if (low <= high) middle[axis] = low + (high - low) / 2;
+    }
+    return middle;
+}
+
+// An id that leads out of the points is kept as one that assemble() reports.
+Index id_of(const ArrayView& ids, std::size_t i) {
+    const std::int64_t id = ids.integer(i);
+    return id < 0 || id >= std::int64_t{none} ? none : static_cast<Index>(id);
+}
+
+void check_ids(const ArrayView& ids, const char* name) {
+    if (ids.columns() != 1) fail(std::string(name) + " must have one number per row");
+    if (!ids.empty() && !ids.has_integers()) fail(std::string(name) + " must hold integers");
+}
+
+// Offsets that rise from 0 to `end`.
+std::size_t offset(const ArrayView& offsets, std::size_t i, std::size_t end, const char* name) {
+    const std::int64_t at = offsets.integer(i);
+    if (at < 0 || static_cast<std::uint64_t>(at) > end || (i > 0 && at < offsets.integer(i - 1)))
+        fail(std::string(name) + " must rise from 0 to " + std::to_string(end) +
+             ", the length of what it divides; entry " + std::to_string(i) + " is " + std::to_string(at));
+    return static_cast<std::size_t>(at);
+}
+
+void close_face(PolyhedraLists& lists) { lists.face_offset.push_back(lists.face_vertex.size()); }
+
+void close_cell(PolyhedraLists& lists, std::size_t source) {
+    lists.cell_offset.push_back(lists.face_offset.size() - 1);
+    lists.source_cell.push_back(static_cast<Index>(source));
+    lists.cell_types.push_back(static_cast<std::uint8_t>(CellType::polyhedron));
+    lists.cell_types.back() = static_cast<std::uint8_t>(type_of_last_cell(lists));
+}
+
+// What becomes of a VTK type: its corners come first among its points (VTK User's Guide, "Cell types").
+struct VtkShape {
+    int vtk_type;
+    CellType type; // a polyhedron is a prism over a polygon of half the corners
+    std::uint8_t corners;
+    bool is_reduced;
+};
+constexpr VtkShape vtk_shapes[] = {
+    {10, CellType::tetrahedron, 4, false}, {11, CellType::hexahedron, 8, false}, {12, CellType::hexahedron, 8, false},
+    {13, CellType::wedge, 6, false},       {14, CellType::pyramid, 5, false},    {15, CellType::polyhedron, 10, false},
+    {16, CellType::polyhedron, 12, false}, {24, CellType::tetrahedron, 4, true}, {25, CellType::hexahedron, 8, true},
+    {26, CellType::wedge, 6, true},        {27, CellType::pyramid, 5, true},     {29, CellType::hexahedron, 8, true},
+    {31, CellType::wedge, 6, true},        {32, CellType::wedge, 6, true},       {33, CellType::hexahedron, 8, true},
+    {37, CellType::pyramid, 5, true},      {71, CellType::tetrahedron, 4, true}, {72, CellType::hexahedron, 8, true},
+    {73, CellType::wedge, 6, true},        {74, CellType::pyramid, 5, true},     {78, CellType::tetrahedron, 4, true},
+    {79, CellType::hexahedron, 8, true},   {80, CellType::wedge, 6, true},       {81, CellType::pyramid, 5, true},
+};
+constexpr int voxel = 11, polyhedron = 42;
+// Points, lines, surfaces, and sets of points without cells between them.
+constexpr std::array<int, 27> without_volume{0,  1,  2,  3,  4,  5,  6,  7,  8,  9,  21, 22, 23, 28,
+                                             30, 34, 35, 36, 41, 68, 69, 70, 75, 76, 77, 60, 61};
+
+void append_prism(std::span<const Index> corners, PolyhedraLists& lists) {
+    const std::size_t n = corners.size() / 2;
+    for (std::size_t i = n; i-- > 0;) lists.face_vertex.push_back(corners[i]);
+    close_face(lists);
+    for (std::size_t i = 0; i < n; ++i) lists.face_vertex.push_back(corners[n + i]);
+    close_face(lists);
+    for (std::size_t i = 0; i < n; ++i) {
+        const std::size_t j = (i + 1) % n;
+        for (const std::size_t corner : {i, j, n + j, n + i}) lists.face_vertex.push_back(corners[corner]);
+        close_face(lists);
+    }
+}
+
+void add_shape(const VtkShape& shape, const VtkCells& cells, std::size_t cell, PolyhedraLists& lists) {
+    const std::size_t size = cells.connectivity.rows();
+    const std::size_t begin = offset(cells.offsets, cell, size, "offsets");
+    const std::size_t count = offset(cells.offsets, cell + 1, size, "offsets") - begin;
+    if (count < shape.corners)
+        fail("cell " + std::to_string(cell) + " has " + std::to_string(count) + " points; its type needs " +
+             std::to_string(shape.corners));
+    std::array<Index, 12> corners{};
+    for (std::size_t i = 0; i < shape.corners; ++i) corners[i] = id_of(cells.connectivity, begin + i);
+    if (shape.vtk_type == voxel) {
+        std::swap(corners[2], corners[3]);
+        std::swap(corners[6], corners[7]);
+    }
+    lists.reduced += shape.is_reduced ? 1 : 0;
+    const std::span<const Index> used(corners.data(), shape.corners);
+    if (shape.type == CellType::polyhedron)
+        append_prism(used, lists);
+    else
+        append_standard_faces(shape.type, used, lists.face_offset, lists.face_vertex);
+    close_cell(lists, cell);
+}
+
+// Up to VTK 9.3.
+void add_face_stream(const VtkCells& cells, std::size_t cell, PolyhedraLists& lists) {
+    auto next = [&, at = cells.face_locations.integer(cell)]() mutable {
+        if (at < 0 || static_cast<std::uint64_t>(at) >= cells.faces.rows())
+            fail("the faces of polyhedron " + std::to_string(cell) + " lead out of the array of faces");
+        return cells.faces.integer(static_cast<std::size_t>(at++));
+    };
+    const std::int64_t faces = next();
+    for (std::int64_t face = 0; face < faces; ++face) {
+        const std::int64_t corners = next();
+        for (std::int64_t i = 0; i < corners; ++i) {
+            const std::int64_t id = next();
+            lists.face_vertex.push_back(id < 0 || id >= std::int64_t{none} ? none : static_cast<Index>(id));
+        }
+        close_face(lists);
+    }
+    close_cell(lists, cell);
+}
+
+// From VTK 9.4 on.
+void add_listed_faces(const VtkCells& cells, std::size_t cell, PolyhedraLists& lists) {
+    const std::size_t listed = cells.cell_faces.rows(), size = cells.face_connectivity.rows();
+    const std::size_t begin = offset(cells.cell_face_offsets, cell, listed, "cell_face_offsets");
+    const std::size_t end = offset(cells.cell_face_offsets, cell + 1, listed, "cell_face_offsets");
+    for (std::size_t i = begin; i < end; ++i) {
+        const std::int64_t face = cells.cell_faces.integer(i);
+        if (face < 0 || static_cast<std::uint64_t>(face) + 1 >= cells.face_offsets.rows())
+            fail("polyhedron " + std::to_string(cell) + " names face " + std::to_string(face) +
+                 ", which does not exist");
+        const auto f = static_cast<std::size_t>(face);
+        const std::size_t last = offset(cells.face_offsets, f + 1, size, "face_offsets");
+        for (std::size_t k = offset(cells.face_offsets, f, size, "face_offsets"); k < last; ++k)
+            lists.face_vertex.push_back(id_of(cells.face_connectivity, k));
+        close_face(lists);
+    }
+    close_cell(lists, cell);
+}
+
+void add_polyhedron(const VtkCells& cells, std::size_t cell, PolyhedraLists& lists) {
+    if (!cells.cell_face_offsets.empty()) return add_listed_faces(cells, cell, lists);
+    if (cells.face_locations.rows() <= cell)
+        fail("cell " + std::to_string(cell) + " is a polyhedron, but its faces are not given");
+    add_face_stream(cells, cell, lists);
+}
+
+} // namespace
+
+std::uint64_t PolyhedraLists::bytes() const {
+    return positions.size() * sizeof(float) + cell_types.size() + (cell_offset.size() + face_offset.size()) * 8 +
+           (face_vertex.size() + source_cell.size()) * sizeof(Index);
+}
+
+CellType type_of_last_cell(const PolyhedraLists& lists) {
+    const std::size_t first = lists.cell_offset[lists.cell_offset.size() - 2], end = lists.cell_offset.back();
+    const std::uint64_t begin = lists.face_offset[first];
+    std::size_t largest = 0;
+    for (std::size_t face = first; face < end; ++face)
+        largest = std::max<std::size_t>(largest, lists.face_offset[face + 1] - lists.face_offset[face]);
+    const CellType type = type_of_faces(end - first, lists.face_vertex.size() - begin, largest);
+    std::size_t corners = 0;
+    if (!with_shape(type, [&corners]<const StandardShape & shape>() { corners = shape.corners; })) return type;
+    std::array<Index, 24> ids{};
+    const auto last =
+        std::copy(lists.face_vertex.begin() + static_cast<std::ptrdiff_t>(begin), lists.face_vertex.end(), ids.begin());
+    std::sort(ids.begin(), last);
+    return static_cast<std::size_t>(std::unique(ids.begin(), last) - ids.begin()) == corners ? type
+                                                                                             : CellType::polyhedron;
+}
+
+std::vector<float> positions_from(const ArrayView& points, const Vec3d& origin) {
+    std::vector<float> positions(3 * points.rows());
+    for (std::size_t i = 0; i < points.rows(); ++i)
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            positions[3 * i + axis] = static_cast<float>(points.real(i, axis) - origin[axis]);
+    return positions;
+}
+
+void put_points(const ArrayView& points, PolyhedraLists& lists) {
+    if (points.columns() != 3) fail("points must have three numbers per row");
+    if (points.rows() >= none) fail("a mesh holds fewer than 4,294,967,295 points: split it");
+    lists.origin = middle_of(points);
+    lists.positions = positions_from(points, lists.origin);
+}
+
+void put_polyhedra(const ArrayView& cell_offset, const ArrayView& face_offset, const ArrayView& face_vertex,
+                   PolyhedraLists& lists) {
+    check_ids(cell_offset, "cell_offset");
+    check_ids(face_offset, "face_offset");
+    check_ids(face_vertex, "face_vertex");
+    if (cell_offset.empty() || face_offset.empty()) fail("cell_offset and face_offset must have one entry at least");
+    const std::size_t faces = face_offset.rows() - 1;
+    for (std::size_t cell = 0; cell + 1 < cell_offset.rows(); ++cell) {
+        const std::size_t end = offset(cell_offset, cell + 1, faces, "cell_offset");
+        for (std::size_t face = offset(cell_offset, cell, faces, "cell_offset"); face < end; ++face) {
+            const std::size_t last = offset(face_offset, face + 1, face_vertex.rows(), "face_offset");
+            for (std::size_t i = offset(face_offset, face, face_vertex.rows(), "face_offset"); i < last; ++i)
+                lists.face_vertex.push_back(id_of(face_vertex, i));
+            close_face(lists);
+        }
+        close_cell(lists, cell);
+    }
+}
+
+void put_owner_faces(const ArrayView& face_offset, const ArrayView& face_vertex, const ArrayView& owner,
+                     const ArrayView& neighbour, PolyhedraLists& lists) {
+    check_ids(face_offset, "face_offset");
+    check_ids(face_vertex, "face_vertex");
+    check_ids(owner, "owner");
+    check_ids(neighbour, "neighbour");
+    if (face_offset.rows() != owner.rows() + 1) fail("face_offset must have one entry more than owner");
+    if (neighbour.rows() > owner.rows()) fail("neighbour must not have more entries than owner");
+    // The faces of each cell, by counting.
+    std::vector<std::uint64_t> begin(1);
+    const auto sides = [&](auto&& visit) {
+        for (std::size_t face = 0; face < owner.rows(); ++face) {
+            const std::int64_t of = owner.integer(face);
+            if (of < 0 || of >= std::int64_t{none})
+                fail("owner of face " + std::to_string(face) + " is " + std::to_string(of) + ": not a cell");
+            visit(static_cast<std::size_t>(of), face);
+            const std::int64_t other = face < neighbour.rows() ? neighbour.integer(face) : -1;
+            if (other >= std::int64_t{none})
+                fail("neighbour of face " + std::to_string(face) + " is " + std::to_string(other) + ": not a cell");
+            if (other >= 0) visit(static_cast<std::size_t>(other), face);
+        }
+    };
+    sides([&](std::size_t cell, std::size_t) {
+        if (cell + 2 > begin.size()) begin.resize(cell + 2);
+        ++begin[cell + 1];
+    });
+    for (std::size_t cell = 1; cell < begin.size(); ++cell) begin[cell] += begin[cell - 1];
+    std::vector<std::uint64_t> at(begin.begin(), begin.end() - 1);
+    std::vector<std::size_t> faces(begin.back());
+    sides([&](std::size_t cell, std::size_t face) { faces[at[cell]++] = face; });
+    for (std::size_t cell = 0; cell + 1 < begin.size(); ++cell) {
+        for (std::uint64_t i = begin[cell]; i < begin[cell + 1]; ++i) {
+            const std::size_t last = offset(face_offset, faces[i] + 1, face_vertex.rows(), "face_offset");
+            for (std::size_t k = offset(face_offset, faces[i], face_vertex.rows(), "face_offset"); k < last; ++k)
+                lists.face_vertex.push_back(id_of(face_vertex, k));
+            close_face(lists);
+        }
+        close_cell(lists, cell);
+    }
+}
+
+void put_vtk_cells(const VtkCells& cells, PolyhedraLists& lists) {
+    check_ids(cells.types, "types");
+    check_ids(cells.offsets, "offsets");
+    check_ids(cells.connectivity, "connectivity");
+    if (cells.offsets.rows() != cells.types.rows() + 1) fail("offsets must have one entry more than types");
+    for (std::size_t cell = 0; cell < cells.types.rows(); ++cell) {
+        const std::int64_t type = cells.types.integer(cell);
+        const auto* shape = std::ranges::find(vtk_shapes, type, &VtkShape::vtk_type);
+        if (type == polyhedron)
+            add_polyhedron(cells, cell, lists);
+        else if (shape != std::end(vtk_shapes))
+            add_shape(*shape, cells, cell, lists);
+        else if (std::ranges::find(without_volume, type) != without_volume.end())
+            ++lists.skipped;
+        else
+            fail("cell " + std::to_string(cell) + " has type " + std::to_string(type) + ", which VTK does not have");
+    }
+}
+
+} // namespace ciel

@@ -1,0 +1,55 @@
+#include "mesh/repeated_cells.hpp"
+
+#include "mesh/loop.hpp"
+
+#include <algorithm>
+#include <map>
+
+namespace ciel {
+
+namespace {
+
+using Loop = std::vector<Index>;
+
+// The same for every way to write a loop down: the least of those that begin at its smallest vertex, either way round.
+Loop canonical(const Loop& loop) {
+    const std::size_t n = loop.size();
+    const Index smallest = *std::ranges::min_element(loop);
+    Loop least, other(n);
+    for (std::size_t start = 0; start < n; ++start) {
+        if (loop[start] != smallest) continue;
+        for (const std::size_t step : {std::size_t{1}, n - 1}) {
+            for (std::size_t i = 0, at = start; i < n; ++i, at = (at + step) % n) other[i] = loop[at];
+            if (least.empty() || other < least) least = other;
+        }
+    }
+    return least;
+}
+
+// Sorted. Empty for a cell that has no faces to compare, or one of them twice.
+std::vector<Loop> faces_of(const PolyhedraView& input, Index cell) {
+    std::vector<Loop> faces;
+    for (std::uint64_t f = input.cell_offset[cell]; f < input.cell_offset[cell + 1]; ++f) {
+        Loop loop;
+        const std::uint64_t begin = input.face_offset[f];
+        if (append_without_repeats(input.face_vertex.subspan(begin, input.face_offset[f + 1] - begin), loop) >= 3)
+            faces.push_back(canonical(loop));
+    }
+    std::ranges::sort(faces);
+    if (std::ranges::adjacent_find(faces) != faces.end()) faces.clear();
+    return faces;
+}
+
+} // namespace
+
+std::vector<Index> repeated_cells(const PolyhedraView& input, std::span<const Index> suspects) {
+    std::map<std::vector<Loop>, Index> first;
+    std::vector<Index> repeated;
+    for (const Index cell : suspects) {
+        std::vector<Loop> faces = faces_of(input, cell);
+        if (!faces.empty() && !first.try_emplace(std::move(faces), cell).second) repeated.push_back(cell);
+    }
+    return repeated;
+}
+
+} // namespace ciel

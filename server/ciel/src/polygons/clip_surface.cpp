@@ -1,0 +1,94 @@
+#include "ciel/clip_surface.hpp"
+
+#include "extraction/polygon.hpp"
+
+#include <map>
+
+namespace ciel {
+
+namespace {
+
+class PlaneClip {
+public:
+    PlaneClip(ClippedSurface&& in, const HalfSpace& plane, double slack) : in_(std::move(in)), slack_(slack) {
+        for (const Vec3f& p : in_.surface.positions)
+            distance_.push_back(plane.normal[0] * p[0] + plane.normal[1] * p[1] + plane.normal[2] * p[2] +
+                                plane.offset);
+    }
+
+    [[nodiscard]] ClippedSurface run() {
+        place_kept_vertices();
+        for (std::size_t i = 0; i < in_.surface.polygon_cell.size(); ++i) clip(i);
+        return std::move(out_);
+    }
+
+private:
+    [[nodiscard]] bool keeps(Index v) const { return distance_[v] >= -slack_; }
+
+    void place_kept_vertices() {
+        place_.assign(distance_.size(), none);
+        for (Index v = 0; v < distance_.size(); ++v) {
+            if (!keeps(v)) continue;
+            place_[v] = static_cast<Index>(out_.surface.positions.size());
+            out_.surface.positions.push_back(in_.surface.positions[v]);
+            if (!in_.surface.normals.empty()) out_.surface.normals.push_back(in_.surface.normals[v]);
+            if (v < in_.surface.points.size()) out_.surface.points.push_back(in_.surface.points[v]);
+            if (!in_.values.empty()) out_.values.push_back(in_.values[v]);
+        }
+    }
+
+    void clip(std::size_t i) {
+        const std::span<const Index> loop = polygon(in_.surface, i);
+        loop_.clear();
+        for (std::size_t k = 0; k < loop.size(); ++k) {
+            const Index from = loop[k], to = loop[(k + 1) % loop.size()];
+            if (keeps(from)) loop_.push_back(place_[from]);
+            if (keeps(from) != keeps(to)) loop_.push_back(crossing(from, to));
+        }
+        if (loop_.size() < 3) return;
+        out_.surface.polygon_vertex.insert(out_.surface.polygon_vertex.end(), loop_.begin(), loop_.end());
+        out_.surface.polygon_offset.push_back(static_cast<Index>(out_.surface.polygon_vertex.size()));
+        out_.surface.polygon_cell.push_back(in_.surface.polygon_cell[i]);
+    }
+
+    // From the kept end to the other, so that both polygons of a side get the same bits.
+    Index crossing(Index from, Index to) {
+        if (!keeps(from)) std::swap(from, to);
+        const auto [known, is_new] =
+            crossings_.try_emplace({from, to}, static_cast<Index>(out_.surface.positions.size()));
+        if (!is_new) return known->second;
+        const double inside = std::max(distance_[from], 0.0);
+        const auto t = static_cast<float>(inside / (inside - distance_[to]));
+        const auto mixed = [t](const Vec3f& a, const Vec3f& b) {
+            return Vec3f{lerp(a[0], b[0], t), lerp(a[1], b[1], t), lerp(a[2], b[2], t)};
+        };
+        const Surface& in = in_.surface;
+        out_.surface.positions.push_back(mixed(in.positions[from], in.positions[to]));
+        if (!in.normals.empty()) {
+            const Vec3f sum = mixed(in.normals[from], in.normals[to]);
+            out_.surface.normals.push_back(unit({sum[0], sum[1], sum[2]}));
+        }
+        if (!in_.values.empty()) out_.values.push_back(lerp(in_.values[from], in_.values[to], t));
+        return known->second;
+    }
+
+    ClippedSurface in_, out_;
+    double slack_;
+    std::vector<double> distance_;
+    std::vector<Index> place_, loop_;
+    std::map<std::pair<Index, Index>, Index> crossings_; // (kept, cut away) -> new vertex
+};
+
+} // namespace
+
+ClippedSurface clip_surface(const Surface& surface, std::span<const float> values, std::span<const HalfSpace> planes,
+                            double slack) {
+    if (!values.empty() && values.size() != surface.positions.size())
+        fail("a surface to clip needs one value per vertex, or none");
+    ClippedSurface out{surface, {values.begin(), values.end()}};
+    out.surface.chunks.clear();
+    for (const HalfSpace& plane : planes) out = PlaneClip(std::move(out), plane, slack).run();
+    return out;
+}
+
+} // namespace ciel

@@ -1,0 +1,80 @@
+#include "ciel/contour_lines.hpp"
+
+#include "ciel/parallel.hpp"
+#include "extraction/edge_points.hpp"
+#include "extraction/polygon.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace ciel {
+
+namespace {
+
+class PolygonContours {
+public:
+    PolygonContours(const Surface& surface, std::span<const float> values) : surface_(surface), values_(values) {}
+
+    // Appends the segments that leave the polygon's high runs on their low side.
+    void append(std::span<const Index> loop, double nu, std::vector<Vec3f>& out) const {
+        const auto high = [&](std::size_t i) { return values_[loop[i % loop.size()]] >= nu; };
+        for (std::size_t i = 0; i < loop.size(); ++i) {
+            if (high(i) || !high(i + 1)) continue;
+            std::size_t end = i + 1; // the last of the run that begins there
+            while (high(end + 1)) ++end;
+            out.push_back(crossing(loop[i], loop[(i + 1) % loop.size()], nu));
+            out.push_back(crossing(loop[end % loop.size()], loop[(end + 1) % loop.size()], nu));
+        }
+    }
+
+    [[nodiscard]] bool crosses(std::span<const Index> loop, double lowest, double highest) const {
+        bool below = false, above = false;
+        for (const Index point : loop) {
+            if (!std::isfinite(values_[point])) return false;
+            below = below || values_[point] < highest;
+            above = above || values_[point] >= lowest;
+        }
+        return below && above;
+    }
+
+private:
+    // From the lower index to the upper, whichever way the polygon goes.
+    [[nodiscard]] Vec3f crossing(Index a, Index b, double nu) const {
+        if (a > b) std::swap(a, b);
+        const float t = share_at(nu, values_[a], values_[b]);
+        const Vec3f &p = surface_.positions[a], &q = surface_.positions[b];
+        return {lerp(p[0], q[0], t), lerp(p[1], q[1], t), lerp(p[2], q[2], t)};
+    }
+
+    const Surface& surface_;
+    std::span<const float> values_;
+};
+
+} // namespace
+
+std::vector<Vec3f> contour_lines(const Surface& surface, std::span<const float> values, std::span<const double> at) {
+    if (values.size() != surface.positions.size()) fail("contour lines need one value per point of their surface");
+    if (at.empty()) return {};
+    constexpr std::size_t chunk = 4096;
+    double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
+    for (const double nu : at) { // one that is not a number changes neither
+        lowest = std::min(lowest, nu);
+        highest = std::max(highest, nu);
+    }
+    const PolygonContours contours(surface, values);
+    const std::size_t polygons = surface.polygon_cell.size(), chunks = (polygons + chunk - 1) / chunk;
+    std::vector<std::vector<Vec3f>> parts(chunks * at.size());
+    parallel_for(chunks, 1, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t part = begin; part < end; ++part)
+            for (std::size_t i = part * chunk; i < std::min(polygons, (part + 1) * chunk); ++i) {
+                const std::span<const Index> loop = polygon(surface, i);
+                if (!contours.crosses(loop, lowest, highest)) continue;
+                for (std::size_t k = 0; k < at.size(); ++k) contours.append(loop, at[k], parts[k * chunks + part]);
+            }
+    });
+    std::vector<Vec3f> out;
+    for (const auto& part : parts) out.insert(out.end(), part.begin(), part.end());
+    return out;
+}
+
+} // namespace ciel

@@ -1,0 +1,20 @@
+#include "ciel/polygon_edges.hpp"
+
+#include "polygons/polygon_sides.hpp"
+
+namespace ciel {
+
+std::vector<Index> polygon_edges(const Surface& surface) {
+    auto sides = polygon_sides(surface, [](Index upper, Index) { return upper; });
+    std::vector<Index> edges;
+    // Most edges have two sides, so there are half as many of two ends each.
+    edges.reserve(sides.side.size() + sides.side.size() / 8);
+    for (Index lower = 0; lower < surface.positions.size(); ++lower) {
+        const std::span<Index> upper = sides.of(lower);
+        const auto end = std::unique(upper.begin(), upper.end());
+        for (auto at = upper.begin(); at != end; ++at) edges.insert(edges.end(), {lower, *at});
+    }
+    return edges;
+}
+
+} // namespace ciel

@@ -1,0 +1,55 @@
+// The sides of a surface's polygons in a bucket per lower point, each bucket sorted: no hash, no sort of everything.
+// Not in the paper.
+#pragma once
+
+#include "ciel/extract.hpp"
+#include "extraction/polygon.hpp"
+
+#include <algorithm>
+
+namespace ciel {
+
+template <class Side>
+struct PolygonSides {
+    std::vector<Index> begin; // by point, and one more
+    std::vector<Side> side;
+
+    [[nodiscard]] std::span<Side> of(Index lower) {
+        return std::span(side).subspan(begin[lower], begin[lower + 1] - begin[lower]);
+    }
+};
+
+// Calls f(lower, upper, polygon) for each side; an edge of two polygons comes twice, one from a point to itself
+// (collapsed cells) never.
+template <class F>
+void for_sides(const Surface& surface, F&& f) {
+    for (std::size_t i = 0; i < surface.polygon_cell.size(); ++i) {
+        const std::span<const Index> loop = polygon(surface, i);
+        Index before = loop.back();
+        for (const Index point : loop) {
+            if (point != before) f(std::min(point, before), std::max(point, before), static_cast<Index>(i));
+            before = point;
+        }
+    }
+}
+
+// `make(upper, polygon)` is what is kept of a side.
+template <class Make>
+[[nodiscard]] auto polygon_sides(const Surface& surface, Make make) {
+    PolygonSides<std::decay_t<decltype(make(Index{}, Index{}))>> out;
+    out.begin.resize(surface.positions.size() + 2);
+    for_sides(surface, [&](Index lower, Index, Index) { ++out.begin[lower + 2]; });
+    for (std::size_t i = 2; i < out.begin.size(); ++i) out.begin[i] += out.begin[i - 1];
+    out.side.resize(out.begin.back());
+    for_sides(surface, [&](Index lower, Index upper, Index polygon) {
+        out.side[out.begin[lower + 1]++] = make(upper, polygon);
+    });
+    out.begin.pop_back();
+    for (Index lower = 0; lower < surface.positions.size(); ++lower) {
+        const auto bucket = out.of(lower);
+        std::sort(bucket.begin(), bucket.end());
+    }
+    return out;
+}
+
+} // namespace ciel

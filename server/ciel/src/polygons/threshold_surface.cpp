@@ -1,0 +1,128 @@
+#include "ciel/threshold_surface.hpp"
+
+#include "ciel/parallel.hpp"
+#include "extraction/polygon.hpp"
+
+#include <algorithm>
+
+namespace ciel {
+
+namespace {
+
+constexpr Index polygons_per_chunk = 4096;
+
+void add_chunks(Surface& surface) {
+    const auto polygons = static_cast<Index>(surface.polygon_cell.size());
+    for (Index begin = 0; begin < polygons; begin += polygons_per_chunk)
+        surface.chunks.push_back({begin / polygons_per_chunk, begin, std::min(begin + polygons_per_chunk, polygons)});
+}
+
+bool is_polygon(const std::vector<Index>& loop) {
+    Index other = none; // than the first
+    for (const Index vertex : loop) {
+        if (vertex == loop[0] || vertex == other) continue;
+        if (other != none) return true;
+        other = vertex;
+    }
+    return false;
+}
+
+} // namespace
+
+std::vector<std::uint8_t> cells_in_range(const FaceMeshView& mesh, std::span<const float> values,
+                                         std::array<double, 2> range, InRange vertices) {
+    if (values.size() != mesh.vertex_count()) fail("a threshold needs one value per vertex of its mesh");
+    std::vector<std::uint8_t> of_face(mesh.face_count());
+    parallel_for(of_face.size(), 65536, [&](std::size_t begin, std::size_t end) {
+        const auto inside = [&](Index v) { return values[v] >= range[0] && values[v] <= range[1]; };
+        for (std::size_t f = begin; f < end; ++f) {
+            const auto loop = mesh.loop(static_cast<Index>(f));
+            of_face[f] =
+                vertices == InRange::all ? std::ranges::all_of(loop, inside) : std::ranges::any_of(loop, inside);
+        }
+    });
+    std::vector<std::uint8_t> kept(mesh.cell_count(), 0), outside(mesh.cell_count(), 0);
+    for (Index f = 0; f < mesh.face_count(); ++f)
+        for (const Index cell : {mesh.owner[f], mesh.neighbour[f]})
+            if (cell != none) (of_face[f] != 0 ? kept : outside)[cell] = 1;
+    if (vertices == InRange::all)
+        for (std::size_t c = 0; c < kept.size(); ++c) kept[c] = kept[c] != 0 && outside[c] == 0 ? 1 : 0;
+    return kept;
+}
+
+std::vector<std::uint8_t> cells_in_range(std::span<const float> of_cells, std::array<double, 2> range) {
+    std::vector<std::uint8_t> kept(of_cells.size());
+    std::ranges::transform(of_cells, kept.begin(),
+                           [&](float value) { return value >= range[0] && value <= range[1] ? 1 : 0; });
+    return kept;
+}
+
+std::vector<CellFace> threshold_faces(const FaceMeshView& mesh, std::span<const std::uint8_t> kept) {
+    std::vector<CellFace> faces;
+    const auto keeps = [&](Index cell) { return cell != none && kept[cell] != 0; };
+    for (Index f = 0; f < mesh.face_count(); ++f) {
+        const Index owner = mesh.owner[f], neighbour = mesh.neighbour[f];
+        if (keeps(owner) != keeps(neighbour)) faces.push_back({f, keeps(owner) ? owner : neighbour});
+    }
+    return faces;
+}
+
+Surface face_surface(const FaceMeshView& mesh, std::span<const CellFace> faces) {
+    Surface surface;
+    std::vector<Index> local(mesh.vertex_count(), none);
+    const auto add = [&](Index vertex) {
+        if (local[vertex] == none) {
+            local[vertex] = static_cast<Index>(surface.positions.size());
+            const float* at = &mesh.positions[std::size_t{3} * vertex];
+            surface.positions.push_back({at[0], at[1], at[2]});
+            surface.points.push_back({vertex, vertex, 0});
+        }
+        surface.polygon_vertex.push_back(local[vertex]);
+    };
+    std::vector<Index> loop;
+    for (const auto& [face, cell] : faces) {
+        const Ids stored = mesh.loop(face);
+        loop.assign(stored.begin(), stored.end());
+        if (!is_polygon(loop)) continue;
+        if (cell == mesh.owner[face])
+            std::for_each(loop.begin(), loop.end(), add);
+        else
+            std::for_each(loop.rbegin(), loop.rend(), add);
+        surface.polygon_offset.push_back(static_cast<Index>(surface.polygon_vertex.size()));
+        surface.polygon_cell.push_back(cell);
+        surface.polygon_face.push_back(face);
+    }
+    add_chunks(surface);
+    return surface;
+}
+
+Surface polygons_of_cells(const Surface& surface, std::span<const std::uint8_t> kept) {
+    if (surface.points.size() != surface.positions.size())
+        fail("only the polygons of a whole cut can be chosen by cell: this one has " +
+             std::to_string(surface.positions.size() - surface.points.size()) +
+             " vertices that clipping made, which lie on no edge of the mesh; choose first and clip then");
+    if (std::ranges::any_of(surface.polygon_cell, [&](Index cell) { return cell >= kept.size(); }))
+        fail("a polygon is of a cell beyond the " + std::to_string(kept.size()) +
+             " that are told as kept or not: pass a flag for each cell of the mesh that was cut");
+    Surface out;
+    std::vector<Index> place(surface.positions.size(), none);
+    for (std::size_t i = 0; i < surface.polygon_cell.size(); ++i) {
+        if (kept[surface.polygon_cell[i]] == 0) continue;
+        for (const Index point : polygon(surface, i)) {
+            if (place[point] == none) {
+                place[point] = static_cast<Index>(out.positions.size());
+                out.positions.push_back(surface.positions[point]);
+                out.points.push_back(surface.points[point]);
+                if (!surface.normals.empty()) out.normals.push_back(surface.normals[point]);
+            }
+            out.polygon_vertex.push_back(place[point]);
+        }
+        out.polygon_offset.push_back(static_cast<Index>(out.polygon_vertex.size()));
+        out.polygon_cell.push_back(surface.polygon_cell[i]);
+        if (!surface.polygon_face.empty()) out.polygon_face.push_back(surface.polygon_face[i]);
+    }
+    add_chunks(out);
+    return out;
+}
+
+} // namespace ciel

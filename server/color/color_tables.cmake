@@ -1,0 +1,26 @@
+# protocol/colormaps.json, which the browser reads too, becomes a .cpp of this library.
+set(colormaps ${CMAKE_SOURCE_DIR}/protocol/colormaps.json)
+set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${colormaps})
+file(READ ${colormaps} document)
+string(JSON count LENGTH "${document}" maps)
+math(EXPR last "${count} - 1")
+set(rows "")
+foreach(i RANGE ${last})
+  string(JSON name GET "${document}" maps ${i} name)
+  string(JSON colors GET "${document}" maps ${i} colors)
+  string(APPEND rows "    {\"${name}\", \"${colors}\"},\n")
+endforeach()
+set(CIEL_COLOR_TABLES ${CMAKE_CURRENT_BINARY_DIR}/color_tables.cpp)
+file(CONFIGURE OUTPUT ${CIEL_COLOR_TABLES} @ONLY CONTENT [[
+#include "color/color_tables.hpp"
+
+namespace ciel::color {
+namespace {
+constexpr NamedColors tables[] = {
+@rows@};
+} // namespace
+
+std::span<const NamedColors> color_tables() { return tables; }
+
+} // namespace ciel::color
+]])

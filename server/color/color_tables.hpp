@@ -1,0 +1,15 @@
+// The tables of protocol/colormaps.json as CMake wrote them into the program (color_tables.cmake).
+#pragma once
+
+#include <span>
+#include <string_view>
+
+namespace ciel::color {
+
+struct NamedColors {
+    std::string_view name;
+    std::string_view colors; // 256 x RRGGBB in hexadecimal
+};
+[[nodiscard]] std::span<const NamedColors> color_tables();
+
+} // namespace ciel::color

@@ -1,0 +1,45 @@
+#include "engine/open_session.hpp"
+
+#include "limits/errors.hpp"
+
+#include <algorithm>
+
+namespace ciel::engine {
+
+OpenSession::OpenSession(std::string id, const Services& services, std::shared_ptr<const sessions::SceneVersion> first,
+                         const sessions::Steps& steps)
+    : Session(std::move(id), services, std::move(first), steps), services_(services),
+      scene_geometry_(services.extraction), surfaces_(services.memory, limits::Held::surfaces) {}
+
+std::shared_ptr<const geometry::Geometry> OpenSession::geometry(const sessions::SceneVersion& version,
+                                                                const std::stop_token& stop, bool moving) {
+    const std::scoped_lock lock(geometry_mutex_);
+    const std::uint64_t own = services_.limits.session_memory_bytes;
+    const std::uint64_t left = surfaces_.bytes() + services_.memory.room();
+    try {
+        auto made = scene_geometry_.update(version.checked, stop, std::min(own, left), moving);
+        charge_surfaces();
+        return made;
+    } catch (const limits::LimitReached&) {
+        forget_surfaces();
+        if (left >= own) throw;
+        throw limits::LimitReached(services_.memory.refusal());
+    }
+}
+
+void OpenSession::charge_surfaces() {
+    surface_bytes_ = scene_geometry_.memory_bytes();
+    surfaces_.change(surface_bytes_);
+}
+
+void OpenSession::forget_surfaces() {
+    scene_geometry_ = geometry::SceneGeometry(services_.extraction);
+    charge_surfaces();
+}
+
+void OpenSession::release_geometry() {
+    const std::scoped_lock lock(geometry_mutex_);
+    forget_surfaces();
+}
+
+} // namespace ciel::engine

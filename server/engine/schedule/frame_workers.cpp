@@ -1,0 +1,141 @@
+#include "engine/schedule/frame_workers.hpp"
+
+#include "limits/machine_memory.hpp"
+
+#include <algorithm>
+
+namespace ciel::engine {
+namespace {
+constexpr std::chrono::seconds patience{1}; // after which a waiting still goes before interactive frames
+constexpr std::uint64_t worth_giving_back = std::uint64_t{64} << 20; // bytes
+
+render::Spare spare() {
+    const limits::SpareMemory left = limits::spare_memory();
+    return {left.memory, left.address_space};
+}
+
+} // namespace
+
+render::Renderer& Worker::renderer() {
+    if (!renderer_) renderer_.emplace(backend_, spare);
+    return *renderer_;
+}
+
+void Worker::rest() {
+    if (renderer_ && renderer_->kept_memory() > worth_giving_back) renderer_->give_back_memory();
+}
+
+FrameWorkers::FrameWorkers(unsigned threads, render::Backend backend, int still_samples)
+    : backend_(backend), still_samples_(still_samples) {
+    for (unsigned i = 0; i < std::max(threads, 1U); ++i)
+        threads_.emplace_back([this](const std::stop_token& stop) { work(stop); });
+}
+
+FrameWorkers::~FrameWorkers() {
+    drain();
+    for (auto& thread : threads_) thread.request_stop();
+}
+
+bool FrameWorkers::post(Job job) {
+    const std::scoped_lock lock(mutex_);
+    if (draining_) return false;
+    now_.push_back(std::move(job));
+    changed_.notify_all();
+    return true;
+}
+
+bool FrameWorkers::post_later(Clock::time_point due, Job job) {
+    const std::scoped_lock lock(mutex_);
+    if (draining_) return false;
+    later_.emplace(due, std::move(job));
+    changed_.notify_all();
+    return true;
+}
+
+void FrameWorkers::rest() {
+    const std::scoped_lock lock(mutex_);
+    ++rests_;
+    changed_.notify_all();
+}
+
+void FrameWorkers::drain() {
+    std::deque<Job> dropped_now; // destroyed after the lock is released: a job may hold the last reference to a view
+    std::multimap<Clock::time_point, Job> dropped_later;
+    std::unique_lock lock(mutex_);
+    draining_ = true;
+    dropped_now.swap(now_);
+    dropped_later.swap(later_);
+    changed_.wait(lock, [&] { return busy_ == 0; });
+}
+
+unsigned FrameWorkers::busy() const {
+    const std::scoped_lock lock(mutex_);
+    return busy_;
+}
+
+bool FrameWorkers::draining() const {
+    const std::scoped_lock lock(mutex_);
+    return draining_;
+}
+
+bool FrameWorkers::has_waiting() const {
+    const std::scoped_lock lock(mutex_);
+    return busy_ == threads_.size() && !now_.empty();
+}
+
+FrameWorkers::Job FrameWorkers::next(std::unique_lock<std::mutex>& lock, const std::stop_token& stop, Worker& worker,
+                                     std::uint64_t& rests) {
+    const auto take_later = [&] {
+        Job job = std::move(later_.begin()->second);
+        later_.erase(later_.begin());
+        return job;
+    };
+    while (!stop.stop_requested()) {
+        const auto time = Clock::now();
+        if (passed_over_ == 0 && !later_.empty() && later_.begin()->first + patience < time) {
+            passed_over_ = now_.size();
+            return take_later();
+        }
+        if (!now_.empty()) {
+            Job job = std::move(now_.front());
+            now_.pop_front();
+            if (passed_over_ > 0) --passed_over_;
+            return job;
+        }
+        if (!later_.empty() && later_.begin()->first <= time) return take_later();
+        if (rests != rests_) {
+            rests = rests_;
+            lock.unlock();
+            worker.rest();
+            lock.lock();
+            continue;
+        }
+        if (later_.empty())
+            changed_.wait(lock, stop, [&] { return !now_.empty() || !later_.empty() || rests != rests_; });
+        else {
+            const auto due = later_.begin()->first;
+            changed_.wait_until(lock, stop, due, [&] {
+                return !now_.empty() || later_.empty() || later_.begin()->first < due || rests != rests_;
+            });
+        }
+    }
+    return {};
+}
+
+void FrameWorkers::work(const std::stop_token& stop) {
+    Worker worker(*this, backend_, still_samples_);
+    std::unique_lock lock(mutex_);
+    std::uint64_t rests = rests_;
+    while (Job job = next(lock, stop, worker, rests)) {
+        ++busy_;
+        lock.unlock();
+        job(worker);
+        job = nullptr; // what it holds goes before the lock is taken
+        lock.lock();
+        --busy_;
+        rests = rests_; // it has just drawn
+        changed_.notify_all();
+    }
+}
+
+} // namespace ciel::engine

@@ -1,0 +1,120 @@
+#include "engine/schedule/slow_calls.hpp"
+
+#include "limits/errors.hpp"
+
+#include <algorithm>
+#include <string>
+
+namespace ciel::engine {
+
+SlowCalls::SlowCalls(const limits::Limits& limits) : limits_(limits) {
+    for (std::uint64_t i = 0; i < limits.slow_calls; ++i)
+        threads_.emplace_back([this](const std::stop_token& stop) { work(stop); });
+}
+
+SlowCalls::~SlowCalls() {
+    drain();
+    for (auto& thread : threads_) thread.request_stop();
+}
+
+void SlowCalls::post(std::uint64_t connection, Job job) {
+    const std::scoped_lock lock(mutex_);
+    check_open();
+    if (count_waiting() >= limits_.slow_calls_waiting)
+        throw limits::LimitReached("the server has " + std::to_string(limits_.slow_calls_waiting) +
+                                   " pictures, exports and the like to make already; try again in a moment");
+    const auto own = waiting_.find(connection);
+    if (own != waiting_.end() && own->second.size() >= limits_.slow_calls_of_connection)
+        throw limits::LimitReached("this connection waits for " + std::to_string(limits_.slow_calls_of_connection) +
+                                   " pictures, exports and the like already; try again when one has come");
+    add(connection, std::move(job));
+}
+
+void SlowCalls::post_next(std::uint64_t connection, Job job) {
+    const std::scoped_lock lock(mutex_);
+    check_open();
+    add(connection, std::move(job));
+}
+
+void SlowCalls::check_open() const {
+    if (draining_) throw Error("the server is about to stop and draws no more");
+}
+
+void SlowCalls::add(std::uint64_t connection, Job job) {
+    auto& jobs = waiting_[connection];
+    if (jobs.empty()) turns_.push_back(connection);
+    jobs.push_back(std::move(job));
+    changed_.notify_all();
+}
+
+SlowCalls::Job SlowCalls::take() {
+    const std::uint64_t connection = turns_.front();
+    turns_.pop_front();
+    const auto of = waiting_.find(connection);
+    Job job = std::move(of->second.front());
+    of->second.pop_front();
+    if (of->second.empty())
+        waiting_.erase(of);
+    else
+        turns_.push_back(connection);
+    return job;
+}
+
+void SlowCalls::drop(std::uint64_t connection) {
+    std::deque<Job> dropped;
+    {
+        const std::scoped_lock lock(mutex_);
+        const auto of = waiting_.find(connection);
+        if (of == waiting_.end()) return;
+        dropped = std::move(of->second);
+        waiting_.erase(of);
+        std::erase(turns_, connection);
+    }
+    for (const Job& job : dropped) job(Turn::given_up);
+}
+
+void SlowCalls::drain() {
+    std::map<std::uint64_t, std::deque<Job>> dropped;
+    {
+        const std::scoped_lock lock(mutex_);
+        draining_ = true;
+        dropped.swap(waiting_);
+        turns_.clear();
+    }
+    for (const auto& [connection, jobs] : dropped)
+        for (const Job& job : jobs) job(Turn::given_up);
+    std::unique_lock lock(mutex_);
+    changed_.wait(lock, [&] { return running_ == 0; });
+}
+
+void SlowCalls::work(const std::stop_token& stop) {
+    std::unique_lock lock(mutex_);
+    while (changed_.wait(lock, stop, [&] { return !turns_.empty(); })) {
+        Job job = take();
+        ++running_;
+        lock.unlock();
+        job(Turn::come);
+        job = nullptr; // what it holds goes before the lock is taken
+        lock.lock();
+        --running_;
+        changed_.notify_all();
+    }
+}
+
+std::size_t SlowCalls::count_waiting() const {
+    std::size_t count = 0;
+    for (const auto& [connection, jobs] : waiting_) count += jobs.size();
+    return count;
+}
+
+std::size_t SlowCalls::waiting() const {
+    const std::scoped_lock lock(mutex_);
+    return count_waiting();
+}
+
+std::size_t SlowCalls::running() const {
+    const std::scoped_lock lock(mutex_);
+    return running_;
+}
+
+} // namespace ciel::engine

@@ -1,0 +1,258 @@
+#include "engine/server.hpp"
+
+#include "engine/schedule/slow_calls.hpp"
+#include "engine/sessions.hpp"
+#include "engine/uploads.hpp"
+#include "limits/machine_memory.hpp"
+#include "limits/memory_reserve.hpp"
+#include "logging/log.hpp"
+#include "probe/locator.hpp"
+#include "protocol/json.hpp"
+#include "sessions/notify.hpp"
+#include "store/files/files.hpp"
+#include "wire/frame_header.hpp"
+
+#include <algorithm>
+#include <set>
+
+namespace ciel::engine {
+
+namespace {
+
+constexpr std::chrono::seconds readiness_lasts{1};
+constexpr std::chrono::milliseconds readiness_patience{500}; // of a probe, which wants its answer within a second
+
+frames::Readiness tested(Worker& worker) {
+    try {
+        return frames::draw_test_picture(worker.renderer());
+    } catch (const std::exception& error) {
+        return {.problem = store::sentence_for_clients(error)};
+    }
+}
+
+} // namespace
+
+struct Server::State {
+    ServerOptions options;
+    Metrics metrics;
+    sessions::Connections connections;
+    store::Catalog catalog;
+    limits::Memory memory;
+    FrameWorkers workers, picture_workers;
+    Services services;
+    Sessions sessions;
+    probe::Locators locators;
+    Uploads uploads;
+    SlowCalls slow_calls;
+    std::stop_source calls; // requested: those under way are given up
+    std::mutex readiness_mutex;
+    std::condition_variable readiness_known;
+    std::optional<frames::Readiness> last_readiness;
+    bool readiness_asked = false;                     // a test picture waits for a worker, or is drawn
+    std::optional<Clock::time_point> readiness_since; // of the last result
+    std::shared_ptr<void> watch;
+    std::jthread housekeeping; // last: it uses the others
+
+    explicit State(ServerOptions chosen)
+        : options(std::move(chosen)),
+          catalog(options.data, options.limits.field_cache_bytes, options.limits.dataset_memory_bytes),
+          memory(
+              options.limits.memory_bytes, [this] { return dataset_bytes(); },
+              [this] { release_unused(Clock::now()); }),
+          workers(options.render_workers, options.backend, options.still_samples),
+          picture_workers(1, options.backend, options.still_samples),
+          services{{options.limits, catalog, connections, memory}, options.extraction, workers, metrics},
+          sessions(services), uploads(options.limits), slow_calls(options.limits) {
+        limits::keep_memory_in_reserve();
+        watch = catalog.watch([this](const std::string& dataset) { tell_steps(dataset); });
+        housekeeping = std::jthread([this](const std::stop_token& stop) {
+            std::mutex mutex;
+            std::condition_variable_any never;
+            std::unique_lock lock(mutex);
+            while (!never.wait_for(lock, stop, std::chrono::seconds(10), [&] { return stop.stop_requested(); }))
+                tidy(Clock::now());
+        });
+    }
+
+    ~State() {
+        watch.reset();
+        slow_calls.drain();
+        picture_workers.drain();
+        workers.drain();
+    }
+
+    void tidy(Clock::time_point now) {
+        sessions.expire(now);
+        uploads.expire(now);
+        release_unused(now - std::chrono::seconds(options.limits.dataset_idle_seconds));
+        const auto all = sessions.all();
+        if (std::ranges::all_of(all, [](const auto& session) { return session->viewer_count() == 0; })) workers.rest();
+        picture_workers.rest();
+        limits::give_back_free_memory();
+        limits::keep_memory_in_reserve();
+    }
+
+    void release_unused(Clock::time_point unused_since) {
+        if (catalog.give_back(unused_since) > 0) locators.forget();
+    }
+
+    [[nodiscard]] std::uint64_t dataset_bytes() const {
+        std::uint64_t bytes = 0;
+        for (const auto& dataset : catalog.loaded()) bytes += dataset->memory_bytes();
+        return bytes;
+    }
+
+    void know(const frames::Readiness& readiness) {
+        const std::scoped_lock lock(readiness_mutex);
+        if (last_readiness && last_readiness->ready != readiness.ready)
+            logging::log_event(readiness.ready ? logging::LogLevel::info : logging::LogLevel::error,
+                               readiness.ready ? "draws again" : "cannot draw", {{"reason", readiness.problem}});
+        last_readiness = readiness;
+        readiness_since = Clock::now();
+        readiness_asked = false;
+        readiness_known.notify_all();
+    }
+
+    // Both who draw frames and who draws pictures must: each has a context of its own.
+    void test_readiness() {
+        const auto test_pictures = [this](Worker& worker) { know(tested(worker)); };
+        const auto test_frames = [this, test_pictures](Worker& worker) {
+            const frames::Readiness readiness = tested(worker);
+            if (!readiness.ready) return know(readiness);
+            if (!picture_workers.post_later(Clock::now(), test_pictures)) know_of_end();
+        };
+        if (!workers.post_later(Clock::now(), test_frames)) know_of_end();
+    }
+    void know_of_end() { know({.problem = "the server is about to stop and draws no more"}); }
+
+    void tell_steps(const std::string& dataset) {
+        protocol::DatasetChanged note{dataset, std::vector<double>()};
+        try {
+            for (const auto& step : catalog.open(dataset)->dataset()->steps()) note.times->push_back(step.time);
+        } catch (const Error&) { // removed or damaged: clients are told, what sessions hold stays as it is
+            connections.send_all(sessions::notification_text(note));
+            return;
+        }
+        std::string text = sessions::notification_text(note);
+        if (text.size() > wire::longest_message) {
+            note.times.reset(); // clients ask for them
+            text = sessions::notification_text(note);
+        }
+        connections.send_all(text);
+        locators.forget_lost();
+        sessions.dataset_changed(dataset);
+    }
+};
+
+Server::Server(ServerOptions options) : state_(std::make_unique<State>(std::move(options))) {}
+Server::~Server() = default;
+
+const limits::Limits& Server::limits() const { return state_->options.limits; }
+const ServerOptions& Server::options() const { return state_->options; }
+store::Catalog& Server::catalog() { return state_->catalog; }
+Sessions& Server::sessions() { return state_->sessions; }
+FrameWorkers& Server::frame_workers() { return state_->workers; }
+FrameWorkers& Server::picture_workers() { return state_->picture_workers; }
+Metrics& Server::counters() { return state_->metrics; }
+probe::Locators& Server::locators() { return state_->locators; }
+SlowCalls& Server::slow_calls() { return state_->slow_calls; }
+Uploads& Server::uploads() { return state_->uploads; }
+limits::Memory& Server::memory() { return state_->memory; }
+const Services& Server::services() const { return state_->services; }
+
+void Server::connection_opened(std::shared_ptr<sessions::Connection> connection) {
+    state_->connections.add(std::move(connection));
+}
+
+void Server::connection_closed(std::uint64_t connection_id) {
+    state_->connections.remove(connection_id);
+    state_->slow_calls.drop(connection_id);
+    state_->sessions.connection_closed(connection_id);
+}
+
+void Server::look_for_steps(const std::string& name, store::LoadedDataset& dataset) {
+    if (dataset.refresh()) state_->tell_steps(name);
+}
+
+void Server::tidy(std::chrono::steady_clock::time_point now) { state_->tidy(now); }
+
+frames::Readiness Server::readiness() {
+    frames::Readiness readiness;
+    try {
+        readiness = state_->workers.run([](Worker& worker) { return tested(worker); });
+    } catch (const std::exception& error) { // drained
+        readiness.problem = store::sentence_for_clients(error);
+    }
+    state_->know(readiness);
+    return readiness;
+}
+
+frames::Readiness Server::readiness_by_now() {
+    State& state = *state_;
+    std::unique_lock lock(state.readiness_mutex);
+    const bool is_fresh = state.readiness_since && Clock::now() - *state.readiness_since < readiness_lasts;
+    if (!is_fresh && !state.readiness_asked) {
+        state.readiness_asked = true;
+        lock.unlock();
+        state.test_readiness();
+        lock.lock();
+    }
+    state.readiness_known.wait_for(lock, readiness_patience, [&] { return !state.readiness_asked; });
+    return state.last_readiness.value_or(frames::Readiness{.problem = "no test picture has been drawn yet"});
+}
+
+frames::Readiness Server::last_readiness() {
+    {
+        const std::scoped_lock lock(state_->readiness_mutex);
+        if (state_->last_readiness) return *state_->last_readiness;
+    }
+    return readiness();
+}
+
+std::string Server::metrics() const {
+    Gauges gauges;
+    const auto offered = state_->catalog.loaded();
+    std::set<std::shared_ptr<store::LoadedDataset>> datasets(offered.begin(), offered.end());
+    for (const auto& session : state_->sessions.all()) {
+        ++gauges.sessions;
+        gauges.views += session->viewer_count();
+        gauges.session_bytes += session->geometry_bytes();
+        datasets.insert(session->newest()->checked.loaded()); // also one that another has replaced
+    }
+    gauges.connections = state_->connections.size();
+    gauges.datasets = datasets.size();
+    gauges.busy_workers = state_->workers.busy() + state_->picture_workers.busy();
+    gauges.slow_calls = state_->slow_calls.running();
+    gauges.slow_calls_waiting = state_->slow_calls.waiting();
+    for (const auto& dataset : datasets) gauges.dataset_bytes += dataset->memory_bytes();
+    for (std::size_t i = 0; i < limits::held_names.size(); ++i)
+        gauges.held_bytes[i] = state_->memory.bytes(static_cast<limits::Held>(i));
+    gauges.memory_limit = state_->memory.most();
+    gauges.version = CIEL_VERSION;
+    const std::scoped_lock lock(state_->readiness_mutex);
+    if (state_->last_readiness) {
+        gauges.gl_renderer = state_->last_readiness->gl_renderer;
+        gauges.backend = state_->last_readiness->backend;
+    }
+    return state_->metrics.text(gauges);
+}
+
+void Server::announce_end() {
+    state_->sessions.stop_opening();
+    state_->connections.send_all(sessions::notification_text(protocol::ServerDraining{}));
+}
+
+void Server::give_up() { state_->calls.request_stop(); }
+
+std::stop_token Server::call_stop() const { return state_->calls.get_token(); }
+
+void Server::drain_frames() { state_->workers.drain(); }
+
+void Server::drain() {
+    state_->sessions.stop_opening();
+    state_->slow_calls.drain(); // first: those under way still need a worker
+    state_->picture_workers.drain();
+    drain_frames();
+}
+
+} // namespace ciel::engine

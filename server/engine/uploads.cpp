@@ -1,0 +1,228 @@
+#include "engine/uploads.hpp"
+
+#include "ciel/printable.hpp"
+#include "limits/errors.hpp"
+#include "store/files/scratch_file.hpp"
+#include "store/imported_copy.hpp"
+
+#include <algorithm>
+#include <cstring>
+#include <random>
+
+namespace ciel::engine {
+
+struct Uploads::Upload {
+    struct Array {
+        std::string name;
+        std::uint64_t begin = 0, bytes = 0, received = 0; // begin: in the file
+    };
+
+    std::string dataset;
+    std::shared_ptr<store::LoadedDataset> loaded;
+    double time = 0;
+    std::vector<store::WantedArray> wanted;
+    Clock::time_point heard; // guarded by Uploads::mutex_
+    std::uint64_t bytes = 0;
+
+    std::mutex mutex; // of what follows
+    std::vector<Array> arrays;
+    std::optional<store::ScratchFile> file;
+};
+
+namespace {
+
+constexpr std::uint64_t documents_bytes = 1 << 20; // the metadata that a commit writes, generously
+
+wire::UploadId random_id() {
+    std::random_device device;
+    wire::UploadId id;
+    for (std::size_t i = 0; i < id.size(); i += sizeof(std::uint32_t)) {
+        const std::uint32_t word = device();
+        std::memcpy(&id[i], &word, sizeof word);
+    }
+    return id;
+}
+
+std::uint64_t megabytes(std::uint64_t bytes) { return (bytes + (1 << 20) - 1) >> 20; }
+
+void check_own(const std::string& name, const store::Dataset& dataset) {
+    if (!store::input_of_copy(dataset.directory()).empty())
+        throw Error("dataset " + printable(name) +
+                    " is a copy that `ciel serve` made of its source and makes anew when that changes, so appended "
+                    "steps would be lost; make a dataset with `ciel import` and serve that");
+}
+
+void check_disk(const std::string& name, const store::Dataset& dataset, std::uint64_t needed) {
+    std::error_code error;
+    const std::uint64_t free = std::filesystem::space(dataset.directory(), error).available;
+    if (!error && needed > free)
+        throw Error("the disk of " + printable(name) + " has " + std::to_string(free >> 20) +
+                    " MB free and the step needs " + std::to_string(megabytes(needed)) +
+                    " MB while it is uploaded; free some space");
+}
+
+// People elsewhere are not told where datasets lie.
+std::string without_directory(std::string sentence, const store::Dataset& dataset) {
+    const std::string directory = dataset.directory().string();
+    const std::string& name = dataset.info().name;
+    for (auto at = sentence.find(directory); at != std::string::npos; at = sentence.find(directory, at + name.size()))
+        sentence.replace(at, directory.size(), name);
+    return sentence;
+}
+
+} // namespace
+
+std::string to_text(const wire::UploadId& id) {
+    std::string text;
+    for (const std::uint8_t byte : id) {
+        text += "0123456789abcdef"[byte >> 4];
+        text += "0123456789abcdef"[byte & 15];
+    }
+    return text;
+}
+
+wire::UploadId upload_id(const std::string& text) {
+    wire::UploadId id{};
+    const auto digit = [&](std::size_t at) {
+        const char c = text[at];
+        return static_cast<unsigned>(c <= '9' ? c - '0' : c - 'a' + 10);
+    };
+    const bool is_id = text.size() == 2 * id.size() && text.find_first_not_of("0123456789abcdef") == std::string::npos;
+    if (!is_id) throw limits::NotFound("there is no upload " + printable(text) + "; append.begin answers with one");
+    for (std::size_t i = 0; i < id.size(); ++i) id[i] = static_cast<std::uint8_t>(digit(2 * i) << 4 | digit(2 * i + 1));
+    return id;
+}
+
+std::uint64_t upload_bytes(const store::PlannedArray& array) { return array.values() * sizeof(float); }
+
+Uploads::Uploads(const limits::Limits& limits) : limits_(limits) {}
+Uploads::~Uploads() = default;
+
+BegunUpload Uploads::begin(const std::string& name, const std::shared_ptr<store::LoadedDataset>& loaded, double time,
+                           std::vector<store::WantedArray> wanted) {
+    expire(Clock::now());
+    auto dataset = loaded->dataset();
+    if (auto now = dataset->refreshed()) dataset = std::move(now); // what others appended within the last second
+    check_own(name, *dataset);
+    BegunUpload begun{random_id(), store::plan_step(*dataset, time, wanted)};
+    const auto upload = std::make_shared<Upload>();
+    for (const store::PlannedArray& array : begun.plan.arrays) {
+        upload->arrays.push_back({array.info.name, upload->bytes, upload_bytes(array), 0});
+        upload->bytes += upload_bytes(array);
+    }
+    if (upload->bytes > limits_.upload_bytes)
+        throw limits::LimitReached("the step has " + std::to_string(megabytes(upload->bytes)) +
+                                   " MB; an upload may have " + std::to_string(limits_.upload_bytes >> 20) + " MB");
+    check_disk(name, *dataset, upload->bytes + begun.plan.stored_bytes + documents_bytes);
+    upload->dataset = name;
+    upload->loaded = loaded;
+    upload->time = time;
+    upload->wanted = std::move(wanted);
+    upload->heard = Clock::now();
+    {
+        const std::lock_guard lock(mutex_);
+        if (open_.size() >= limits_.uploads)
+            throw limits::LimitReached(
+                "there are " + std::to_string(limits_.uploads) +
+                " uploads already; commit or cancel one, or wait until a silent one is given up");
+        open_.emplace(begun.id, upload);
+    }
+    try {
+        const std::lock_guard lock(upload->mutex);
+        upload->file.emplace(dataset->directory(), upload->bytes);
+    } catch (...) {
+        const std::lock_guard lock(mutex_);
+        open_.erase(begun.id);
+        throw;
+    }
+    return begun;
+}
+
+std::shared_ptr<Uploads::Upload> Uploads::find(const wire::UploadId& id) {
+    const auto now = Clock::now();
+    expire(now);
+    const std::lock_guard lock(mutex_);
+    const auto found = open_.find(id);
+    if (found == open_.end())
+        throw limits::NotFound("there is no upload " + to_text(id) + "; one that is silent for " +
+                               std::to_string(limits_.upload_idle_seconds) + " s is given up");
+    found->second->heard = now;
+    return found->second;
+}
+
+std::uint64_t Uploads::add(const wire::UploadPiece& piece) {
+    if (piece.bytes.size() > limits_.upload_piece_bytes)
+        throw limits::LimitReached("a piece of an upload may have " + std::to_string(limits_.upload_piece_bytes) +
+                                   " bytes");
+    const auto upload = find(piece.upload);
+    const std::lock_guard lock(upload->mutex);
+    if (piece.array >= upload->arrays.size())
+        throw Error("the upload has no array " + std::to_string(piece.array) + "; it has " +
+                    std::to_string(upload->arrays.size()));
+    Upload::Array& array = upload->arrays[piece.array];
+    if (piece.offset > array.received)
+        throw Error("array '" + array.name + "' has " + std::to_string(array.received) + " bytes so far; a piece at " +
+                    std::to_string(piece.offset) + " would leave a gap");
+    if (piece.bytes.size() > array.bytes - piece.offset)
+        throw Error("array '" + array.name + "' has " + std::to_string(array.bytes) + " bytes; a piece of " +
+                    std::to_string(piece.bytes.size()) + " at " + std::to_string(piece.offset) + " is too long");
+    upload->file->write(array.begin + piece.offset, std::as_bytes(piece.bytes));
+    array.received = std::max(array.received, piece.offset + piece.bytes.size());
+    return array.received;
+}
+
+CommittedUpload Uploads::commit(const wire::UploadId& id) {
+    const auto upload = find(id);
+    const std::lock_guard one_at_a_time(committing_);
+    const std::lock_guard lock(upload->mutex);
+    for (const Upload::Array& array : upload->arrays)
+        if (array.received < array.bytes)
+            throw Error("array '" + array.name + "' has " + std::to_string(array.received) + " of " +
+                        std::to_string(array.bytes) + " bytes; send the rest, then commit");
+    std::vector<float> values; // of one array at a time
+    const auto values_of = [&](std::size_t i) {
+        values.resize(upload->arrays[i].bytes / sizeof(float));
+        upload->file->read(upload->arrays[i].begin, std::as_writable_bytes(std::span(values)));
+        return std::span<const float>(values);
+    };
+    const auto dataset = upload->loaded->dataset();
+    try {
+        const auto done = store::append_step(dataset, upload->time, upload->wanted, values_of);
+        const std::lock_guard of_all(mutex_);
+        open_.erase(id);
+        return {upload->dataset, upload->loaded, done.step, upload->time};
+    } catch (const Error& error) {
+        const std::lock_guard of_all(mutex_);
+        upload->heard = Clock::now();
+        throw Error(without_directory(error.what(), *dataset));
+    }
+}
+
+void Uploads::cancel(const wire::UploadId& id) {
+    (void)find(id);
+    const std::lock_guard lock(mutex_);
+    open_.erase(id);
+}
+
+void Uploads::expire(Clock::time_point now) {
+    const std::lock_guard lock(mutex_);
+    std::erase_if(open_, [&](const auto& entry) {
+        // In somebody's hands, it is being filled or committed.
+        return entry.second.use_count() == 1 &&
+               now - entry.second->heard >= std::chrono::seconds(limits_.upload_idle_seconds);
+    });
+}
+
+std::size_t Uploads::count() const {
+    const std::lock_guard lock(mutex_);
+    return open_.size();
+}
+
+std::uint64_t Uploads::bytes() const {
+    const std::lock_guard lock(mutex_);
+    std::uint64_t bytes = 0;
+    for (const auto& [id, upload] : open_) bytes += upload->bytes;
+    return bytes;
+}
+
+} // namespace ciel::engine

@@ -1,0 +1,263 @@
+#include "engine/view.hpp"
+
+#include "engine/frame_loop.hpp"
+#include "frames/picture.hpp"
+#include "limits/errors.hpp"
+#include "logging/log.hpp"
+#include "protocol/json.hpp"
+#include "sessions/notify.hpp"
+
+#include <algorithm>
+
+namespace ciel::engine {
+namespace {
+
+constexpr std::chrono::milliseconds quiet{150};    // without a change or a frame before a still: a pause of the hand
+constexpr std::chrono::milliseconds patience{500}; // younger interactive work is finished, though superseded
+constexpr double slow_frame_ms = 1000, slow_still_ms = 10'000; // are logged
+constexpr unsigned most_ways_given = 3;                        // by one still: then it is finished
+
+} // namespace
+
+View::View(std::uint32_t id, std::shared_ptr<OpenSession> session, std::shared_ptr<sessions::Connection> connection,
+           const Services& services, geometry::ViewSize size, Stream stream, wire::MovingCodec moving)
+    : id_(id), session_(std::move(session)), connection_(std::move(connection)), services_(services), size_(size),
+      window_(services.limits.unacknowledged_frames), stream_(stream), moving_(moving) {}
+
+void View::offer(std::shared_ptr<const sessions::SceneVersion> version) {
+    const std::scoped_lock lock(mutex_);
+    if (newest_ && version->revision < newest_->revision) return;
+    newest_ = version;
+    mailbox_.put(std::move(version));
+    still_wanted_ = nullptr;
+    quiet_until_ = Clock::now() + quiet;
+    if (working_ && (working_on_still_ || (!gave_up_ && Clock::now() - started_ > patience))) stop_.request_stop();
+    schedule();
+}
+
+void View::again() {
+    if (!newest_) return;
+    mailbox_.put(newest_);
+    still_wanted_ = nullptr;
+    content_.clear();
+    parts_.clear(); // all of it is sent again: so a client that lost something gets it back
+    if (working_) stop_.request_stop();
+    schedule();
+}
+
+void View::resize(std::uint32_t width, std::uint32_t height, std::optional<double> pixel_ratio) {
+    const std::scoped_lock lock(mutex_);
+    size_ = {width, height, pixel_ratio.value_or(size_.pixel_ratio)};
+    again();
+}
+
+void View::set_stream(Stream stream, std::optional<wire::MovingCodec> moving) {
+    const std::scoped_lock lock(mutex_);
+    moving_ = moving.value_or(moving_);
+    if (stream_ == stream) return;
+    stream_ = stream;
+    again();
+}
+
+void View::acknowledge(std::uint32_t frame) {
+    const std::scoped_lock lock(mutex_);
+    if (frame > sent_ || !window_.acknowledged(frame, Clock::now())) return;
+    held_ = frame;
+    parts_.erase(parts_.begin(), parts_.lower_bound(frame));
+    quiet_until_ = Clock::now() + quiet; // the hand answers to what it sees now
+    schedule();
+}
+
+void View::look_again() {
+    const std::scoped_lock lock(mutex_);
+    schedule();
+}
+
+void View::close() {
+    const std::scoped_lock lock(mutex_);
+    closed_ = true;
+    stop_.request_stop();
+}
+
+void View::schedule() {
+    if (closed_ || working_ || queued_) return;
+    if (!window_.has_room()) {
+        if (!mailbox_.empty()) window_.held_back();
+        return;
+    }
+    if (!connection_->may_send(frame_bytes_)) return; // look_again() follows
+    const std::weak_ptr<View> weak = weak_from_this();
+    if (!mailbox_.empty()) {
+        queued_ = services_.workers.post([weak](Worker& worker) {
+            if (const auto view = weak.lock()) show_frame(*view, worker, false);
+        });
+    } else if (still_wanted_ && !still_queued_) {
+        still_queued_ = services_.workers.post_later(quiet_until_, [weak](Worker& worker) {
+            if (const auto view = weak.lock()) show_frame(*view, worker, true);
+        });
+    }
+}
+
+std::optional<FrameRequest> View::take(bool still) {
+    const std::scoped_lock lock(mutex_);
+    (still ? still_queued_ : queued_) = false;
+    const bool due = still ? still_wanted_ && !queued_ && Clock::now() >= quiet_until_ : !mailbox_.empty();
+    if (closed_ || working_ || !has_room() || !due) {
+        schedule();
+        return {};
+    }
+    FrameRequest request;
+    request.version = still ? still_wanted_ : *mailbox_.take();
+    request.size = size_;
+    request.stream = stream_;
+    request.still = still;
+    request.gives_way = still && gave_way_ < most_ways_given;
+    request.started = Clock::now();
+    if (!still && stream_ == Stream::image) {
+        request.moving = &pictures_now();
+        request.scale = preview_.scale(size_) * detail_.of(moving_).scale;
+    }
+    if (const auto held = parts_.find(held_); stream_ == Stream::geometry && held != parts_.end())
+        request.held = {held_, held->second};
+    stop_ = std::stop_source();
+    request.stop = stop_.get_token();
+    started_ = request.started;
+    working_ = true;
+    working_on_still_ = still;
+    return request;
+}
+
+wire::PictureStream& View::pictures_now() {
+    const int quality = detail_.of(moving_).quality;
+    if (!pictures_.stream || pictures_.codec != moving_ || pictures_.quality != quality)
+        pictures_ = {moving_, quality, wire::make_picture_stream(moving_, quality)};
+    return *pictures_.stream;
+}
+
+void View::deliver(const FrameRequest& request, std::vector<std::vector<std::uint8_t>> messages, wire::ArrayIds parts,
+                   const FrameTimes& times) {
+    std::unique_lock lock(mutex_);
+    std::size_t bytes = 0;
+    if (!closed_ && !messages.empty()) {
+        for (const auto& message : messages) bytes += message.size();
+        if (bytes > services_.memory.room()) throw limits::LimitReached(services_.memory.refusal());
+        frame_bytes_ = bytes;
+        if (!connection_->may_send(bytes)) return make_again_later(request);
+        ++sent_;
+        if (request.stream == Stream::geometry) parts_[sent_] = std::move(parts);
+        for (auto& message : messages) {
+            frames::number_frame(message, sent_);
+            connection_->send_binary(std::make_shared<const std::vector<std::uint8_t>>(std::move(message)));
+        }
+        window_.sent(sent_, bytes, request.still, Clock::now());
+    }
+    still_wanted_ = nullptr;
+    if (!request.still && request.stream == Stream::image) {
+        preview_.took(request.size, times.draw);
+        detail_.sent(moving_, bytes, (times.extract + times.draw + times.encode) / 1000, window_.rate());
+        if (mailbox_.empty()) still_wanted_ = request.version;
+    }
+    gave_up_ = false;
+    gave_way_ = 0;
+    quiet_until_ = Clock::now() + quiet; // else a slow frame would be followed by its still at once, in the hand's way
+    finish();
+    lock.unlock();
+    if (bytes == 0) return;
+    services_.metrics.count_frame(request.still, bytes, times);
+    if (times.extract + times.draw + times.encode > (request.still ? slow_still_ms : slow_frame_ms))
+        logging::log_event(logging::LogLevel::warning, "slow frame",
+                           {{"session", logging::short_id(session_->id())},
+                            {"view", id_},
+                            {"kind", request.still ? "still" : "interactive"},
+                            {"user", connection_->user},
+                            {"remote", connection_->remote},
+                            {"wait_ms", times.wait},
+                            {"extract_ms", times.extract},
+                            {"draw_ms", times.draw},
+                            {"encode_ms", times.encode},
+                            {"bytes", bytes}});
+}
+
+void View::make_again_later(const FrameRequest& request) {
+    services_.metrics.count_cancelled_frame();
+    if (!request.still && mailbox_.empty()) mailbox_.put(request.version);
+    content_.clear();
+    finish();
+}
+
+void View::tell_lacking(const FrameRequest& request, std::vector<std::string> lacking,
+                        const geometry::Geometry& geometry, const std::optional<std::vector<std::string>>& drawn) {
+    std::vector<std::string> missing;
+    for (const geometry::Drawable& drawable : geometry.drawables)
+        if (drawable.missing && std::find(missing.begin(), missing.end(), drawable.layer) == missing.end())
+            missing.push_back(drawable.layer);
+    const std::scoped_lock lock(mutex_);
+    if (drawn) drawn_lacking_ = *drawn;
+    lacking.insert(lacking.end(), drawn_lacking_.begin(), drawn_lacking_.end());
+    if (closed_ || (lacking == lacking_ && geometry.empty == empty_ && missing == missing_)) return;
+    lacking_ = lacking;
+    empty_ = geometry.empty;
+    missing_ = std::move(missing);
+    std::vector<protocol::EmptyLayer> told;
+    for (const geometry::EmptyLayer& one : empty_) told.push_back({one.layer, geometry::why_text(one.why), one.reason});
+    const protocol::ViewLacking note{id_, static_cast<std::int64_t>(request.version->revision), lacking_,
+                                     std::move(told), missing_};
+    connection_->send_text(sessions::notification_text(note));
+}
+
+void View::give_up() {
+    services_.metrics.count_cancelled_frame();
+    const std::scoped_lock lock(mutex_);
+    gave_up_ = !working_on_still_;
+    finish();
+}
+
+void View::give_way() {
+    services_.metrics.count_cancelled_frame();
+    const std::scoped_lock lock(mutex_);
+    ++gave_way_;
+    quiet_until_ = Clock::now(); // when its wait for the next turn begins
+    finish();
+}
+
+void View::fail(const FrameRequest& request, const std::string& sentence) {
+    services_.metrics.count_failed_frame();
+    logging::log_event(logging::LogLevel::warning, "frame failed",
+                       {{"session", logging::short_id(session_->id())},
+                        {"view", id_},
+                        {"reason", sentence},
+                        {"user", connection_->user},
+                        {"remote", connection_->remote},
+                        {"ms", std::chrono::duration<double, std::milli>(Clock::now() - request.started).count()}});
+    const std::scoped_lock lock(mutex_);
+    still_wanted_ = nullptr;
+    content_.clear();
+    if (!closed_) {
+        const protocol::ViewFailed note{id_, static_cast<std::int64_t>(request.version->revision), sentence};
+        connection_->send_text(sessions::notification_text(note));
+    }
+    finish();
+}
+
+void View::finish() {
+    working_ = false;
+    schedule();
+}
+
+bool View::shows(const frames::ContentKey& key, double grid) {
+    const std::scoped_lock lock(mutex_);
+    return key == content_ && grid_ > 0 && grid_ <= grid;
+}
+
+std::optional<double> View::grid_of_new(frames::ContentKey key, double needed) {
+    constexpr double much_finer = 16; // costs bytes that nobody sees
+    const std::scoped_lock lock(mutex_);
+    const bool is_new = key != content_;
+    const bool fine_enough = grid_ > 0 && grid_ <= needed && (!is_new || much_finer * grid_ >= needed);
+    if (!is_new && fine_enough) return {};
+    content_ = std::move(key);
+    if (!fine_enough) grid_ = needed; // else parts that have not changed stay what they are
+    return grid_;
+}
+
+} // namespace ciel::engine

@@ -1,0 +1,74 @@
+#include "frames/batches.hpp"
+
+#include "geometry/clip.hpp"
+#include "geometry/color_scale_of.hpp"
+
+#include <chrono>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+namespace ciel::frames {
+
+namespace {
+
+// Colors have 256 steps a channel: a 16384th of their range is never seen. Logarithms of values near zero would be.
+double value_step(const color::ColorScale& scale) {
+    constexpr double steps = 16384;
+    const double width = static_cast<double>(static_cast<float>(scale.range[1])) - static_cast<float>(scale.range[0]);
+    return scale.log || !(width > 0) || !std::isfinite(width) ? 0 : width / steps;
+}
+
+} // namespace
+
+wire::EncodedGeometry geometry_messages(wire::FrameHeader& header, const geometry::Geometry& geometry,
+                                        double pixel_ratio, double grid, const wire::HeldArrays& held) {
+    using Clock = std::chrono::steady_clock;
+    const auto started = Clock::now();
+    auto planes = geometry::shader_planes(geometry);
+    for (auto& plane : planes) plane[3] += static_cast<float>(grid); // caps lie in planes to within the grid
+    std::vector<wire::Primitives> meshes;
+    for (const geometry::Drawable& drawable : geometry.drawables) {
+        const Surface& surface = drawable.shape->surface;
+        wire::Primitives mesh;
+        mesh.layer = drawable.layer;
+        mesh.positions = surface.positions;
+        if (drawable.polygons()) mesh.normals = surface.normals;
+        if (drawable.scalars) mesh.scalars = *drawable.scalars;
+        mesh.value_step = value_step(drawable.scale);
+        mesh.indices = drawable.indices();
+        mesh.lines = drawable.lines();
+        mesh.points = drawable.points();
+        mesh.line_width = drawable.line_width * static_cast<float>(pixel_ratio);
+        mesh.map = drawable.scale.map;
+        mesh.range = {static_cast<float>(drawable.scale.range[0]), static_cast<float>(drawable.scale.range[1])};
+        mesh.color = drawable.color;
+        mesh.lit = drawable.lit;
+        mesh.scale = geometry::json_of(drawable.scale).dump();
+        mesh.clip = planes;
+        meshes.push_back(std::move(mesh));
+    }
+    auto encoded = wire::encode_geometry(meshes, geometry.origin, grid, held);
+    auto& messages = encoded.payloads;
+    header.encode_ms = std::chrono::duration<float, std::milli>(Clock::now() - started).count();
+    const auto common = header.flags;
+    for (auto& message : messages) {
+        header.flags = common;
+        if (&message == &messages.front()) header.flags |= wire::first_of_frame;
+        if (&message == &messages.back()) header.flags |= wire::last_of_frame;
+        header.payload_bytes = header.whole_bytes = static_cast<std::uint32_t>(message.size());
+        std::array<std::uint8_t, wire::frame_header_bytes> bytes{};
+        wire::write_frame_header(header, bytes);
+        message.insert(message.begin(), bytes.begin(), bytes.end());
+    }
+    return encoded;
+}
+
+ContentKey content_of(const geometry::Geometry& geometry) {
+    nlohmann::json key = nlohmann::json::array({geometry.time, geometry.origin, geometry::shader_planes(geometry)});
+    for (const geometry::Drawable& drawable : geometry.drawables)
+        key.push_back({drawable.layer, drawable.identity, drawable.revision, drawable.scale.map, drawable.scale.range,
+                       geometry::json_of(drawable.scale), drawable.color, drawable.line_width});
+    return key.dump();
+}
+
+} // namespace ciel::frames

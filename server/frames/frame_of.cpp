@@ -1,0 +1,96 @@
+#include "frames/frame_of.hpp"
+
+#include "geometry/clip.hpp"
+#include "geometry/viewpoint.hpp"
+#include "geometry/volume_cut.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ciel::frames {
+namespace {
+
+struct Background {
+    std::array<float, 3> top, bottom;
+};
+
+Background background_of(const std::string& name) {
+    if (name == "dark") return {{0.10F, 0.12F, 0.16F}, {0.03F, 0.04F, 0.05F}};
+    if (name == "light") return {{1.0F, 1.0F, 1.0F}, {0.90F, 0.92F, 0.95F}};
+    std::array<float, 3> color{};
+    for (std::size_t i = 0; i < 3; ++i)
+        color[i] = static_cast<float>(std::stoi(name.substr(1 + 2 * i, 2), nullptr, 16)) / 255.0F;
+    return {color, color};
+}
+
+render::Lighting lighting_of(const scene::Lighting& lighting) {
+    const auto strength = [](const scene::Light& light) { return light.on ? light.strength : 0; };
+    return {lighting.ambient, strength(lighting.headlight), strength(lighting.key_light)};
+}
+
+render::Occlusion occlusion_of(const scene::Lighting& lighting, const geometry::Geometry& geometry) {
+    const scene::AmbientOcclusion& occlusion = lighting.ambient_occlusion;
+    if (!lighting.on || !occlusion.on) return {};
+    double square = 0;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        square += std::pow(geometry.bounds_max[axis] - geometry.bounds_min[axis], 2);
+    return {occlusion.radius * std::sqrt(square), occlusion.strength};
+}
+
+render::Volume volume_of(const geometry::VolumeDrawable& drawable, const render::Lighting& lighting) {
+    render::Volume volume;
+    volume.slices = drawable.slabs->slices;
+    volume.boundary = drawable.slabs->boundary.get();
+    volume.normal = drawable.slabs->normal;
+    volume.first = drawable.slabs->first;
+    volume.thickness = drawable.slabs->thickness;
+    volume.stride = drawable.stride;
+    volume.scale = drawable.scale;
+    volume.opacity_points = drawable.opacity_points;
+    volume.unit_length = drawable.unit_length;
+    volume.shaded = drawable.shaded && lighting.headlight > 0;
+    volume.opacity = drawable.opacity;
+    volume.coarseness = drawable.stride > 1 ? 2 : 1;
+    volume.identity = drawable.identity;
+    volume.revision = drawable.revision;
+    return volume;
+}
+
+} // namespace
+
+render::Frame frame_of(const geometry::Geometry& geometry, const scene::Scene& scene, int width, int height,
+                       int samples) {
+    render::Frame frame;
+    static_cast<annotations::Viewpoint&>(frame) = geometry::viewpoint_of(geometry, scene, width, height);
+    frame.samples = samples;
+    frame.clip = geometry::shader_planes(geometry);
+    const Background background = background_of(scene.background);
+    frame.background_top = background.top;
+    frame.background_bottom = background.bottom;
+    frame.lighting = scene.lighting.on ? lighting_of(scene.lighting) : render::Lighting{0, 0, 0};
+    frame.occlusion = occlusion_of(scene.lighting, geometry);
+    for (const geometry::Drawable& drawable : geometry.drawables) {
+        render::Primitives mesh;
+        mesh.positions = drawable.shape->surface.positions;
+        if (drawable.polygons()) mesh.normals = drawable.shape->surface.normals;
+        if (drawable.scalars) mesh.scalars = *drawable.scalars;
+        mesh.indices = drawable.indices();
+        mesh.lines = drawable.lines();
+        mesh.points = drawable.points();
+        mesh.line_width = mesh.point_size = drawable.line_width;
+        mesh.on_opaque = drawable.is_on_surface() && drawable.color[3] >= 1;
+        mesh.scale = drawable.scale;
+        mesh.color = drawable.color;
+        mesh.revision = drawable.revision;
+        mesh.identity = drawable.identity;
+        mesh.lit = drawable.lit && scene.lighting.on;
+        frame.primitives.push_back(std::move(mesh));
+    }
+    for (const geometry::VolumeDrawable& drawable : geometry.volumes)
+        frame.volumes.push_back(volume_of(drawable, frame.lighting));
+    std::stable_partition(frame.primitives.begin(), frame.primitives.end(),
+                          [](const render::Primitives& mesh) { return mesh.color[3] >= 1; });
+    return frame;
+}
+
+} // namespace ciel::frames

@@ -1,0 +1,22 @@
+// A slot for one thing, newest wins: what was not taken in time is never worked on.
+#pragma once
+
+#include <optional>
+#include <utility>
+
+namespace ciel::frames {
+
+// Not thread-safe: its owner has a lock.
+template <class T>
+class Mailbox {
+public:
+    void put(T value) { slot_ = std::move(value); }
+    [[nodiscard]] bool empty() const { return !slot_; }
+    [[nodiscard]] std::optional<T> take() { return std::exchange(slot_, std::nullopt); }
+    [[nodiscard]] const T& peek() const { return *slot_; } // requires !empty()
+
+private:
+    std::optional<T> slot_;
+};
+
+} // namespace ciel::frames

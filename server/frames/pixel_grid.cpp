@@ -1,0 +1,185 @@
+#include "frames/pixel_grid.hpp"
+
+#include "ciel/clip_polygon.hpp"
+#include "ciel/vector_operators.hpp"
+#include "wire/batches/quantize.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace ciel::frames {
+namespace {
+
+constexpr double of_a_pixel = 0.25;
+constexpr double of_a_height = 1.0 / 32;     // 1 degree in the mean
+constexpr double nearest_of_farthest = 1e-4; // as the renderer's nearest plane
+constexpr std::size_t sampled_triangles = 4096;
+constexpr double small_heights = 0.1; // so many of the triangles are less high than those that decide
+
+Vec3d unit(const Vec3d& a) {
+    const double by = length(a);
+    return by > 0 ? Vec3d{a[0] / by, a[1] / by, a[2] / by} : Vec3d{};
+}
+Vec3d position(const Surface& surface, Index vertex) {
+    const Vec3f& p = surface.positions[vertex];
+    return {p[0], p[1], p[2]};
+}
+
+// What of space a perspective camera sees; `eye` as an offset from the geometry's origin.
+class Frustum {
+public:
+    Frustum(const geometry::Geometry& geometry, const annotations::Camera& camera, const geometry::ViewSize& size)
+        : eye_(camera.position - geometry.origin), forward_(unit(camera.target - camera.position)),
+          right_(unit(cross(forward_, camera.up))), up_(cross(right_, forward_)),
+          tan_(std::tan(camera.fov_degrees * std::numbers::pi / 360)),
+          tan_across_(tan_ * static_cast<double>(size.width) / std::max(size.height, 1U)) {
+        double farthest = 0;
+        nearest_corner_ = INFINITY;
+        for (unsigned corner = 0; corner < 8; ++corner) {
+            Vec3d at{};
+            for (std::size_t axis = 0; axis < 3; ++axis)
+                at[axis] = ((corner >> axis) & 1U) != 0 ? geometry.bounds_max[axis] : geometry.bounds_min[axis];
+            const double depth = dot(forward_, at - camera.position);
+            farthest = std::max(farthest, depth);
+            nearest_corner_ = std::min(nearest_corner_, depth);
+        }
+        nearest_ = nearest_of_farthest * farthest;
+    }
+
+    [[nodiscard]] double nearest() const { return nearest_; }
+    [[nodiscard]] double nearest_corner() const { return nearest_corner_; } // of the bounds; below 0 behind the eye
+
+    // (across, above, depth) in the camera's axes.
+    [[nodiscard]] Vec3d place(const Vec3f& p) const {
+        const Vec3d at{p[0] - eye_[0], p[1] - eye_[1], p[2] - eye_[2]};
+        return {dot(right_, at), dot(up_, at), dot(forward_, at)};
+    }
+    // How far a place lies inside each side; below 0 where it is outside.
+    [[nodiscard]] std::array<double, 5> inside(const Vec3d& at) const {
+        const double half_width = at[2] * tan_across_, half_height = at[2] * tan_;
+        return {half_width - at[0], half_width + at[0], half_height - at[1], half_height + at[1], at[2] - nearest_};
+    }
+    // A bit for each side that a place lies beyond.
+    [[nodiscard]] std::uint8_t outside(const Vec3d& at) const {
+        unsigned bits = 0;
+        const auto distances = inside(at);
+        for (unsigned side = 0; side < distances.size(); ++side) bits |= distances[side] < 0 ? 1U << side : 0U;
+        return static_cast<std::uint8_t>(bits);
+    }
+    // The least depth of what is seen of a convex polygon or line; infinite where that is nothing.
+    [[nodiscard]] double nearest_of(std::vector<Vec3d>& corners, std::vector<Vec3d>& clipped) const {
+        for (std::size_t side = 0; side < 5; ++side) {
+            clip_polygon(
+                corners, [&](const Vec3d& at) { return inside(at)[side]; }, clipped);
+            corners.swap(clipped);
+        }
+        double nearest = INFINITY;
+        for (const Vec3d& at : corners) nearest = std::min(nearest, at[2]);
+        return nearest;
+    }
+
+private:
+    Vec3d eye_, forward_, right_, up_;
+    double tan_, tan_across_, nearest_ = 0, nearest_corner_ = 0;
+};
+
+std::size_t corners_of(const geometry::Drawable& drawable) { return drawable.points() ? 1 : drawable.lines() ? 2 : 3; }
+
+// The least depth of what is seen of it; infinite where that is nothing.
+double nearest_depth(const geometry::Drawable& drawable, const Frustum& frustum) {
+    std::vector<Vec3d> places;
+    std::vector<std::uint8_t> outside;
+    for (const Vec3f& at : drawable.shape->surface.positions) {
+        places.push_back(frustum.place(at));
+        outside.push_back(frustum.outside(places.back()));
+    }
+    double nearest = INFINITY;
+    std::vector<Vec3d> corners, clipped;
+    const auto indices = drawable.indices();
+    const std::size_t count = corners_of(drawable);
+    for (std::size_t i = 0; i < indices.size(); i += count) {
+        unsigned all = 0xFF, any = 0;
+        double least = INFINITY;
+        corners.clear();
+        for (const Index vertex : indices.subspan(i, count)) {
+            all &= outside[vertex];
+            any |= outside[vertex];
+            least = std::min(least, places[vertex][2]);
+            corners.push_back(places[vertex]);
+        }
+        if (all != 0 || least >= nearest) continue;
+        nearest = std::min(nearest, any == 0 ? least : frustum.nearest_of(corners, clipped));
+    }
+    return nearest;
+}
+
+// Heights of triangles whose light comes from their own planes; infinite where there are none.
+double flat_height(const geometry::Geometry& geometry) {
+    double least = INFINITY;
+    for (const geometry::Drawable& drawable : geometry.drawables) {
+        const Surface& surface = drawable.shape->surface;
+        const auto indices = drawable.indices();
+        if (!drawable.lit || !drawable.polygons() || !surface.normals.empty() || indices.empty()) continue;
+        const std::size_t stride = 3 * (indices.size() / 3 / sampled_triangles + 1);
+        std::vector<double> heights;
+        for (std::size_t i = 0; i < indices.size(); i += stride) {
+            const Vec3d a = position(surface, indices[i]), b = position(surface, indices[i + 1]),
+                        c = position(surface, indices[i + 2]);
+            const double longest = std::max({length(b - a), length(c - b), length(a - c)});
+            const double area = length(cross(b - a, c - a));
+            if (longest > 0 && area > 0) heights.push_back(area / longest);
+        }
+        if (heights.empty()) continue;
+        const auto small =
+            heights.begin() + static_cast<std::ptrdiff_t>(small_heights * static_cast<double>(heights.size()));
+        std::nth_element(heights.begin(), small, heights.end());
+        least = std::min(least, *small);
+    }
+    return least;
+}
+
+double largest_offset(const geometry::Geometry& geometry) {
+    double largest = 0;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        for (const double bound : {geometry.bounds_min[axis], geometry.bounds_max[axis]})
+            largest = std::max(largest, std::abs(bound - geometry.origin[axis]));
+    return largest;
+}
+
+double pixel_at(double depth, const annotations::Camera& camera, const geometry::ViewSize& size) {
+    return 2 * std::tan(camera.fov_degrees * std::numbers::pi / 360) * depth / std::max(size.height, 1U);
+}
+
+} // namespace
+
+double nearest_pixel(const geometry::Geometry& geometry, const annotations::Camera& camera,
+                     const geometry::ViewSize& size) {
+    if (camera.parallel) return camera.parallel_height / std::max(size.height, 1U);
+    const Frustum frustum(geometry, camera, size);
+    double nearest = INFINITY;
+    for (const geometry::Drawable& drawable : geometry.drawables)
+        nearest = std::min(nearest, nearest_depth(drawable, frustum));
+    if (!(nearest < INFINITY)) nearest = length(camera.target - camera.position); // nothing in view
+    return pixel_at(std::max(nearest, frustum.nearest()), camera, size);
+}
+
+double surely_fine_grid(const geometry::Geometry& geometry, const annotations::Camera& camera,
+                        const geometry::ViewSize& size) {
+    double pixel = 0;
+    if (camera.parallel)
+        pixel = nearest_pixel(geometry, camera, size);
+    else
+        pixel = pixel_at(std::max(0.0, Frustum(geometry, camera, size).nearest_corner()), camera, size);
+    return pixel > 0 ? wire::grid_step(of_a_pixel * pixel, largest_offset(geometry)) : 0;
+}
+
+double needed_grid(const geometry::Geometry& geometry, const annotations::Camera& camera,
+                   const geometry::ViewSize& size) {
+    return wire::grid_step(
+        std::min(of_a_pixel * nearest_pixel(geometry, camera, size), of_a_height * flat_height(geometry)),
+        largest_offset(geometry));
+}
+
+} // namespace ciel::frames

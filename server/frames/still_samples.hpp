@@ -1,0 +1,8 @@
+// Samples a pixel of a still where nobody has chosen: edges are smooth, also in software.
+#pragma once
+
+namespace ciel::frames {
+
+inline constexpr int default_still_samples = 4;
+
+} // namespace ciel::frames

@@ -1,0 +1,64 @@
+#include "frames/test_picture.hpp"
+
+#include <cstdlib>
+
+namespace ciel::frames {
+namespace {
+
+constexpr int size = 32;
+constexpr std::array<int, 3> orange{255, 128, 0}; // unlit, so the pixels must have exactly this color
+
+bool close(const std::uint8_t* pixel, const std::array<int, 3>& color) {
+    for (std::size_t i = 0; i < 3; ++i)
+        if (std::abs(pixel[i] - color[i]) > 2) return false;
+    return true;
+}
+
+} // namespace
+
+bool is_test_picture(const render::Image& image) {
+    const std::size_t middle = std::size_t{3} * (size / 2 * size + size / 2);
+    return image.rgb.size() == std::size_t{3} * size * size && close(&image.rgb[middle], orange) &&
+           !close(image.rgb.data(), orange);
+}
+
+Readiness draw_test_picture(render::Renderer& renderer) {
+    // The triangle covers the middle and leaves the corners.
+    const std::vector<Vec3f> positions{{-1, 0, -1}, {1, 0, -1}, {0, 0, 1}};
+    const std::vector<Index> indices{0, 1, 2};
+    render::Frame frame;
+    frame.width = frame.height = size;
+    frame.camera = {{0, -4, 0}, {0, 0, 0}, {0, 0, 1}, 45, false, 1};
+    frame.bounds_min = {-1, -0.1, -1};
+    frame.bounds_max = {1, 0.1, 1};
+    render::Primitives mesh;
+    mesh.positions = positions;
+    mesh.indices = indices;
+    mesh.lit = false;
+    mesh.color = {1, 128.0F / 255, 0, 1};
+    frame.primitives.push_back(mesh);
+    render::Image image;
+    renderer.draw(frame, image);
+
+    Readiness readiness;
+    readiness.gl_renderer = renderer.gl_renderer();
+    readiness.gl_version = renderer.gl_version();
+    readiness.backend = render::name_of(renderer.backend());
+    readiness.ready = is_test_picture(image);
+    if (!readiness.ready) {
+        readiness.problem = readiness.gl_renderer + " drew a test picture with wrong pixels; try another --gl";
+        return readiness;
+    }
+    frame.width = 1280; // what a usual still needs
+    frame.height = 720;
+    frame.samples = 4;
+    try {
+        renderer.check_memory(frame);
+    } catch (const Error& error) {
+        readiness.ready = false;
+        readiness.problem = error.what();
+    }
+    return readiness;
+}
+
+} // namespace ciel::frames

@@ -1,0 +1,20 @@
+// The picture behind /readyz: does this machine draw at all, and the right thing?
+#pragma once
+
+#include "render/renderer.hpp"
+
+#include <string>
+
+namespace ciel::frames {
+
+struct Readiness {
+    bool ready = false;
+    std::string gl_renderer{}, gl_version{}, backend{};
+    std::string problem{}; // a sentence; empty when ready
+};
+
+// Draws a triangle and checks its pixels, and the memory for a usual still. Throws Error where nothing can be drawn.
+[[nodiscard]] Readiness draw_test_picture(render::Renderer& renderer);
+[[nodiscard]] bool is_test_picture(const render::Image& image);
+
+} // namespace ciel::frames

@@ -1,0 +1,139 @@
+#include "geometry/bodies.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string_view>
+
+namespace ciel::geometry {
+namespace {
+
+constexpr double margin_of_side = 0.01;      // of the domain along that axis
+constexpr double finer_than_sides = 1.0 / 3; // length of a body's faces in those of the flat sides
+constexpr double most_of_boundary = 2.0 / 3; // more of its area is the domain's own boundary: pipes, channels
+constexpr std::array<std::string_view, 18> no_walls{
+    "inlet",  "outlet",   "inflow",    "outflow",   "farfield", "far-field", "far_field", "freestream", "symm",
+    "cyclic", "periodic", "interface", "processor", "overset",  "opening",   "empty",     "interior",   "internal"};
+
+std::string lower_case(std::string text) {
+    std::ranges::transform(text, text.begin(),
+                           [](char c) { return 'A' <= c && c <= 'Z' ? static_cast<char>(c + 32) : c; });
+    return text;
+}
+
+// "AMI1" of a rotor, but not "dynamic_wall".
+bool is_sliding(const std::string& name) {
+    return name.starts_with("ami") && (name.size() == 3 || !('a' <= name[3] && name[3] <= 'z'));
+}
+
+bool has_wall_type(const Patch& patch) { return patch.type == "wall" || patch.type == "mappedWall"; }
+
+bool is_wall_by_name(const Patch& patch) {
+    const std::string name = lower_case(patch.name);
+    return !is_sliding(name) &&
+           std::ranges::none_of(no_walls, [&](std::string_view word) { return name.find(word) != std::string::npos; });
+}
+
+double margin_along(const BoundingBox& domain, std::size_t axis) {
+    return margin_of_side * (domain.high[axis] - domain.low[axis]);
+}
+
+bool is_inside(const Patch& patch, const BoundingBox& domain) {
+    int inside = 0;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const double margin = margin_along(domain, axis);
+        inside += patch.box.low[axis] > domain.low[axis] + margin && patch.box.high[axis] < domain.high[axis] - margin;
+    }
+    return inside >= 2;
+}
+
+bool is_flat_side(const Patch& patch, const BoundingBox& domain) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const double margin = margin_along(domain, axis);
+        if (patch.box.high[axis] < domain.low[axis] + margin || patch.box.low[axis] > domain.high[axis] - margin)
+            return true;
+    }
+    return false;
+}
+
+double length_of_faces(const Patch& patch) { return std::sqrt(patch.area / static_cast<double>(patch.faces)); }
+
+// Twice the area, along the normal (Newell).
+Vec3d area_vector(const FaceMeshView& mesh, Index face) {
+    const auto at = [&](Index vertex) {
+        const float* p = &mesh.positions[std::size_t{3} * vertex];
+        return Vec3d{p[0], p[1], p[2]};
+    };
+    const auto loop = mesh.loop(face);
+    Vec3d sum{};
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+        const Vec3d a = at(loop[i]), b = at(loop[(i + 1) % loop.size()]);
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const std::size_t next = (axis + 1) % 3, last = (axis + 2) % 3;
+            sum[axis] += (a[next] - b[next]) * (a[last] + b[last]);
+        }
+    }
+    return sum;
+}
+
+Patch measured(const store::Group& group, const FaceMeshView& mesh) {
+    Patch patch{group.name,
+                {{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}},
+                0,
+                group.ids.size(),
+                group.facts.type};
+    for (const Index face : group.ids) {
+        for (const Index vertex : mesh.loop(face))
+            for (std::size_t axis = 0; axis < 3; ++axis) {
+                const double at = mesh.origin[axis] + mesh.positions[std::size_t{3} * vertex + axis];
+                patch.box.low[axis] = std::min(patch.box.low[axis], at);
+                patch.box.high[axis] = std::max(patch.box.high[axis], at);
+            }
+        const Vec3d normal = area_vector(mesh, face);
+        patch.area += std::hypot(normal[0], normal[1], normal[2]) / 2;
+    }
+    return patch;
+}
+
+} // namespace
+
+std::vector<Patch> patches_of(const store::Dataset& dataset, const store::Step& step) {
+    const FaceMeshView mesh = dataset.mesh(step.mesh, step.coordinates);
+    std::vector<Patch> patches;
+    for (const store::Group& group : dataset.groups(step.mesh))
+        if (group.of == store::Group::Of::faces && !group.ids.empty()) patches.push_back(measured(group, mesh));
+    return patches;
+}
+
+std::vector<Patch> bodies_of(std::span<const Patch> patches, const BoundingBox& domain) {
+    double whole = 0, of_sides = 0;
+    std::size_t faces_of_sides = 0;
+    for (const Patch& patch : patches) {
+        whole += patch.area;
+        if (!is_flat_side(patch, domain)) continue;
+        of_sides += patch.area;
+        faces_of_sides += patch.faces;
+    }
+    const double length_of_sides = faces_of_sides == 0 ? 0 : std::sqrt(of_sides / static_cast<double>(faces_of_sides));
+    const bool types_tell = std::ranges::any_of(patches, has_wall_type);
+    std::vector<Patch> bodies;
+    std::ranges::copy_if(patches, std::back_inserter(bodies), [&](const Patch& patch) {
+        if (!(types_tell ? has_wall_type(patch) : is_wall_by_name(patch))) return false;
+        return is_inside(patch, domain) ||
+               (!is_flat_side(patch, domain) && length_of_faces(patch) < finer_than_sides * length_of_sides &&
+                patch.area < most_of_boundary * whole);
+    });
+    return bodies;
+}
+
+BoundingBox box_around(std::span<const Patch> patches) {
+    BoundingBox box = patches.front().box;
+    for (const Patch& patch : patches)
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            box.low[axis] = std::min(box.low[axis], patch.box.low[axis]);
+            box.high[axis] = std::max(box.high[axis], patch.box.high[axis]);
+        }
+    return box;
+}
+
+} // namespace ciel::geometry

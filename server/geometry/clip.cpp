@@ -1,0 +1,82 @@
+#include "geometry/clip.hpp"
+
+#include "geometry/cut_box.hpp"
+#include "geometry/cutter.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ciel::geometry {
+namespace {
+
+// Of the diagonal: some fifty times the rounding of positions, and a fiftieth of a pixel of a large picture.
+constexpr double slack_of_diagonal = 5e-6;
+
+// Beyond any mesh, and still a float: an infinite distance is no distance to a graphics card, which drops everything.
+constexpr double farthest = 1e30;
+
+template <class F>
+void for_planes(const scene::Scene& scene, F&& f) {
+    for (const scene::Layer& layer : scene.layers)
+        if (const auto* clip = std::get_if<scene::ClipLayer>(&layer.kind); clip != nullptr && layer.visible) f(*clip);
+}
+
+// Nothing is in a sheet, but the caps that close both of its sides would be seen.
+bool leave_a_sheet_at_most(const std::vector<HalfSpace>& planes, const Geometry& geometry) {
+    if (planes.empty()) return false;
+    const double slack = clip_slack(geometry);
+    const std::vector<Vec3d> corners = corners_of_cut_box(geometry, planes);
+    return std::any_of(planes.begin(), planes.end(), [&](const HalfSpace& plane) {
+        return std::all_of(corners.begin(), corners.end(),
+                           [&](const Vec3d& corner) { return distance(plane, corner) <= slack; });
+    });
+}
+
+} // namespace
+
+std::vector<HalfSpace> clip_planes(const scene::Scene& scene, const Geometry& geometry) {
+    std::vector<HalfSpace> planes;
+    for_planes(scene, [&](const scene::ClipLayer& clip) {
+        HalfSpace kept;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            kept.normal[axis] = -clip.normal[axis];
+            kept.offset += clip.normal[axis] * (clip.origin[axis] - geometry.origin[axis]);
+        }
+        kept.offset = std::clamp(kept.offset, -farthest, farthest);
+        planes.push_back(kept);
+    });
+    if (leave_a_sheet_at_most(planes, geometry)) return {{{1, 0, 0}, -farthest}};
+    return planes;
+}
+
+std::vector<const scene::ClipLayer*> capping(const scene::Scene& scene) {
+    std::vector<const scene::ClipLayer*> found;
+    for_planes(scene, [&](const scene::ClipLayer& clip) {
+        if (clip.caps) found.push_back(&clip);
+    });
+    return found;
+}
+
+double clip_slack(const Geometry& geometry) {
+    double squares = 0;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        squares += std::pow(geometry.bounds_max[axis] - geometry.bounds_min[axis], 2);
+    return slack_of_diagonal * std::sqrt(squares);
+}
+
+std::vector<std::array<float, 4>> shader_planes(const Geometry& geometry) {
+    std::vector<std::array<float, 4>> planes;
+    const double slack = clip_slack(geometry);
+    for (const HalfSpace& plane : geometry.clip)
+        planes.push_back({static_cast<float>(plane.normal[0]), static_cast<float>(plane.normal[1]),
+                          static_cast<float>(plane.normal[2]), static_cast<float>(plane.offset + slack)});
+    return planes;
+}
+
+ClippedSurface clipped(const Geometry& geometry, const Drawable& drawable) {
+    return clip_surface(drawable.shape->surface,
+                        drawable.scalars ? std::span<const float>(*drawable.scalars) : std::span<const float>(),
+                        geometry.clip, clip_slack(geometry));
+}
+
+} // namespace ciel::geometry

@@ -1,0 +1,159 @@
+#include "geometry/cut.hpp"
+
+#include "ciel/boundary_faces.hpp"
+#include "ciel/contour_lines.hpp"
+#include "ciel/polygon_edges.hpp"
+#include "geometry/flat_shape.hpp"
+#include "geometry/sound_shape.hpp"
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cmath>
+#include <numeric>
+
+namespace ciel::geometry {
+std::uint64_t unique_number() {
+    static std::atomic<std::uint64_t> last{0};
+    return ++last;
+}
+
+namespace {
+
+store::Association association_of(const store::Dataset& dataset, const std::string& scalar) {
+    return dataset.find(store::parse_scalar(dataset, scalar).array)->association;
+}
+
+} // namespace
+
+std::vector<float> Painted::flat_scalars(store::LoadedDataset& loaded) const {
+    const Surface& surface = flat->surface;
+    const auto dataset = loaded.dataset();
+    if (association_of(*dataset, array) == store::Association::cell)
+        return flat_values(surface, surface.polygon_cell, *loaded.cell_values(array, step));
+    const store::Step& at = dataset->steps()[step];
+    return flat_values(surface, boundary_numbers(dataset->mesh(at.mesh, at.coordinates), surface.polygon_face),
+                       *loaded.face_values(array, step));
+}
+
+void Painted::paint(const std::shared_ptr<const Shape>& new_shape, const std::string& new_array, std::size_t new_step,
+                    store::LoadedDataset& loaded, const OfArray& of) {
+    const bool same_step = (new_array.empty() && of.array.empty()) || new_step == step;
+    if (revision != 0 && new_shape == shape && new_array == array && same_step) return;
+    const std::array arrays{of.array, new_array};
+    auto new_sound = sound_shape(new_shape, arrays, new_step, loaded);
+    if (sound && shape == new_shape && new_sound != new_shape &&
+        sound->surface.polygon_cell == new_sound->surface.polygon_cell)
+        new_sound = sound; // the same cells are left out
+    Painted made = *this;
+    made.shape = new_shape;
+    made.array = new_array;
+    made.step = new_step;
+    made.scalars = nullptr;
+    made.flat = nullptr;
+    if (!new_array.empty() && association_of(*loaded.dataset(), new_array) != store::Association::point) {
+        made.flat = flat && new_sound == sound ? flat : separated(*new_sound);
+        made.scalars = std::make_shared<const std::vector<float>>(made.flat_scalars(loaded));
+    } else if (!new_array.empty()) {
+        const auto& points = new_sound->surface.points;
+        auto values = std::make_shared<std::vector<float>>(points.size());
+        if (of.value)
+            std::fill(values->begin(), values->end(), static_cast<float>(*of.value));
+        else
+            interpolate(points, *loaded.scalar_values(new_array, new_step), 1, *values);
+        made.scalars = std::move(values);
+    }
+    made.sound = std::move(new_sound);
+    made.missing = made.scalars && !std::all_of(made.scalars->begin(), made.scalars->end(),
+                                                [](float value) { return std::isfinite(value); });
+    made.revision = unique_number();
+    *this = std::move(made);
+}
+
+void Outlined::follow(const std::shared_ptr<const Shape>& new_shape) {
+    if (edges && shape == new_shape) return;
+    shape = new_shape;
+    edges = std::make_shared<const std::vector<Index>>(polygon_edges(shape->surface));
+    revision = unique_number();
+}
+
+void Contoured::follow(const std::shared_ptr<const Shape>& shape, const std::string& new_array, std::size_t new_step,
+                       const std::vector<double>& new_values, bool colored, store::LoadedDataset& loaded) {
+    const bool is_colored = scalars != nullptr;
+    if (lines && of == shape && array == new_array && step == new_step && values == new_values && is_colored == colored)
+        return;
+    const auto sound = sound_shape(shape, std::span(&new_array, 1), new_step, loaded);
+    const auto& points = sound->surface.points;
+    std::vector<float> at_points(points.size());
+    interpolate(points, *loaded.scalar_values(new_array, new_step), 1, at_points);
+    auto made = std::make_shared<Shape>();
+    made->lines = true;
+    auto& positions = made->surface.positions;
+    auto value_at_points = colored ? std::make_shared<std::vector<float>>() : nullptr;
+    if (!colored) positions = contour_lines(sound->surface, at_points, new_values);
+    for (std::size_t i = 0; colored && i < new_values.size(); ++i) {
+        const auto of_value = contour_lines(sound->surface, at_points, std::span(&new_values[i], 1));
+        positions.insert(positions.end(), of_value.begin(), of_value.end());
+        value_at_points->resize(positions.size(), static_cast<float>(new_values[i]));
+    }
+    made->indices.resize(made->surface.positions.size());
+    std::iota(made->indices.begin(), made->indices.end(), Index{0});
+    of = shape;
+    array = new_array;
+    step = new_step;
+    values = new_values;
+    lines = std::move(made);
+    scalars = std::move(value_at_points);
+    revision = unique_number();
+}
+
+std::size_t Contoured::memory_bytes() const {
+    return (lines ? bytes_of(*lines) : 0) + (scalars ? scalars->size() * sizeof(float) : 0);
+}
+
+void Cut::use_field(const std::string& name, store::ScalarField new_field, Extraction extraction) {
+    const bool same_topology = query && new_field.topology == field.topology;
+    shape = nullptr;
+    field_name.clear(); // until all has gone well
+    if (!same_topology) {
+        query.reset(); // before the field it reads goes
+        field = std::move(new_field);
+        query.emplace(*field.topology, field.mesh, extraction);
+        query->set_field(*field.field);
+    } else { // its vertices may have moved
+        query->set_mesh(new_field.mesh);
+        query->set_field(*new_field.field);
+        field = std::move(new_field);
+    }
+    field_name = name;
+}
+
+bool Cut::extract(double new_nu, bool new_normals, const std::stop_token& stop) {
+    if (shape && nu == new_nu && normals == new_normals) return true;
+    shape = nullptr;
+    auto made = shapes->take();
+    if (!query->extract(new_nu, new_normals, made->surface, stop)) return false;
+    triangulate(made->surface, made->indices);
+    nu = new_nu;
+    normals = new_normals;
+    shape = std::move(made);
+    return true;
+}
+
+void Cut::show(std::shared_ptr<const Shape> made, double at_nu) {
+    shape = std::move(made);
+    nu = at_nu;
+    normals = false;
+}
+
+std::size_t Cut::memory_bytes() const {
+    return (query ? query->memory_bytes() : 0) + (shape ? bytes_of(*shape) : 0) + shapes->memory_bytes() +
+           painted.memory_bytes() + outlined.memory_bytes() + contoured.memory_bytes();
+}
+
+std::size_t Boundary::memory_bytes() const {
+    const bool own = shape && shape != of; // a whole cap is counted with its cut
+    return (own ? bytes_of(*shape) : 0) + painted.memory_bytes() + outlined.memory_bytes() + cells.size();
+}
+
+} // namespace ciel::geometry

@@ -1,0 +1,26 @@
+// What clip planes leave of points, lines and convex polygons, by the rule of the shaders (clip_slack).
+#pragma once
+
+#include "geometry/scene_geometry.hpp"
+
+namespace ciel::geometry {
+
+class Cutter {
+public:
+    explicit Cutter(const Geometry& geometry);
+
+    [[nodiscard]] bool cuts() const { return !planes_.empty(); }
+    [[nodiscard]] bool keeps(const Vec3f& point) const;
+    // The corners of what is left (Sutherland and Hodgman 1974); none where all is cut away.
+    [[nodiscard]] std::vector<Vec3d> rest_of(std::vector<Vec3d> corners) const;
+    [[nodiscard]] const std::vector<HalfSpace>& planes() const { return planes_; }
+
+private:
+    std::vector<HalfSpace> planes_;
+};
+
+[[nodiscard]] double distance(const HalfSpace& half, const Vec3d& point);
+[[nodiscard]] Vec3d wide(const Vec3f& point);
+[[nodiscard]] std::size_t corners_of(const Drawable& drawable); // three of a triangle, two of a line, one of a point
+
+} // namespace ciel::geometry

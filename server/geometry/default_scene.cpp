@@ -1,0 +1,245 @@
+#include "geometry/default_scene.hpp"
+
+#include "annotations/camera.hpp"
+#include "geometry/bodies.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <span>
+#include <string_view>
+
+namespace ciel::geometry {
+namespace {
+
+using nlohmann::json;
+
+constexpr double default_aspect = 1.4; // a laptop's canvas beside its panels, with room to spare
+constexpr std::size_t sample_size = 100'000;
+
+struct Candidate {
+    std::string scalar;
+    std::size_t step = 0;
+};
+
+// One scalar per point array that varies, at its first step that varies: vectors and tensors by their magnitude.
+std::vector<Candidate> candidates(const store::Dataset& dataset) {
+    std::vector<Candidate> found;
+    for (const store::ArrayInfo& array : dataset.info().arrays) {
+        if (array.association != store::Association::point) continue;
+        for (std::size_t step = 0; step < dataset.steps().size(); ++step) {
+            const auto& arrays = dataset.steps()[step].arrays;
+            const auto here = arrays.find(array.name);
+            if (here == arrays.end() || !(here->second.range[0] < here->second.range[1])) continue;
+            found.push_back({store::scalar_names(array).front(), step});
+            break;
+        }
+    }
+    // Scalars before vectors, each in the dataset's order.
+    std::stable_partition(found.begin(), found.end(),
+                          [](const Candidate& c) { return c.scalar.find(':') == std::string::npos; });
+    return found;
+}
+
+bool is_written(const store::Dataset& dataset, const store::Step& step, const std::string& scalar) {
+    return step.arrays.contains(store::parse_scalar(dataset, scalar).array);
+}
+
+double sensible_value(const std::vector<float>& values) {
+    std::vector<float> sample;
+    const std::size_t stride = values.size() / sample_size + 1;
+    for (std::size_t i = 0; i < values.size(); i += stride)
+        if (std::isfinite(values[i])) sample.push_back(values[i]);
+    if (sample.empty()) return 0;
+    const auto at = [&](double share) {
+        const auto place = sample.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(sample.size() - 1));
+        std::nth_element(sample.begin(), place, sample.end());
+        return static_cast<double>(*place);
+    };
+    if (at(0.05) < at(0.95)) return (at(0.05) + at(0.95)) / 2;
+    return (at(0) + at(1)) / 2;
+}
+
+// `thin`: straight along this axis, as a plane is drawn on paper.
+json camera_of(const BoundingBox& box, std::optional<std::size_t> thin) {
+    annotations::Camera camera = annotations::default_camera(box.low, box.high, default_aspect);
+    if (thin) {
+        const Vec3d& target = camera.target;
+        const double distance =
+            std::hypot(camera.position[0] - target[0], camera.position[1] - target[1], camera.position[2] - target[2]);
+        camera.position = target;
+        camera.position[*thin] += *thin == 1 ? -distance : distance;
+        camera.up = *thin == 2 ? Vec3d{0, 1, 0} : Vec3d{0, 0, 1};
+    }
+    return {{"position", camera.position}, {"target", camera.target}, {"up", camera.up}, {"fov", camera.fov_degrees}};
+}
+
+BoundingBox domain_of(const store::Dataset& dataset, const store::Step& step) {
+    const auto& b = dataset.info().meshes[step.mesh].bounds;
+    return {{b[0], b[2], b[4]}, {b[1], b[3], b[5]}};
+}
+
+// The cells that an array of the points was made from tell more of a run that blew up than the points do.
+bool is_finite(const store::Step& step, const std::string& array) {
+    const auto written = step.arrays.find(array);
+    if (written == step.arrays.end() || written->second.invalid > 0) return false;
+    const auto cells = step.arrays.find("cell:" + array);
+    if (cells != step.arrays.end() && cells->second.invalid > 0) return false;
+    return std::isfinite(written->second.range[0]) && std::isfinite(written->second.range[1]);
+}
+
+// Of the steps with the most point arrays that are written and have finite values everywhere, the last: a run that blew
+// up is shown before that. REQUIRES: one step at least.
+std::size_t last_whole_step(const store::Dataset& dataset) {
+    std::size_t last = 0;
+    std::ptrdiff_t most = -1;
+    for (std::size_t i = 0; i < dataset.steps().size(); ++i) {
+        const auto finite = std::ranges::count_if(dataset.info().arrays, [&](const store::ArrayInfo& array) {
+            return array.association == store::Association::point && is_finite(dataset.steps()[i], array.name);
+        });
+        if (finite < most) continue;
+        most = finite;
+        last = i;
+    }
+    return last;
+}
+
+bool has_name(const store::ArrayInfo& array, std::span<const std::string_view> names) {
+    return std::ranges::any_of(names, [&](std::string_view name) {
+        return std::ranges::equal(array.name, name, {}, [](char c) { return 'A' <= c && c <= 'Z' ? c + 32 : int{c}; });
+    });
+}
+
+// The first of these names, in lower case, that a point array with so many components has at this step and varies; else
+// the first array that does; null without one.
+const store::ArrayInfo* preferred(const store::Dataset& dataset, const store::Step& step, int components,
+                                  std::span<const std::string_view> names) {
+    const store::ArrayInfo* first = nullptr;
+    for (const store::ArrayInfo& array : dataset.info().arrays) {
+        if (array.association != store::Association::point || array.components != components) continue;
+        const auto written = step.arrays.find(array.name);
+        if (written == step.arrays.end() || !(written->second.range[0] < written->second.range[1])) continue;
+        if (has_name(array, names)) return &array;
+        if (first == nullptr) first = &array;
+    }
+    return first;
+}
+
+// Through the middle of the bodies, across the axis along which they reach through the whole domain, as cylinders and
+// wings between walls do; else along which they are thinnest.
+std::size_t axis_of_slice(const BoundingBox& bodies, const BoundingBox& domain) {
+    constexpr double whole = 0.98, as_thin = 1.01;
+    const auto length = [](const BoundingBox& box, std::size_t axis) { return box.high[axis] - box.low[axis]; };
+    std::size_t axis = 1; // seen from the default camera's side
+    for (const std::size_t other : {0U, 2U})
+        if (as_thin * length(bodies, other) < length(bodies, axis)) axis = other;
+    for (const std::size_t other : {0U, 1U, 2U})
+        if (length(bodies, other) > whole * length(domain, other)) axis = other;
+    return axis;
+}
+
+// The axis along which a mesh is one layer of cells: one of its patches is said to be none of its boundary.
+std::optional<std::size_t> thin_axis(std::span<const Patch> patches, const BoundingBox& domain) {
+    if (std::ranges::none_of(patches,
+                             [](const Patch& patch) { return patch.type == "empty" || patch.type == "wedge"; }))
+        return std::nullopt;
+    std::size_t thinnest = 0;
+    for (const std::size_t axis : {1U, 2U})
+        if (domain.high[axis] - domain.low[axis] < domain.high[thinnest] - domain.low[thinnest]) thinnest = axis;
+    return thinnest;
+}
+
+json color_by(const store::ArrayInfo* array) {
+    if (array == nullptr) return json::object();
+    return {{"array", store::scalar_names(*array).front()}};
+}
+
+json slice_across(std::size_t axis, const BoundingBox& box, const store::ArrayInfo* array) {
+    return {{"type", "slice"},
+            {"order", 2},
+            {"axis", std::string(1, static_cast<char>('x' + axis))},
+            {"value", (box.low[axis] + box.high[axis]) / 2},
+            {"color", color_by(array)}};
+}
+
+constexpr std::array<std::string_view, 6> pressures{"p",     "pressure", "staticpressure", "static_pressure",
+                                                    "p_rgh", "pmean"};
+constexpr std::array<std::string_view, 6> velocities{"u", "velocity", "v", "vel", "umean", "ux"};
+
+// What an engineer looks at first: pressure on the bodies, speed around them, at the end of the run. `thin`: where the
+// mesh is one layer of cells, the axis across it.
+void show_bodies(const store::Dataset& dataset, const store::Step& step, std::span<const Patch> bodies,
+                 std::optional<std::size_t> thin, json& scene) {
+    const store::ArrayInfo* scalar = preferred(dataset, step, 1, pressures);
+    const store::ArrayInfo* vector = preferred(dataset, step, 3, velocities);
+    json names = json::array();
+    for (const Patch& body : bodies) names.push_back(body.name);
+    json& layers = scene["layers"];
+    layers["surface"] = {{"type", "surface"},
+                         {"order", 1},
+                         {"groups", std::move(names)},
+                         {"color", color_by(scalar != nullptr ? scalar : vector)}};
+    if (scalar == nullptr && vector == nullptr) return;
+    const BoundingBox box = box_around(bodies);
+    const std::size_t axis = thin.value_or(axis_of_slice(box, domain_of(dataset, step)));
+    layers["slice"] = slice_across(axis, box, vector != nullptr ? vector : scalar);
+}
+
+// A mesh of one layer of cells: what lies in the layer.
+void show_layer(const store::Dataset& dataset, const store::Step& step, std::size_t axis, json& scene) {
+    const store::ArrayInfo* vector = preferred(dataset, step, 3, velocities);
+    const store::ArrayInfo* scalar = preferred(dataset, step, 1, pressures);
+    scene["layers"]["slice"] = slice_across(axis, domain_of(dataset, step), vector != nullptr ? vector : scalar);
+}
+
+// Where there are no bodies: the boundary where nothing varies, else an iso-surface.
+void show_iso_surface(store::LoadedDataset& loaded, const std::vector<Candidate>& scalars, json& scene) {
+    const auto dataset = loaded.dataset();
+    json& layers = scene["layers"];
+    if (scalars.empty()) {
+        layers["surface"] = {{"type", "surface"}, {"order", 1}, {"groups", json::array()}};
+        return;
+    }
+    const auto& [scalar, step_index] = scalars.front();
+    json color = json::object();
+    for (const Candidate& other : scalars)
+        if (other.scalar != scalar && is_written(*dataset, dataset->steps()[step_index], other.scalar))
+            color["array"] = other.scalar;
+    layers["iso"] = {{"type", "iso"},
+                     {"order", 2},
+                     {"array", scalar},
+                     {"values", {sensible_value(*loaded.scalar_values(scalar, step_index))}},
+                     {"color", std::move(color)}};
+}
+
+} // namespace
+
+DefaultScene default_scene(store::LoadedDataset& loaded, const std::string& name) {
+    const auto dataset = loaded.dataset();
+    DefaultScene shown;
+    json& scene = shown.document = {{"dataset", name}};
+    scene["layers"]["outline"] = {{"type", "outline"}, {"order", 0}};
+    if (dataset->steps().empty()) return shown;
+
+    const std::size_t last = last_whole_step(*dataset);
+    const store::Step& at_end = dataset->steps()[last];
+    const auto patches = patches_of(*dataset, at_end);
+    const auto bodies = bodies_of(patches, domain_of(*dataset, at_end));
+    const auto scalars = candidates(*dataset);
+    const auto thin = thin_axis(patches, domain_of(*dataset, at_end));
+    const store::Step& step =
+        !bodies.empty() || thin ? at_end : dataset->steps()[scalars.empty() ? 0 : scalars.front().step];
+    if (!bodies.empty())
+        show_bodies(*dataset, step, bodies, thin, scene);
+    else if (thin && !scalars.empty())
+        show_layer(*dataset, step, *thin, scene);
+    else
+        show_iso_surface(loaded, scalars, scene);
+    shown.box = bodies.empty() ? domain_of(*dataset, step) : box_around(bodies);
+    scene["time"] = step.time;
+    scene["camera"] = camera_of(shown.box, thin);
+    return shown;
+}
+
+} // namespace ciel::geometry

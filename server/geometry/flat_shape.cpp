@@ -1,0 +1,48 @@
+#include "geometry/flat_shape.hpp"
+
+#include "geometry/cut.hpp"
+#include "store/no_value.hpp"
+
+#include <numeric>
+
+namespace ciel::geometry {
+
+namespace {
+
+template <typename T>
+std::vector<T> at(const std::vector<T>& of_vertices, const std::vector<Index>& vertices) {
+    std::vector<T> found;
+    if (of_vertices.empty()) return found;
+    found.reserve(vertices.size());
+    for (const Index vertex : vertices) found.push_back(of_vertices[vertex]);
+    return found;
+}
+
+} // namespace
+
+std::shared_ptr<const Shape> separated(const Shape& shape) {
+    const Surface& whole = shape.surface;
+    Surface apart;
+    apart.positions = at(whole.positions, whole.polygon_vertex);
+    apart.normals = at(whole.normals, whole.polygon_vertex);
+    apart.points = at(whole.points, whole.polygon_vertex);
+    apart.polygon_vertex.resize(whole.polygon_vertex.size());
+    std::iota(apart.polygon_vertex.begin(), apart.polygon_vertex.end(), Index{0});
+    apart.polygon_offset = whole.polygon_offset;
+    apart.polygon_cell = whole.polygon_cell;
+    apart.polygon_face = whole.polygon_face;
+    return triangles_shape(std::move(apart));
+}
+
+std::vector<float> flat_values(const Surface& separated, std::span<const Index> items, std::span<const float> values) {
+    std::vector<float> flat(separated.positions.size(), store::no_value);
+    for (std::size_t i = 0; i < items.size(); ++i) {
+        if (items[i] == none) continue;
+        if (items[i] >= values.size()) throw Error("the surface belongs to another mesh than the values");
+        for (Index corner = separated.polygon_offset[i]; corner < separated.polygon_offset[i + 1]; ++corner)
+            flat[separated.polygon_vertex[corner]] = values[items[i]];
+    }
+    return flat;
+}
+
+} // namespace ciel::geometry

@@ -1,0 +1,158 @@
+// Layers that show the mesh itself, or those of its cells that a threshold keeps: boundary, edges, points, outline.
+#include "geometry/layer_update.hpp"
+
+#include "ciel/threshold_surface.hpp"
+#include "geometry/mesh_side.hpp"
+
+#include <algorithm>
+
+namespace ciel::geometry {
+namespace {
+
+// Of a cut through the whole mesh what belongs to the cells that are shown.
+std::shared_ptr<const Shape> cap_shape(const std::shared_ptr<const Shape>& cut,
+                                       const std::vector<std::uint8_t>& cells) {
+    if (cells.empty()) return cut;
+    return triangles_shape(polygons_of_cells(cut->surface, cells));
+}
+
+// Of what a plane opens: values of patches are of the outside alone, those inside have the plain name.
+scene::Coloring inner_color(const store::Dataset& dataset, scene::Coloring color) {
+    constexpr std::string_view patch = "patch:";
+    if (color.array.empty()) return color;
+    const store::ScalarName name = store::parse_scalar(dataset, color.array);
+    if (dataset.find(name.array)->association != store::Association::boundary_face) return color;
+    const bool has_inside = name.array.starts_with(patch) && dataset.find(name.array.substr(patch.size())) != nullptr;
+    color.array = has_inside ? color.array.substr(patch.size()) : std::string();
+    return color;
+}
+
+} // namespace
+
+Boundary& LayerUpdate::boundary(const scene::Layer& layer, const std::string& key, std::size_t index) {
+    Boundary& kept = boundaries[{layer.id, index}];
+    const std::size_t before = kept.memory_bytes();
+    if (kept.key != key) {
+        kept.shape = kept.of = nullptr;
+        kept.cells.clear();
+    }
+    count(before, kept.memory_bytes());
+    kept.key = key;
+    return kept;
+}
+
+std::vector<std::uint8_t> LayerUpdate::cells_of(const scene::Threshold& threshold) const {
+    const std::string array = store::parse_scalar(*dataset, threshold.array).array;
+    if (dataset->find(array)->association == store::Association::cell)
+        return cells_in_range(*loaded->cell_values(threshold.array, out.step), threshold.range);
+    auto kept = cells_in_range(dataset->mesh(step().mesh, step().coordinates),
+                               *loaded->scalar_values(threshold.array, out.step), threshold.range,
+                               threshold.any ? InRange::any : InRange::all);
+    if (const auto sound = loaded->sound_cells(threshold.array, out.step))
+        for (std::size_t cell = 0; cell < kept.size(); ++cell) kept[cell] = kept[cell] & sound->kept[cell];
+    return kept;
+}
+
+Boundary* LayerUpdate::solid(const scene::Layer& layer, const std::vector<std::string>& groups,
+                             const std::optional<scene::Threshold>& threshold, std::string key) {
+    key += ' ' + std::to_string(step().mesh) + ' ' + std::to_string(step().coordinates);
+    for (const auto& group : groups) key += '\0' + group;
+    if (!threshold) return &boundary(layer, key);
+    tell_left_out(threshold->array, false);
+    const auto [low, high] = threshold->range;
+    key += '\0' + std::to_string(out.step) + (threshold->any ? " any " : " all ") + bits_of(low) + bits_of(high) +
+           threshold->array;
+    Boundary& kept = boundary(layer, key);
+    if (kept.shape) return &kept;
+    const std::size_t before = kept.memory_bytes();
+    try {
+        kept.cells = cells_of(*threshold);
+        count(before, kept.memory_bytes());
+    } catch (const store::NotWritten& missing) {
+        leave_out(layer, missing);
+        return nullptr;
+    }
+    return &kept;
+}
+
+bool LayerUpdate::operator()(const scene::Layer& layer, const scene::SurfaceLayer& surface) {
+    Boundary* kept = solid(layer, surface.groups, surface.threshold, "surface");
+    if (kept == nullptr) return true;
+    const std::size_t before = kept->memory_bytes();
+    if (!kept->shape) kept->shape = triangles_shape(boundary_surface(*dataset, step(), surface.groups, kept->cells));
+    add(kept->painted, kept->shape, surface.color, layer, true);
+    add_edges(kept->outlined, kept->painted.sound, surface.edges, layer);
+    count(before, kept->memory_bytes());
+    return !surface.groups.empty() || add_caps(layer, surface, *kept); // patches are no solid
+}
+
+// Each is the whole slice of the mesh by its plane: the other planes cut it as they cut everything. A plane in a side
+// opens nothing: the boundary's faces are there.
+bool LayerUpdate::add_caps(const scene::Layer& layer, const scene::SurfaceLayer& surface, const Boundary& solid) {
+    for (std::size_t i = 0; i < caps.size(); ++i) {
+        Cut& cut = cuts[{layer.id, i}];
+        const std::size_t before = cut.memory_bytes();
+        const double nu = use_plane(cut, caps[i]->origin, caps[i]->normal);
+        const bool opens = !side_at(nu, cut.field.field->range());
+        if (opens && !cut.extract(nu, false, stop)) return false;
+        count(before, cut.memory_bytes());
+        if (!opens) continue;
+        Boundary& cap = boundary(layer, solid.key, i + 1);
+        const std::size_t of_cap = cap.memory_bytes();
+        if (!cap.shape || cap.of != cut.shape) cap.shape = cap_shape(cut.shape, solid.cells);
+        cap.of = cut.shape;
+        add(cap.painted, cap.shape, caps[i]->color.value_or(inner_color(*dataset, surface.color)), layer, true);
+        add_edges(cap.outlined, cap.painted.sound, surface.edges, layer);
+        count(of_cap, cap.memory_bytes());
+    }
+    return true;
+}
+
+bool LayerUpdate::operator()(const scene::Layer& layer, const scene::EdgesLayer& edges) {
+    const std::string what = "edges " + (edges.angle ? bits_of(*edges.angle) : std::string("all"));
+    Boundary* kept = solid(layer, edges.groups, edges.threshold, what);
+    if (kept == nullptr) return true;
+    const std::size_t before = kept->memory_bytes();
+    if (!kept->shape)
+        kept->shape = edges_shape(boundary_surface(*dataset, step(), edges.groups, kept->cells), edges.angle);
+    add(kept->painted, kept->shape, edges.color, layer, false);
+    out.drawables.back().line_width = edges.width;
+    count(before, kept->memory_bytes());
+    return true;
+}
+
+bool LayerUpdate::operator()(const scene::Layer& layer, const scene::PointsLayer& points) {
+    const std::string what = (points.all ? "points of all " : "points ") + std::to_string(points.most);
+    Boundary* kept = solid(layer, points.groups, points.threshold, what);
+    if (kept == nullptr) return true;
+    const std::size_t before = kept->memory_bytes();
+    if (!kept->shape) {
+        const Surface vertices = points.all ? cell_vertices(dataset->mesh(step().mesh, step().coordinates), kept->cells)
+                                            : boundary_surface(*dataset, step(), points.groups, kept->cells);
+        kept->points = vertices.positions.size();
+        kept->thinned = std::max<std::size_t>(1, (kept->points + points.most - 1) / points.most);
+        kept->shape = points_shape(vertices, kept->thinned);
+    }
+    if (kept->thinned > 1)
+        out.remarks.push_back("layer " + layer.id + " shows one in " + std::to_string(kept->thinned) + " of its " +
+                              std::to_string(kept->points) + " points; raise \"most\" to see more");
+    add(kept->painted, kept->shape, points.color, layer, true);
+    out.drawables.back().line_width = points.size;
+    count(before, kept->memory_bytes());
+    return true;
+}
+
+bool LayerUpdate::operator()(const scene::Layer& layer, const scene::OutlineLayer& outline) {
+    Boundary& kept = boundary(layer, "outline " + std::to_string(step().mesh));
+    if (!kept.shape) kept.shape = outline_shape(out.bounds_min, out.bounds_max, out.origin);
+    scene::Coloring solid = outline.color;
+    solid.array.clear(); // a box has no values
+    if (!outline.color.array.empty())
+        out.remarks.push_back("layer " + layer.id + " has no colors of " + outline.color.array +
+                              ": an outline is a box without values; leave its color.array out, or color another "
+                              "layer by it");
+    add(kept.painted, kept.shape, solid, layer, false);
+    return true;
+}
+
+} // namespace ciel::geometry

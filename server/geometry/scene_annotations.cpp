@@ -1,0 +1,67 @@
+#include "geometry/scene_annotations.hpp"
+
+#include "annotations/ticks.hpp"
+#include "geometry/legend_names.hpp"
+
+namespace ciel::geometry {
+namespace {
+
+template <class Shown>
+annotations::Legend legend_of(const Shown& drawable, bool missing) {
+    return {drawable.array, drawable.units, drawable.scale, {}, missing, drawable.legend_lines};
+}
+
+class Legends {
+public:
+    void add(const scene::Layer& layer, const annotations::Legend& legend, bool contours) {
+        std::size_t i = 0;
+        while (i < legends.size() && !(legends[i].name == legend.name && legends[i].scale == legend.scale)) ++i;
+        if (i == legends.size()) {
+            named_.push_back({legend.name, {}});
+            legends.push_back(legend);
+        }
+        legends[i].missing = legends[i].missing || legend.missing;
+        named_[i].names.push_back(legend_name_of(layer, contours));
+    }
+    void tell_apart() {
+        const std::vector<std::string> names = legend_names(named_);
+        for (std::size_t i = 0; i < legends.size(); ++i) legends[i].layers = names[i];
+    }
+    std::vector<annotations::Legend> legends;
+
+private:
+    std::vector<NamedLegend> named_; // likewise
+};
+
+// In the order of the layers, whether they are drawn as surfaces or as volumes.
+std::vector<annotations::Legend> legends_of(const Geometry& geometry, const scene::Scene& scene, LegendsOf wanted) {
+    Legends found;
+    for (const scene::Layer& layer : scene.layers) {
+        if (wanted == LegendsOf::what_is_seen && is_empty(geometry, layer.id)) continue;
+        for (const Drawable& drawable : geometry.drawables)
+            if (drawable.layer == layer.id && drawable.scalars)
+                found.add(layer, legend_of(drawable, drawable.missing), drawable.contours);
+        for (const VolumeDrawable& volume : geometry.volumes)
+            if (volume.layer == layer.id) found.add(layer, legend_of(volume, false), false); // leaves out
+    }
+    found.tell_apart();
+    return std::move(found.legends);
+}
+
+} // namespace
+
+annotations::Annotations annotations_of(const Geometry& geometry, const scene::Scene& scene, LegendsOf legends) {
+    const scene::Annotations& wanted = scene.annotations;
+    annotations::Annotations annotations;
+    annotations.title = wanted.title;
+    if (wanted.dataset) annotations.captions.push_back(scene.dataset);
+    if (wanted.time) annotations.captions.push_back("Time: " + annotations::number_label(geometry.time));
+    if (wanted.legend) annotations.legends = legends_of(geometry, scene, legends);
+    annotations.triad = wanted.triad;
+    annotations.axes = wanted.axes;
+    annotations.length_units = geometry.length_units;
+    annotations.scale = wanted.scale;
+    return annotations;
+}
+
+} // namespace ciel::geometry

@@ -1,0 +1,124 @@
+#include "geometry/scene_geometry.hpp"
+
+#include "annotations/ticks.hpp"
+#include "ciel/printable.hpp"
+#include "geometry/clip.hpp"
+#include "geometry/empty_layers.hpp"
+#include "geometry/layer_update.hpp"
+#include "geometry/viewpoint.hpp"
+
+#include <cmath>
+#include <set>
+
+namespace ciel::geometry {
+namespace {
+
+Vec3d low(const store::MeshInfo& mesh) { return {mesh.bounds[0], mesh.bounds[2], mesh.bounds[4]}; }
+Vec3d high(const store::MeshInfo& mesh) { return {mesh.bounds[1], mesh.bounds[3], mesh.bounds[5]}; }
+
+// A scene that says no time has 0, and means the first step.
+void remark_on_time(double wanted, Geometry& geometry) {
+    const double off = std::abs(geometry.time - wanted);
+    if (wanted == 0 || off <= 1e-6 * std::max(std::abs(geometry.time), std::abs(wanted))) return;
+    geometry.remarks.push_back("there is no step at time " + annotations::number_label(wanted) + "; the nearest, " +
+                               annotations::number_label(geometry.time) + ", is shown");
+}
+
+} // namespace
+
+void require_complete(const Geometry& geometry) {
+    if (!geometry.lacking.empty()) throw store::NotWritten(printable(geometry.lacking.front()));
+}
+
+SceneGeometry::SceneGeometry(Extraction extraction) : extraction_(extraction) {}
+SceneGeometry::~SceneGeometry() = default;
+SceneGeometry::SceneGeometry(SceneGeometry&&) noexcept = default;
+SceneGeometry& SceneGeometry::operator=(SceneGeometry&&) noexcept = default;
+
+std::shared_ptr<const Geometry> SceneGeometry::update(const scene::CheckedScene& checked, const std::stop_token& stop,
+                                                      std::size_t most_bytes, bool moving) {
+    const scene::Scene& scene = checked.scene();
+    const auto& loaded = checked.loaded();
+    if (loaded != loaded_) {
+        cuts_.clear();
+        boundaries_.clear();
+        volumes_.clear();
+        loaded_ = loaded;
+    }
+    const auto& dataset = checked.dataset();
+    if (dataset->steps().empty()) throw Error(dataset->info().name + " has no time step yet; append one to see it");
+
+    auto geometry = std::make_shared<Geometry>();
+    geometry->step = dataset->step_at(scene.time);
+    const store::Step& step = dataset->steps()[geometry->step];
+    geometry->time = step.time;
+    remark_on_time(scene.time, *geometry);
+    geometry->length_units = dataset->info().length_units;
+    geometry->origin = dataset->mesh(step.mesh, step.coordinates).origin;
+    geometry->first_mesh_bounds = dataset->info().meshes.at(0).bounds;
+    geometry->bounds_min = low(dataset->info().meshes[step.mesh]);
+    geometry->bounds_max = high(dataset->info().meshes[step.mesh]);
+
+    geometry->clip = clip_planes(scene, *geometry);
+    forget_all_but(scene); // first, for what comes needs the room
+    // Any aspect: the default camera looks the same way.
+    LayerUpdate run{extraction_,
+                    loaded,
+                    dataset,
+                    stop,
+                    *geometry,
+                    cuts_,
+                    boundaries_,
+                    volumes_,
+                    camera_of(*geometry, scene, 1),
+                    moving,
+                    most_bytes,
+                    memory_bytes(),
+                    capping(scene),
+                    slab_direction(scene)};
+    for (const scene::Layer& layer : scene.layers) {
+        if (!layer.visible) continue;
+        const auto make = [&](const auto& kind) { return run(layer, kind); };
+        if (!std::visit(make, layer.kind)) return nullptr;
+    }
+    const std::vector<EmptyLayer> empty = empty_layers(*geometry, scene, *dataset);
+    geometry->empty.insert(geometry->empty.end(), empty.begin(), empty.end());
+    dataset->check_intact();
+    geometry->bytes = memory_bytes();
+    return geometry;
+}
+
+void SceneGeometry::forget_all_but(const scene::Scene& scene) {
+    std::map<std::string, std::size_t> cuts_of; // how many stay
+    std::set<std::string> shown;
+    const std::size_t caps = capping(scene).size();
+    for (const scene::Layer& layer : scene.layers) {
+        const auto* iso = std::get_if<scene::IsoLayer>(&layer.kind);
+        const auto* surface = std::get_if<scene::SurfaceLayer>(&layer.kind);
+        if (layer.visible) shown.insert(layer.id);
+        if (!layer.visible)
+            cuts_of[layer.id] = SIZE_MAX; // showing it again costs nothing
+        else if (surface != nullptr)
+            cuts_of[layer.id] = surface->groups.empty() ? caps : 0;
+        else
+            cuts_of[layer.id] = iso != nullptr ? iso->values.size() : 1;
+    }
+    std::erase_if(cuts_, [&](const auto& entry) {
+        const auto kept = cuts_of.find(entry.first.first);
+        return kept == cuts_of.end() || entry.first.second >= kept->second;
+    });
+    std::erase_if(boundaries_, [&](const auto& entry) {
+        return !shown.contains(entry.first.first) || entry.first.second > cuts_of[entry.first.first];
+    });
+    std::erase_if(volumes_, [&](const auto& entry) { return !shown.contains(entry.first); });
+}
+
+std::size_t SceneGeometry::memory_bytes() const {
+    std::size_t bytes = 0;
+    for (const auto& [key, cut] : cuts_) bytes += cut.memory_bytes();
+    for (const auto& [key, boundary] : boundaries_) bytes += boundary.memory_bytes();
+    for (const auto& [layer, volume] : volumes_) bytes += volume.memory_bytes();
+    return bytes;
+}
+
+} // namespace ciel::geometry

@@ -1,0 +1,44 @@
+// From a scene to what is drawn: one kernel Query per iso-value and slice, kept from one scene to the next, so that
+// only what changed is computed again.
+#pragma once
+
+#include "geometry/geometry.hpp"
+#include "scene/checked_scene.hpp"
+
+#include <map>
+#include <stop_token>
+
+namespace ciel::geometry {
+
+struct Cut; // cut.hpp
+struct Boundary;
+struct VolumeCut;
+
+// Not thread-safe: one at a time.
+class SceneGeometry {
+public:
+    explicit SceneGeometry(Extraction extraction);
+    ~SceneGeometry();
+    SceneGeometry(SceneGeometry&&) noexcept;
+    SceneGeometry& operator=(SceneGeometry&&) noexcept;
+
+    // Brings the geometry to `checked`. Returns null when `stop` was requested. Throws Error, or LimitReached as soon
+    // as what is kept needs more than `most_bytes`, which it passes by one surface at most; it can be called again with
+    // another scene then. `moving`: for a picture that others will follow at once.
+    [[nodiscard]] std::shared_ptr<const Geometry> update(const scene::CheckedScene& checked,
+                                                         const std::stop_token& stop = {},
+                                                         std::size_t most_bytes = SIZE_MAX, bool moving = false);
+    [[nodiscard]] std::size_t memory_bytes() const; // query state and surfaces
+
+private:
+    using Key = std::pair<std::string, std::size_t>; // layer id, index of the value
+    void forget_all_but(const scene::Scene& scene);
+
+    Extraction extraction_;
+    std::shared_ptr<store::LoadedDataset> loaded_;
+    std::map<Key, Cut> cuts_;
+    std::map<Key, Boundary> boundaries_;
+    std::map<std::string, VolumeCut> volumes_; // by layer
+};
+
+} // namespace ciel::geometry

@@ -1,0 +1,164 @@
+#include "geometry/volume_cut.hpp"
+
+#include "color/transfer_table.hpp"
+#include "geometry/cut.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+namespace ciel::geometry {
+namespace {
+
+// About as many as software draws ten times a second of a mesh whose slices have a few thousand triangles. Those of
+// larger ones have more, by two thirds of an order for each order of vertices; fewer are drawn then, though not so much
+// fewer that a thick slab loses what the mesh shows.
+constexpr double most_slices = 24, least_slices = 8, usual_vertices = 200'000;
+// More where slabs would lose more than this: twice as many, and those of a small mesh for as long as that takes.
+constexpr double usual_loss = 0.25, times_more = 2, most_of_all = 96;
+// Of a still.
+constexpr double fewest_in_all = 200, most_in_all = 1000, large_mesh = 800'000, steep = 10;
+
+double moving_slices(std::size_t vertices, double loss) {
+    const double fitting = most_slices * std::cbrt(usual_vertices / static_cast<double>(vertices + 1));
+    const double usual = std::clamp(fitting, least_slices, most_slices);
+    return std::clamp(loss / usual_loss, usual, std::min(times_more * std::max(fitting, least_slices), most_of_all));
+}
+
+Vec3d unit_vector(const Vec3d& v) {
+    const double length = std::hypot(v[0], v[1], v[2]);
+    return length > 0 ? Vec3d{v[0] / length, v[1] / length, v[2] / length} : Vec3d{0, 1, 0};
+}
+
+} // namespace
+
+std::size_t Slabs::memory_bytes() const {
+    std::size_t bytes = 0;
+    for (const SlabMesh& slice : slices) bytes += slice.memory_bytes();
+    return bytes;
+}
+
+std::size_t usual_slices(double length, double mean_edge, std::size_t vertices, double steepest) {
+    const double affordable = std::sqrt(large_mesh / static_cast<double>(vertices + 1));
+    const double finer = std::clamp(std::min(affordable, steepest / steep), 1.0, 2.0);
+    const double fitting = mean_edge > 0 ? finer * fewest_in_all * length / mean_edge : fewest_in_all;
+    return static_cast<std::size_t>(std::lround(std::clamp(fitting, fewest_in_all, most_in_all)));
+}
+
+double steepness(std::span<const std::array<double, 2>> opacity_points) {
+    double steepest = 0;
+    for (std::size_t i = 1; i < opacity_points.size(); ++i) {
+        const auto& [from, low] = opacity_points[i - 1];
+        const auto& [to, high] = opacity_points[i];
+        const double rise = std::abs(color::extinction_of(high) - color::extinction_of(low));
+        if (rise > 0) steepest = std::max(steepest, rise / (to - from)); // infinite of a step
+    }
+    return steepest;
+}
+
+double largest_loss(std::span<const std::array<double, 2>> opacity_points, double unit_length, double length) {
+    double opacity = 0;
+    for (const auto& [place, of_unit_length] : opacity_points) opacity = std::max(opacity, of_unit_length);
+    return color::extinction_of(opacity) * length / unit_length;
+}
+
+std::size_t moving_stride(std::size_t slices, std::size_t vertices, double loss) {
+    const double fitting = static_cast<double>(slices) / moving_slices(vertices, loss);
+    return 2 * static_cast<std::size_t>(std::ceil((fitting - 1) / 2)) + 1; // the next odd number
+}
+
+VolumeCut::VolumeCut() : identity(unique_number()) {}
+
+void VolumeCut::use_property(const std::string& name, std::size_t step, store::LoadedDataset& loaded) {
+    const std::string wanted = std::to_string(step) + " " + name;
+    if (key == wanted) return;
+    const store::ScalarField field = loaded.scalar(name, step); // throws NotWritten before anything is given up
+    key.clear();
+    slabs = nullptr;
+    slabs_key.clear();
+    values = loaded.scalar_values(name, step);
+    gradients = vertex_gradients(*field.topology, field.mesh, *values);
+    limits = cell_limits(field.mesh, *values);
+    if (const auto sound = loaded.sound_cells(name, step))
+        for (std::size_t cell = 0; cell < limits.size(); ++cell)
+            if (sound->kept[cell] == 0) limits[cell] = not_filled;
+    boundary = std::make_shared<const SlabMesh>(slab_boundary(field.mesh, {*values, gradients, limits}));
+    key = wanted;
+}
+
+bool VolumeCut::cut(const std::string& place, const store::ScalarField& planes, Vec3d normal, std::size_t count,
+                    std::size_t every, Extraction extraction, const std::stop_token& stop) {
+    const std::string wanted = place + " " + std::to_string(count);
+    const bool same = slabs && slabs_key == wanted;
+    if (same && (stride == 1 || stride == every)) return true;
+    auto made = std::make_shared<Slabs>();
+    const auto [low, high] = planes.field->range();
+    made->normal = normal;
+    made->first = low;
+    made->thickness = (static_cast<double>(high) - static_cast<double>(low)) / static_cast<double>(count);
+    made->boundary = boundary;
+    made->slices.resize(count);
+
+    std::vector<double> places;
+    for (std::size_t i = every / 2; i < count; i += every)
+        places.push_back(made->first + (static_cast<double>(i) + 0.5) * made->thickness);
+    std::vector<SlabMesh> cuts;
+    if (!sweep(*planes.topology, planes.mesh, *planes.field, places, SlabSink{{*values, gradients, limits}}, cuts, stop,
+               extraction))
+        return false;
+    for (std::size_t i = every / 2, k = 0; i < count; i += every, ++k) made->slices[i] = std::move(cuts[k]);
+    slabs = std::move(made);
+    slabs_key = wanted;
+    stride = every;
+    revision = unique_number();
+    return true;
+}
+
+std::size_t VolumeCut::memory_bytes() const {
+    return gradients.size() * sizeof(Vec3f) + limits.size() * sizeof(limits[0]) +
+           (boundary ? boundary->memory_bytes() : 0) + (slabs ? slabs->memory_bytes() : 0);
+}
+
+scene::VolumeLayer::Direction slab_direction(const scene::Scene& scene) {
+    for (const scene::Layer& layer : scene.layers)
+        if (const auto* volume = std::get_if<scene::VolumeLayer>(&layer.kind); volume != nullptr && layer.visible)
+            return volume->direction;
+    return scene::VolumeLayer::Direction::automatic;
+}
+
+namespace {
+
+// In the corners of a picture that is not wider than 16 : 9. No view of 30 degrees does along those across its nearest
+// axis, whatever it looks at.
+bool sees_along_slabs(const Vec3d& view, std::size_t axis, const annotations::Camera& camera) {
+    constexpr double degree = std::numbers::pi / 180, widest = 85 * degree;
+    const double corner = camera.parallel ? 0 : std::tan(camera.fov_degrees / 2 * degree) * std::hypot(1.0, 16.0 / 9.0);
+    return std::acos(std::min(std::abs(unit_vector(view)[axis]), 1.0)) + std::atan(corner) > widest;
+}
+
+std::optional<std::size_t> axis_of(scene::VolumeLayer::Direction direction) {
+    using Direction = scene::VolumeLayer::Direction;
+    if (direction == Direction::automatic || direction == Direction::screen) return {};
+    return static_cast<std::size_t>(direction) - static_cast<std::size_t>(Direction::x);
+}
+
+} // namespace
+
+Vec3d slab_normal(scene::VolumeLayer::Direction direction, const annotations::Camera& camera, bool moving) {
+    using Direction = scene::VolumeLayer::Direction;
+    Vec3d view{};
+    for (std::size_t axis = 0; axis < 3; ++axis) view[axis] = camera.target[axis] - camera.position[axis];
+    // Planes that turn with the camera would have to be cut anew for each picture of a turning camera.
+    if (direction == Direction::screen && !moving) return unit_vector(view);
+    std::size_t axis = 0;
+    for (std::size_t other = 1; other < 3; ++other)
+        if (std::abs(view[other]) > std::abs(view[axis])) axis = other;
+    if (const auto asked = axis_of(direction); asked && !sees_along_slabs(view, *asked, camera)) axis = *asked;
+    if (!moving && sees_along_slabs(view, axis, camera)) return unit_vector(view);
+    Vec3d normal{};
+    normal[axis] = 1;
+    return normal;
+}
+
+} // namespace ciel::geometry

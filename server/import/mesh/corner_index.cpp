@@ -1,0 +1,62 @@
+#include "import/mesh/corner_index.hpp"
+
+#include <algorithm>
+#include <bit>
+
+namespace ciel::importer {
+
+namespace {
+
+template <typename Words>
+std::size_t mix(const Words& words) {
+    std::uint64_t hash = 0x9E3779B97F4A7C15U;
+    for (const std::uint32_t word : words) {
+        hash = (hash ^ word) * 0xBF58476D1CE4E5B9U;
+        hash ^= hash >> 29;
+    }
+    return hash;
+}
+
+} // namespace
+
+Corners normalised(Corners corners) {
+    std::sort(corners.begin(), corners.end());
+    corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
+    return corners;
+}
+
+std::size_t CornersHash::operator()(const Corners& corners) const { return mix(corners); }
+std::size_t CornerIndex::PlaceHash::operator()(const Place& place) const { return mix(place); }
+
+CornerIndex::Place CornerIndex::place_of(const float* position) {
+    Place place{};
+    for (std::size_t axis = 0; axis < 3; ++axis) place[axis] = std::bit_cast<std::uint32_t>(position[axis] + 0.0F);
+    return place; // adding zero makes one of the two zeros
+}
+
+Corners CornerIndex::learn(std::span<const Index> vertices) {
+    Corners corners;
+    for (const Index vertex : vertices)
+        corners.push_back(
+            vertices_.try_emplace(place_of(&mesh_.positions[3 * std::size_t{vertex}]), vertex).first->second);
+    return normalised(std::move(corners));
+}
+
+Corners CornerIndex::find(vtkDataSet* data, vtkIdType cell) {
+    data->GetCellPoints(cell, ids_);
+    Corners corners;
+    for (vtkIdType i = 0; i < ids_->GetNumberOfIds(); ++i) {
+        std::array<double, 3> point{};
+        data->GetPoint(ids_->GetId(i), point.data());
+        std::array<float, 3> offset{};
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            offset[axis] = static_cast<float>(point[axis] - mesh_.origin[axis]);
+        const auto known = vertices_.find(place_of(offset.data()));
+        if (known != vertices_.end()) corners.push_back(known->second);
+    }
+    const bool complete = corners.size() == static_cast<std::size_t>(ids_->GetNumberOfIds());
+    corners = normalised(std::move(corners));
+    return complete || corners.size() >= 3 ? corners : Corners{};
+}
+
+} // namespace ciel::importer

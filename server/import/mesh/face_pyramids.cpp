@@ -1,0 +1,32 @@
+#include "import/mesh/face_pyramids.hpp"
+
+#include "ciel/cell_geometry.hpp"
+#include "ciel/vector_operators.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ciel::importer {
+
+InvertedPyramids find_inverted_pyramids(const FaceMeshView& mesh) {
+    constexpr double least_cosine = -1e-6; // a collapsed cell is flat, not inverted
+    const std::vector<FaceShape> faces = face_shapes(mesh);
+    const std::vector<Vec3d> centres = cell_centres(mesh, faces);
+    InvertedPyramids inverted;
+    const auto judge = [&](Index cell, const FaceShape& face, double sign) {
+        const Vec3d arm = face.centre - centres[cell];
+        const double longest = std::sqrt(dot(face.area, face.area) * dot(arm, arm));
+        if (!(sign * dot(face.area, arm) < least_cosine * longest)) return;
+        ++inverted.count;
+        inverted.cells.push_back(cell);
+    };
+    for (Index face = 0; face < mesh.face_count(); ++face) {
+        judge(mesh.owner[face], faces[face], 1.0);
+        if (mesh.neighbour[face] != none) judge(mesh.neighbour[face], faces[face], -1.0);
+    }
+    std::sort(inverted.cells.begin(), inverted.cells.end());
+    inverted.cells.erase(std::unique(inverted.cells.begin(), inverted.cells.end()), inverted.cells.end());
+    return inverted;
+}
+
+} // namespace ciel::importer

@@ -1,0 +1,347 @@
+#include "import/mesh/joined_mesh.hpp"
+
+#include "ciel/standard_shapes.hpp"
+#include "import/mesh/cell_shapes.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkCellType.h>
+#include <vtkDataSetAttributes.h>
+#include <vtkIdTypeArray.h>
+#include <vtkImageData.h>
+#include <vtkPointData.h>
+#include <vtkPointSet.h>
+#include <vtkPoints.h>
+#include <vtkRectilinearGrid.h>
+#include <vtkStructuredGrid.h>
+#include <vtkUnsignedCharArray.h>
+#include <vtkUnstructuredGrid.h>
+
+namespace ciel::importer {
+
+namespace {
+
+constexpr std::uint64_t max_count = none - 1ULL;
+
+std::ptrdiff_t corners_of(CellType type) {
+    std::ptrdiff_t corners = 0;
+    with_shape(type, [&corners]<const StandardShape & shape>() { corners = shape.corners; });
+    return corners;
+}
+
+// Appends the cells of one block; every id that comes from the file is checked here and nowhere later.
+class BlockJoiner {
+public:
+    BlockJoiner(JoinedMesh& mesh, std::size_t part)
+        : mesh_(mesh), part_(part), data_(mesh.parts[part].data), point_count_(data_->GetNumberOfPoints()) {}
+
+    void add_cells() {
+        mesh_.parts[part_].mesh_cell_begin = static_cast<Index>(mesh_.cell_types.size());
+        if (auto* grid = vtkUnstructuredGrid::SafeDownCast(data_))
+            add_unstructured(grid);
+        else
+            add_structured();
+        mesh_.parts[part_].mesh_cell_end = static_cast<Index>(mesh_.cell_types.size());
+    }
+
+private:
+    [[noreturn]] void fail(const std::string& what) const {
+        const std::string& name = mesh_.parts[part_].name;
+        throw Error(name.empty() ? what : "block \"" + name + "\": " + what);
+    }
+
+    Index vertex(vtkIdType id, vtkIdType cell) const {
+        if (id < 0 || id >= point_count_)
+            fail("cell " + std::to_string(cell) + " uses point " + std::to_string(id) + ", but there are only " +
+                 std::to_string(point_count_) + " points");
+        return mesh_.parts[part_].first_point + static_cast<Index>(id);
+    }
+
+    void close_cell(CellType type, vtkIdType cell) {
+        mesh_.cell_types.push_back(static_cast<std::uint8_t>(type));
+        mesh_.cell_offset.push_back(mesh_.face_offset.size() - 1);
+        mesh_.source_cell.push_back(mesh_.parts[part_].first_cell + static_cast<Index>(cell));
+    }
+
+    void add_standard(CellType type, std::span<const Index> corners, vtkIdType cell) {
+        if (type == CellType::polyhedron)
+            append_prism_faces(corners, mesh_.face_offset, mesh_.face_vertex);
+        else
+            append_standard_faces(type, corners, mesh_.face_offset, mesh_.face_vertex);
+        close_cell(type, cell);
+    }
+
+    void add_shape(const CellShape& shape, std::span<const vtkIdType> nodes, vtkIdType cell) {
+        if (nodes.size() < static_cast<std::size_t>(shape.least_nodes))
+            fail("cell " + std::to_string(cell) + " has " + std::to_string(nodes.size()) + " nodes; its type needs " +
+                 std::to_string(shape.least_nodes));
+        std::array<Index, 12> corners{};
+        for (int i = 0; i < shape.corners; ++i) corners[i] = vertex(nodes[i], cell);
+        if (shape.vtk_type == VTK_VOXEL) {
+            std::swap(corners[2], corners[3]);
+            std::swap(corners[6], corners[7]);
+        }
+        if (shape.reduced_from != nullptr) ++mesh_.reduced_cells[shape.reduced_from];
+        add_standard(shape.type, std::span<const Index>(corners.data(), shape.corners), cell);
+    }
+
+    // A cell's face stream is: faces, then for each its count and its points.
+    void add_polyhedron(std::span<const vtkIdType> stream, vtkIdType cell) {
+        const auto damaged = [&] { fail("the face list of polyhedron " + std::to_string(cell) + " is damaged"); };
+        if (stream.empty() || stream[0] < 0) damaged();
+        std::size_t at = 1;
+        for (vtkIdType face = 0; face < stream[0]; ++face) {
+            if (at >= stream.size() || stream[at] < 0 || static_cast<std::size_t>(stream[at]) > stream.size() - at - 1)
+                damaged();
+            const auto corners = stream.subspan(at + 1, static_cast<std::size_t>(stream[at]));
+            for (const vtkIdType corner : corners) mesh_.face_vertex.push_back(vertex(corner, cell));
+            mesh_.face_offset.push_back(mesh_.face_vertex.size());
+            at += 1 + corners.size();
+        }
+        close_cell(type_of_last_faces(static_cast<std::size_t>(stream[0])), cell);
+    }
+
+    // A hexahedron is one whatever its file calls it.
+    [[nodiscard]] CellType type_of_last_faces(std::size_t faces) const {
+        const std::size_t first = mesh_.face_offset.size() - 1 - faces;
+        const std::uint64_t begin = mesh_.face_offset[first];
+        std::size_t largest = 0;
+        for (std::size_t face = first; face < first + faces; ++face)
+            largest = std::max<std::size_t>(largest, mesh_.face_offset[face + 1] - mesh_.face_offset[face]);
+        const CellType type = type_of_faces(faces, mesh_.face_vertex.size() - begin, largest);
+        if (type == CellType::polyhedron) return type;
+        std::vector<Index> corners(mesh_.face_vertex.begin() + static_cast<std::ptrdiff_t>(begin),
+                                   mesh_.face_vertex.end());
+        std::sort(corners.begin(), corners.end());
+        const auto distinct = std::unique(corners.begin(), corners.end()) - corners.begin();
+        return distinct == corners_of(type) ? type : CellType::polyhedron;
+    }
+
+    // Ghosts are another piece's cells; hidden cells are blanked.
+    [[nodiscard]] bool is_ghost(vtkIdType cell) const {
+        const vtkUnsignedCharArray* ghosts = data_->GetCellGhostArray();
+        constexpr int left_out =
+            vtkDataSetAttributes::DUPLICATECELL | vtkDataSetAttributes::HIDDENCELL | vtkDataSetAttributes::REFINEDCELL;
+        return ghosts != nullptr && cell < ghosts->GetNumberOfValues() && (ghosts->GetValue(cell) & left_out) != 0;
+    }
+
+    void check_tables(vtkUnstructuredGrid* grid) const {
+        vtkCellArray* cells = grid->GetCells();
+        const vtkIdType count = grid->GetNumberOfCells();
+        if (grid->GetCellTypesArray() == nullptr || grid->GetCellTypesArray()->GetNumberOfValues() != count)
+            fail("has " + std::to_string(count) + " cells but not as many cell types");
+        vtkIdType previous = 0;
+        for (vtkIdType i = 0; i <= count; ++i) {
+            const auto offset = static_cast<vtkIdType>(cells->GetOffsetsArray()->GetComponent(i, 0));
+            if (offset < previous || offset > cells->GetNumberOfConnectivityIds() || (i == 0 && offset != 0))
+                fail("the offsets of its cells are damaged at cell " + std::to_string(i));
+            previous = offset;
+        }
+    }
+
+    void add_unstructured(vtkUnstructuredGrid* grid) {
+        check_tables(grid);
+        JoinedMesh::Surface surface{part_, {}};
+        for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell) {
+            const int type = grid->GetCellType(cell);
+            const Dimension dimension = cell_dimension(type);
+            if (type == VTK_CONVEX_POINT_SET) {
+                ++mesh_.convex_point_sets;
+            } else if (dimension == Dimension::none) {
+                ++mesh_.ignored_cells;
+            } else if (dimension == Dimension::surface) {
+                surface.cells.push_back(cell);
+            } else if (is_ghost(cell)) {
+                ++mesh_.blanked_cells;
+            } else if (type == VTK_POLYHEDRON) {
+                add_polyhedron(face_stream(grid, cell), cell);
+            } else {
+                vtkIdType size = 0;
+                const vtkIdType* nodes = nullptr;
+                grid->GetCells()->GetCellAtId(cell, size, nodes);
+                add_shape(*find_shape(type), {nodes, static_cast<std::size_t>(size)}, cell);
+            }
+        }
+        if (!surface.cells.empty()) mesh_.surfaces.push_back(std::move(surface));
+    }
+
+    std::span<const vtkIdType> face_stream(vtkUnstructuredGrid* grid, vtkIdType cell) const {
+        vtkIdTypeArray* faces = grid->GetFaces();
+        vtkIdTypeArray* locations = grid->GetFaceLocations();
+        if (faces == nullptr || locations == nullptr || cell >= locations->GetNumberOfValues())
+            fail("polyhedron " + std::to_string(cell) + " has no faces");
+        const vtkIdType begin = locations->GetValue(cell);
+        const vtkIdType size = faces->GetNumberOfValues();
+        if (begin < 0 || begin >= size) fail("polyhedron " + std::to_string(cell) + " has no faces");
+        return {faces->GetPointer(begin), static_cast<std::size_t>(size - begin)};
+    }
+
+    [[nodiscard]] std::array<int, 3> dimensions() const {
+        std::array<int, 3> dims{};
+        if (auto* structured = vtkStructuredGrid::SafeDownCast(data_)) structured->GetDimensions(dims.data());
+        if (auto* rectilinear = vtkRectilinearGrid::SafeDownCast(data_)) rectilinear->GetDimensions(dims.data());
+        if (auto* image = vtkImageData::SafeDownCast(data_)) image->GetDimensions(dims.data());
+        return dims;
+    }
+
+    void add_structured() {
+        const auto [ni, nj, nk] = dimensions();
+        if (vtkIdType{ni} * nj * nk != point_count_)
+            fail("its dimensions " + std::to_string(ni) + " x " + std::to_string(nj) + " x " + std::to_string(nk) +
+                 " do not fit its " + std::to_string(point_count_) + " points");
+        const std::vector<bool> holes = hole_points();
+        const vtkIdType row = ni;
+        const vtkIdType slab = row * nj;
+        vtkIdType cell = 0;
+        for (vtkIdType k = 0; k + 1 < nk; ++k)
+            for (vtkIdType j = 0; j + 1 < nj; ++j)
+                for (vtkIdType i = 0; i + 1 < ni; ++i, ++cell) {
+                    const vtkIdType p = i + j * row + k * slab;
+                    const std::array<vtkIdType, 8> nodes{p,        p + 1,        p + 1 + row,        p + row,
+                                                         p + slab, p + 1 + slab, p + 1 + row + slab, p + row + slab};
+                    const bool hole = !holes.empty() &&
+                                      std::any_of(nodes.begin(), nodes.end(), [&](vtkIdType n) { return holes[n]; });
+                    if (hole || (!blank_points_known_ && is_ghost(cell)))
+                        ++mesh_.blanked_cells;
+                    else
+                        add_shape(*find_shape(VTK_HEXAHEDRON), nodes, cell);
+                }
+    }
+
+    // PLOT3D's iblank: 0 is a hole; walls (2), interpolated points (negative) and the rest are kept.
+    std::vector<bool> hole_points() {
+        vtkDataArray* iblank = data_->GetPointData()->GetArray("IBlank");
+        blank_points_known_ = iblank != nullptr;
+        std::vector<bool> holes;
+        if (iblank == nullptr || iblank->GetNumberOfTuples() != point_count_) return holes;
+        holes.resize(static_cast<std::size_t>(point_count_));
+        for (vtkIdType i = 0; i < point_count_; ++i) holes[i] = iblank->GetComponent(i, 0) == 0;
+        return holes;
+    }
+
+    JoinedMesh& mesh_;
+    std::size_t part_;
+    vtkDataSet* data_;
+    vtkIdType point_count_;
+    bool blank_points_known_ = false;
+};
+
+void number_parts(JoinedMesh& mesh, const std::vector<DataSet>& volumes) {
+    std::map<vtkPoints*, Index> shared;
+    std::uint64_t points = 0;
+    std::uint64_t cells = 0;
+    for (const DataSet& data_set : volumes) {
+        JoinedMesh::Member part{
+            data_set.name, data_set.data, static_cast<Index>(points), static_cast<Index>(cells), 0, 0, data_set.whole};
+        auto* set = vtkPointSet::SafeDownCast(data_set.data);
+        vtkPoints* own = set != nullptr ? set->GetPoints() : nullptr;
+        const auto known = own != nullptr ? shared.find(own) : shared.end();
+        if (known != shared.end()) {
+            part.first_point = known->second;
+        } else {
+            if (own != nullptr) shared[own] = part.first_point;
+            points += static_cast<std::uint64_t>(data_set.data->GetNumberOfPoints());
+        }
+        cells += static_cast<std::uint64_t>(data_set.data->GetNumberOfCells());
+        if (points > max_count || cells > max_count)
+            throw Error("the mesh has more than 4,294,967,294 points or cells, more than a dataset can hold");
+        mesh.parts.push_back(std::move(part));
+    }
+    mesh.point_count = static_cast<Index>(points);
+}
+
+void check_finite(const JoinedMesh& mesh) {
+    for (const Index vertex : mesh.face_vertex)
+        for (int axis = 0; axis < 3; ++axis)
+            if (!std::isfinite(mesh.positions[3 * std::size_t{vertex} + axis]))
+                throw Error("point " + std::to_string(vertex) + " has a coordinate that is not a finite number");
+}
+
+} // namespace
+
+RunningCounts count_running(const std::vector<DataSet>& volumes) {
+    JoinedMesh mesh;
+    number_parts(mesh, volumes);
+    if (volumes.empty()) return {};
+    const auto last = static_cast<Index>(volumes.back().data->GetNumberOfCells());
+    return {mesh.point_count, mesh.parts.back().first_cell + last};
+}
+
+Vec3d bounds_centre(const JoinedMesh& mesh) {
+    Vec3d low;
+    Vec3d high;
+    low.fill(std::numeric_limits<double>::infinity());
+    high.fill(-std::numeric_limits<double>::infinity());
+    for (const JoinedMesh::Member& part : mesh.parts)
+        for (vtkIdType i = 0; i < part.data->GetNumberOfPoints(); ++i) {
+            Vec3d point;
+            part.data->GetPoint(i, point.data());
+            for (int axis = 0; axis < 3; ++axis) {
+                if (!std::isfinite(point[axis])) continue;
+                low[axis] = std::min(low[axis], point[axis]);
+                high[axis] = std::max(high[axis], point[axis]);
+            }
+        }
+    Vec3d centre{};
+    for (int axis = 0; axis < 3; ++axis)
+        if (low[axis] <= high[axis]) centre[axis] = low[axis] / 2 + high[axis] / 2;
+    return centre;
+}
+
+std::vector<float> point_offsets(const std::vector<JoinedMesh::Member>& parts, Index point_count, Vec3d origin) {
+    std::vector<float> offsets(3 * std::size_t{point_count});
+    for (const JoinedMesh::Member& part : parts)
+        for (vtkIdType i = 0; i < part.data->GetNumberOfPoints(); ++i) {
+            Vec3d point;
+            part.data->GetPoint(i, point.data());
+            const std::size_t at = 3 * (std::size_t{part.first_point} + static_cast<std::size_t>(i));
+            for (std::size_t axis = 0; axis < 3; ++axis)
+                offsets[at + axis] = static_cast<float>(point[axis] - origin[axis]);
+        }
+    return offsets;
+}
+
+JoinedMesh join_data_sets(const std::vector<DataSet>& volumes) {
+    JoinedMesh mesh;
+    number_parts(mesh, volumes);
+    for (std::size_t part = 0; part < mesh.parts.size(); ++part) BlockJoiner(mesh, part).add_cells();
+    mesh.origin = bounds_centre(mesh);
+    mesh.positions = point_offsets(mesh.parts, mesh.point_count, mesh.origin);
+    check_finite(mesh);
+    return mesh;
+}
+
+std::uint64_t count_edges(const JoinedMesh& mesh) {
+    const auto for_each_edge = [&mesh](auto&& visit) {
+        for (std::size_t face = 0; face + 1 < mesh.face_offset.size(); ++face) {
+            const std::uint64_t begin = mesh.face_offset[face];
+            const std::uint64_t end = mesh.face_offset[face + 1];
+            for (std::uint64_t i = begin; i < end; ++i) {
+                const Index a = mesh.face_vertex[i];
+                const Index b = mesh.face_vertex[i + 1 < end ? i + 1 : begin];
+                if (a != b) visit(std::min(a, b), std::max(a, b));
+            }
+        }
+    };
+    // Buckets by the lower end: each is short, so sorting them is linear in practice.
+    std::vector<std::uint64_t> bucket(std::size_t{mesh.point_count} + 1, 0);
+    for_each_edge([&](Index low, Index) { ++bucket[low + 1]; });
+    for (std::size_t i = 1; i < bucket.size(); ++i) bucket[i] += bucket[i - 1];
+    std::vector<Index> upper(bucket.back());
+    std::vector<std::uint64_t> next(bucket.begin(), bucket.end() - 1);
+    for_each_edge([&](Index low, Index high) { upper[next[low]++] = high; });
+    std::uint64_t count = 0;
+    for (std::size_t i = 0; i + 1 < bucket.size(); ++i) {
+        const auto begin = upper.begin() + static_cast<std::ptrdiff_t>(bucket[i]);
+        const auto end = upper.begin() + static_cast<std::ptrdiff_t>(bucket[i + 1]);
+        std::sort(begin, end);
+        count += static_cast<std::uint64_t>(std::unique(begin, end) - begin);
+    }
+    return count;
+}
+
+} // namespace ciel::importer

@@ -1,0 +1,161 @@
+#include "import/mesh/patches.hpp"
+
+#include "import/mesh/corner_index.hpp"
+
+#include <algorithm>
+#include <numeric>
+#include <optional>
+#include <vtkPointSet.h>
+
+namespace ciel::importer {
+
+namespace {
+
+// Boundary faces by their corners. Two surfaces may name the same face. Of coincident ones (both sides of a baffle)
+// each is claimed in turn.
+class BoundaryFaces {
+public:
+    void add(Corners corners, Index face) { faces_[std::move(corners)].push_back({face, 0, none}); }
+
+    // The face with these corners that this surface has not claimed, or none.
+    Index claim(const Corners& corners, Index surface) {
+        const auto found = faces_.find(corners);
+        if (found == faces_.end()) return none;
+        Candidate* best = nullptr;
+        for (Candidate& candidate : found->second)
+            if (candidate.last_surface != surface && (best == nullptr || candidate.claims < best->claims))
+                best = &candidate;
+        if (best == nullptr) return none;
+        best->last_surface = surface;
+        ++best->claims;
+        return best->face;
+    }
+
+private:
+    struct Candidate {
+        Index face;
+        Index claims;
+        Index last_surface;
+    };
+    std::unordered_map<Corners, std::vector<Candidate>, CornersHash> faces_;
+};
+
+template <typename Corner>
+void add_boundary(const FaceMeshView& mesh, BoundaryFaces& faces, Corner&& corners_of) {
+    for (Index face = 0; face < mesh.face_count(); ++face)
+        if (mesh.neighbour[face] == none) faces.add(corners_of(mesh.loop(face).unchecked()), face);
+}
+
+// Corners are known by where they are.
+class ByPlace {
+public:
+    explicit ByPlace(const FaceMeshView& mesh) : index_(mesh) {
+        add_boundary(mesh, faces_, [this](std::span<const Index> loop) { return index_.learn(loop); });
+    }
+    Index claim(vtkDataSet* data, vtkIdType cell, Index surface) {
+        return faces_.claim(index_.find(data, cell), surface);
+    }
+
+private:
+    CornerIndex index_;
+    BoundaryFaces faces_;
+};
+
+// Corners are known by their points: running ones, which welding may have made one.
+class ById {
+public:
+    ById(const Assembled& assembled, const JoinedMesh& joined, const std::vector<Index>& representative)
+        : representative_(representative), stored_(joined.point_count, none) {
+        for (Index vertex = 0; vertex < assembled.original_vertex.size(); ++vertex)
+            stored_[assembled.original_vertex[vertex]] = vertex;
+        add_boundary(assembled.mesh.view(), faces_, [](std::span<const Index> loop) {
+            return normalised({loop.begin(), loop.end()});
+        });
+    }
+    Index claim(vtkDataSet* data, vtkIdType cell, Index first_point, Index surface) {
+        data->GetCellPoints(cell, ids_);
+        Corners corners;
+        for (vtkIdType i = 0; i < ids_->GetNumberOfIds(); ++i) {
+            const Index running = first_point + static_cast<Index>(ids_->GetId(i));
+            corners.push_back(stored_[representative_.empty() ? running : representative_[running]]);
+        }
+        return faces_.claim(normalised(std::move(corners)), surface);
+    }
+
+private:
+    const std::vector<Index>& representative_;
+    std::vector<Index> stored_; // running point -> stored vertex
+    BoundaryFaces faces_;
+    vtkNew<vtkIdList> ids_;
+};
+
+class Matcher {
+public:
+    Matcher(const Assembled& assembled, const JoinedMesh& joined, const std::vector<Index>& representative)
+        : assembled_(assembled), joined_(joined), representative_(representative) {}
+
+    void add(Patch patch, vtkDataSet* data, std::span<const vtkIdType> cells) {
+        const JoinedMesh::Member* part = part_with_points_of(data);
+        const auto surface = static_cast<Index>(patches_.size());
+        for (const vtkIdType cell : cells) {
+            const Index face = part != nullptr ? by_id().claim(data, cell, part->first_point, surface)
+                                               : by_place().claim(data, cell, surface);
+            if (face == none) {
+                ++patch.unmatched;
+                continue;
+            }
+            patch.faces.push_back(face);
+            patch.cells.push_back(static_cast<std::size_t>(cell));
+        }
+        patches_.push_back(std::move(patch));
+    }
+
+    std::vector<Patch> take() { return std::move(patches_); }
+
+private:
+    [[nodiscard]] const JoinedMesh::Member* part_with_points_of(vtkDataSet* data) const {
+        auto* set = vtkPointSet::SafeDownCast(data);
+        if (set == nullptr || set->GetPoints() == nullptr) return nullptr;
+        const auto found =
+            std::find_if(joined_.parts.begin(), joined_.parts.end(), [&](const JoinedMesh::Member& part) {
+                auto* own = vtkPointSet::SafeDownCast(part.data);
+                return own != nullptr && own->GetPoints() == set->GetPoints();
+            });
+        return found == joined_.parts.end() ? nullptr : &*found;
+    }
+    ByPlace& by_place() {
+        if (!by_place_) by_place_.emplace(assembled_.mesh.view());
+        return *by_place_;
+    }
+    ById& by_id() {
+        if (!by_id_) by_id_.emplace(assembled_, joined_, representative_);
+        return *by_id_;
+    }
+
+    const Assembled& assembled_;
+    const JoinedMesh& joined_;
+    const std::vector<Index>& representative_;
+    std::optional<ByPlace> by_place_;
+    std::optional<ById> by_id_;
+    std::vector<Patch> patches_;
+};
+
+} // namespace
+
+std::vector<Patch> match_patches(const Assembled& assembled, const JoinedMesh& joined,
+                                 const std::vector<Index>& representative, const std::vector<DataSet>& surfaces) {
+    Matcher matcher(assembled, joined, representative);
+    for (std::size_t i = 0; i < surfaces.size(); ++i) {
+        std::vector<vtkIdType> cells(static_cast<std::size_t>(surfaces[i].data->GetNumberOfCells()));
+        std::iota(cells.begin(), cells.end(), vtkIdType{0});
+        const std::size_t source = surfaces[i].own_values ? i : Patch::none_of_them;
+        matcher.add({surfaces[i].name, source, {}, {}, 0}, surfaces[i].data, cells);
+    }
+    for (const JoinedMesh::Surface& surface : joined.surfaces) {
+        const JoinedMesh::Member& part = joined.parts[surface.part];
+        matcher.add({part.name + " surface", Patch::none_of_them, {}, {}, 0}, part.data, surface.cells);
+    }
+    return matcher.take();
+}
+
+} // namespace ciel::importer

@@ -1,0 +1,244 @@
+#include "import/mesh/step_mesh.hpp"
+
+#include "import/mesh/degenerate_cells.hpp"
+#include "import/mesh/face_pyramids.hpp"
+#include "import/mesh/position_loss.hpp"
+#include "import/mesh/zones.hpp"
+
+#include <algorithm>
+#include <map>
+#include <unordered_map>
+
+namespace ciel::importer {
+
+namespace {
+
+std::string plural(std::uint64_t count, const std::string& one, const std::string& many) {
+    return std::to_string(count) + " " + (count == 1 ? one : many);
+}
+
+const char* reason_text(BadCells::Reason reason) {
+    using Reason = BadCells::Reason;
+    static const std::map<Reason, const char*> texts{
+        {Reason::open, "not closed"},
+        {Reason::inconsistent_winding, "faces that cannot be wound consistently"},
+        {Reason::inside_out_unresolved, "no inside and outside that can be told apart"},
+        {Reason::index_out_of_range, "a vertex that does not exist"},
+        {Reason::too_few_faces, "too few faces"},
+        {Reason::repeated, "the same faces as an earlier cell, which was kept"},
+    };
+    return texts.at(reason);
+}
+
+std::string id_list(const std::vector<Index>& ids, const std::vector<Index>& source_cell) {
+    std::string text;
+    for (const Index id : ids) text += (text.empty() ? "" : ", ") + std::to_string(source_cell[id]);
+    return text;
+}
+
+bool has_pieces(const JoinedMesh& joined) {
+    return std::any_of(joined.parts.begin(), joined.parts.end(), [](const auto& part) { return part.whole >= 0; });
+}
+
+void describe_assembly(const JoinedMesh& joined, const AssembleReport& report, StepMesh& mesh) {
+    for (const BadCells& bad : report.bad_cells) {
+        const bool is_in_two_pieces = bad.reason == BadCells::Reason::repeated && has_pieces(joined);
+        mesh.bad_cells += is_in_two_pieces ? 0 : bad.count; // a ghost without a flag is not lost
+        mesh.notes.push_back(plural(bad.count, "cell was", "cells were") + " left out: " + reason_text(bad.reason) +
+                             " (first ids: " + id_list(bad.first_ids, joined.source_cell) + ").");
+    }
+    if (report.short_faces > 0)
+        mesh.notes.push_back(plural(report.short_faces, "face", "faces") + " of fewer than three corners " +
+                             (report.short_faces == 1 ? "was" : "were") +
+                             " left out (first cells: " + id_list(report.first_short, joined.source_cell) + ").");
+    if (report.reversed_cells > 0)
+        mesh.notes.push_back(plural(report.reversed_cells, "cell was", "cells were") + " wound inwards and turned.");
+    if (report.reversed_faces > 0)
+        mesh.notes.push_back(plural(report.reversed_faces, "face was", "faces were") +
+                             " turned to agree with the cell.");
+    if (report.internal_boundaries > 0)
+        mesh.notes.push_back(plural(report.internal_boundaries, "face is claimed by three or more cells and stays",
+                                    "faces are claimed by three or more cells and stay") +
+                             " internal boundary.");
+    if (report.inverted_cells > 0)
+        mesh.notes.push_back(
+            plural(report.inverted_cells, "cell has negative volume and was", "cells have negative volume and were") +
+            " kept (first ids: " + id_list(report.first_inverted, joined.source_cell) + ").");
+}
+
+void describe_joining(const JoinedMesh& joined, StepMesh& mesh) {
+    if (joined.parts.size() > 1)
+        mesh.notes.push_back(std::to_string(joined.parts.size()) +
+                             (has_pieces(joined) ? " pieces or blocks were put together" : " blocks were joined") +
+                             "; vertex and cell ids run through them in order.");
+    for (const auto& [what, count] : joined.reduced_cells)
+        mesh.notes.push_back(std::to_string(count) + " " + what + " keep their corners; mid-side nodes were dropped.");
+    if (joined.blanked_cells > 0)
+        mesh.notes.push_back(plural(joined.blanked_cells, "cell is", "cells are") +
+                             " blanked or a ghost, and left out.");
+    if (joined.convex_point_sets > 0)
+        mesh.notes.push_back(plural(joined.convex_point_sets, "convex point set was", "convex point sets were") +
+                             " left out: such cells have no faces; write them as polyhedra.");
+    if (joined.ignored_cells > 0)
+        mesh.notes.push_back(plural(joined.ignored_cells, "cell", "cells") +
+                             " without volume or surface were ignored.");
+}
+
+void describe_shapes(const JoinedMesh& joined, StepMesh& mesh) {
+    constexpr std::size_t shown = 10;
+    const InvertedPyramids inverted = find_inverted_pyramids(mesh.view());
+    if (inverted.count == 0) return;
+    std::vector<Index> ids;
+    for (const Index cell : inverted.cells) ids.push_back(mesh.assembled.original_cell[cell]);
+    std::sort(ids.begin(), ids.end());
+    ids.resize(std::min(ids.size(), shown));
+    mesh.notes.push_back(plural(inverted.count, "face looks", "faces look") + " inwards from the centre of " +
+                         plural(inverted.cells.size(), "cell", "cells") +
+                         " (inverted face pyramids), which were kept (first ids: " + id_list(ids, joined.source_cell) +
+                         ").");
+}
+
+void name_patches(const std::vector<DataSet>& surfaces, StepMesh& mesh) {
+    for (const Patch& patch : mesh.patches) {
+        if (patch.unmatched > 0)
+            mesh.notes.push_back(plural(patch.unmatched, "face", "faces") + " of surface \"" + patch.name +
+                                 "\" are no boundary faces of the mesh and were ignored.");
+        if (patch.faces.empty()) continue;
+        std::vector<Index> faces = patch.faces;
+        std::sort(faces.begin(), faces.end());
+        const bool is_known = patch.surface < surfaces.size();
+        store::PatchFacts facts = is_known ? surfaces[patch.surface].facts : store::PatchFacts{};
+        mesh.groups.push_back({store::Group::Of::faces, patch.name, std::move(faces), std::move(facts)});
+    }
+}
+
+// Blocks become zones when there are several names; pieces without names of their own are one.
+void name_blocks(const JoinedMesh& joined, StepMesh& mesh) {
+    std::map<std::string, std::vector<Index>> ids;
+    std::vector<std::string> names; // in order
+    const std::vector<Index>& original = mesh.assembled.original_cell;
+    std::vector<Index> stored(joined.cell_types.size(), none);
+    for (Index cell = 0; cell < original.size(); ++cell) stored[original[cell]] = cell;
+    for (const JoinedMesh::Member& part : joined.parts) {
+        const auto [zone, is_new] = ids.try_emplace(part.name);
+        if (is_new) names.push_back(part.name);
+        for (Index cell = part.mesh_cell_begin; cell < part.mesh_cell_end; ++cell)
+            if (stored[cell] != none) zone->second.push_back(stored[cell]);
+    }
+    if (names.size() < 2) return;
+    for (const std::string& name : names) {
+        std::sort(ids[name].begin(), ids[name].end());
+        if (!ids[name].empty()) mesh.groups.push_back({store::Group::Of::cells, name, std::move(ids[name])});
+    }
+}
+
+void name_zones(const std::vector<Zone>& zones, StepMesh& mesh) {
+    for (const Zone& zone : zones) {
+        if (zone.unmatched > 0)
+            mesh.notes.push_back(plural(zone.unmatched, "cell", "cells") + " of zone \"" + zone.name +
+                                 "\" are not in the mesh and were ignored.");
+        if (!zone.cells.empty()) mesh.groups.push_back({store::Group::Of::cells, zone.name, zone.cells});
+    }
+}
+
+// Cells that are ghosts, blanked or bad are not in the mesh.
+void name_cells(const JoinedMesh& joined, const std::vector<NamedCells>& zones, StepMesh& mesh) {
+    if (zones.empty()) return;
+    std::vector<Zone> found;
+    std::unordered_map<Index, Index> stored; // running cell -> stored cell
+    for (Index cell = 0; cell < mesh.assembled.original_cell.size(); ++cell)
+        stored.emplace(joined.source_cell[mesh.assembled.original_cell[cell]], cell);
+    for (const NamedCells& named : zones) {
+        Zone zone{named.name, {}, 0};
+        for (const Index cell : named.cells) {
+            const auto at = stored.find(cell);
+            if (at == stored.end())
+                ++zone.unmatched;
+            else
+                zone.cells.push_back(at->second);
+        }
+        std::sort(zone.cells.begin(), zone.cells.end());
+        zone.cells.erase(std::unique(zone.cells.begin(), zone.cells.end()), zone.cells.end());
+        found.push_back(std::move(zone));
+    }
+    name_zones(found, mesh);
+}
+
+Cut find_cuts(const JoinedMesh& joined, const DataSets& data_sets) {
+    if (has_pieces(joined)) return find_cut_between_parts(assemble(joined.view()), joined);
+    return {data_sets.same_points, data_sets.joined_faces, data_sets.single_faces, 0};
+}
+
+} // namespace
+
+StepMesh build_step_mesh(const DataSets& data_sets, Weld weld, const SeamDifference& difference) {
+    require_volumes(data_sets);
+    JoinedMesh joined = join_data_sets(data_sets.volumes);
+    if (joined.cell_types.empty() && joined.convex_point_sets > 0)
+        throw Error("holds only convex point sets, cells without faces; write them as polyhedra");
+    if (joined.cell_types.empty()) throw Error("holds no volume cells");
+
+    StepMesh mesh;
+    mesh.input_vertices = joined.point_count;
+    mesh.input_cells = joined.cell_types.size() + joined.convex_point_sets;
+    mesh.bad_cells = joined.convex_point_sets;
+    mesh.input_edges = count_edges(joined);
+    mesh.point_count = joined.point_count;
+    describe_joining(joined, mesh);
+    for (std::string& sentence : degenerate_cells(joined)) mesh.notes.push_back(std::move(sentence));
+    for (std::string& sentence : position_loss(joined)) mesh.notes.push_back(std::move(sentence));
+
+    const Cut cut = weld == Weld::seams ? find_cuts(joined, data_sets) : Cut{};
+    Welds welds = find_welds(joined, weld, cut, difference);
+    if (has_pieces(joined)) mesh.joined_pieces = cut.points;
+    if (weld == Weld::none && (!data_sets.same_points.empty() || has_pieces(joined)))
+        mesh.notes.emplace_back("The pieces of the mesh were left apart (--no-weld).");
+    mesh.seams = std::move(welds.seams);
+    mesh.notes.insert(mesh.notes.end(), welds.notes.begin(), welds.notes.end());
+    if (!welds.representative.empty())
+        for (Index& vertex : joined.face_vertex) vertex = welds.representative[vertex];
+
+    mesh.assembled = assemble(joined.view());
+    describe_assembly(joined, mesh.assembled.report, mesh);
+    if (mesh.assembled.mesh.cell_types.empty())
+        throw Error("none of its " + std::to_string(mesh.input_cells) +
+                    " cells can be used: " + reason_text(mesh.assembled.report.bad_cells.at(0).reason));
+    mesh.patches = match_patches(mesh.assembled, joined, welds.representative, data_sets.surfaces);
+    name_patches(data_sets.surfaces, mesh);
+    name_blocks(joined, mesh);
+    name_zones(match_zones(mesh.view(), data_sets.zones), mesh);
+    name_cells(joined, data_sets.named_cells, mesh);
+    describe_shapes(joined, mesh);
+
+    mesh.point_of_vertex = mesh.assembled.original_vertex;
+    mesh.cell_of_cell.reserve(mesh.assembled.original_cell.size());
+    for (const Index cell : mesh.assembled.original_cell) mesh.cell_of_cell.push_back(joined.source_cell[cell]);
+    mesh.parts = std::move(joined.parts);
+    return mesh;
+}
+
+void update_step_mesh(StepMesh& mesh, const DataSets& data_sets, bool moved) {
+    for (std::size_t i = 0; i < mesh.parts.size(); ++i) mesh.parts[i].data = data_sets.volumes[i].data;
+    if (!moved) return;
+    const std::vector<float> offsets = point_offsets(mesh.parts, mesh.point_count, mesh.assembled.mesh.origin);
+    mesh.assembled.mesh.positions = to_stored(offsets, mesh.point_of_vertex, 3);
+}
+
+std::vector<float> to_stored(std::span<const float> running, std::span<const Index> stored_to_running, int components) {
+    const auto width = static_cast<std::size_t>(components);
+    std::vector<float> stored(stored_to_running.size() * width);
+    for (std::size_t i = 0; i < stored_to_running.size(); ++i)
+        std::copy_n(running.begin() + static_cast<std::ptrdiff_t>(stored_to_running[i] * width), width,
+                    stored.begin() + static_cast<std::ptrdiff_t>(i * width));
+    return stored;
+}
+
+std::vector<std::int64_t> to_stored(std::span<const std::int64_t> running, std::span<const Index> stored_to_running) {
+    std::vector<std::int64_t> stored;
+    if (running.empty()) return stored;
+    stored.reserve(stored_to_running.size());
+    for (const Index item : stored_to_running) stored.push_back(running[item]);
+    return stored;
+}
+
+} // namespace ciel::importer

@@ -1,0 +1,216 @@
+#include "import/mesh/welds.hpp"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <unordered_map>
+#include <vtkStructuredGrid.h>
+
+namespace ciel::importer {
+
+namespace {
+
+// Relative to the block's diagonal: what is left of a copied value after a file's rounding.
+constexpr double position_tolerance = 1e-6;
+
+class DisjointSets {
+public:
+    explicit DisjointSets(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), Index{0}); }
+    Index find(Index i) {
+        while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
+        return i;
+    }
+    void join(Index a, Index b) {
+        a = find(a);
+        b = find(b);
+        parent_[std::max(a, b)] = std::min(a, b); // the first copy represents
+    }
+    std::vector<Index> representatives() {
+        for (Index i = 0; i < parent_.size(); ++i) find(i);
+        for (Index i = 0; i < parent_.size(); ++i) parent_[i] = find(i);
+        return std::move(parent_);
+    }
+
+private:
+    std::vector<Index> parent_;
+};
+
+// One structured block: finds the pairs of points that its seams put together.
+class SeamFinder {
+public:
+    SeamFinder(const JoinedMesh& mesh, std::size_t part, vtkStructuredGrid* grid) : mesh_(mesh), part_(part) {
+        grid->GetDimensions(dims_.data());
+        double bounds[6];
+        grid->GetBounds(bounds);
+        const double diagonal = std::hypot(bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4]);
+        tolerance_ = position_tolerance * diagonal;
+    }
+
+    std::vector<Seam> find() const {
+        std::vector<Seam> seams;
+        const auto add = [&](PointPairs points) {
+            if (!points.empty()) seams.push_back({part_, std::move(points), tolerance_});
+        };
+        for (int axis = 0; axis < 3; ++axis) {
+            if (dims_[axis] < 3) continue;
+            add(opposite_faces(axis));
+            for (const int plane : {0, dims_[axis] - 1})
+                for (const int fold : {(axis + 1) % 3, (axis + 2) % 3}) add(folded_face(axis, plane, fold));
+        }
+        return seams;
+    }
+
+private:
+    [[nodiscard]] Index point(std::array<int, 3> ijk) const {
+        return mesh_.parts[part_].first_point +
+               static_cast<Index>(ijk[0] + dims_[0] * (ijk[1] + static_cast<std::int64_t>(dims_[1]) * ijk[2]));
+    }
+    [[nodiscard]] bool coincide(Index a, Index b) const {
+        double distance = 0;
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            distance = std::max(distance, std::abs(static_cast<double>(mesh_.positions[3 * std::size_t{a} + axis]) -
+                                                   mesh_.positions[3 * std::size_t{b} + axis]));
+        return distance <= tolerance_;
+    }
+
+    [[nodiscard]] PointPairs opposite_faces(int axis) const {
+        PointPairs pairs;
+        const int u = (axis + 1) % 3;
+        const int v = (axis + 2) % 3;
+        for (int i = 0; i < dims_[u]; ++i)
+            for (int j = 0; j < dims_[v]; ++j) {
+                std::array<int, 3> ijk{};
+                ijk[u] = i;
+                ijk[v] = j;
+                const Index first = point(ijk);
+                ijk[axis] = dims_[axis] - 1;
+                pairs.emplace_back(first, point(ijk));
+                if (!coincide(pairs.back().first, pairs.back().second)) return {};
+            }
+        return pairs;
+    }
+
+    // The wake cut of a C-grid: a face whose two ends along `fold` lie on each other. A face collapsed to a line or a
+    // point (a polar axis) is none.
+    [[nodiscard]] PointPairs folded_face(int axis, int plane, int fold) const {
+        const int along = 3 - axis - fold;
+        PointPairs pairs;
+        int columns = 0;
+        for (; columns < dims_[fold] / 2; ++columns) {
+            PointPairs column;
+            bool collapsed = true;
+            for (int k = 0; k < dims_[along]; ++k) {
+                std::array<int, 3> ijk{};
+                ijk[axis] = plane;
+                ijk[along] = k;
+                const auto at = [&](int i) {
+                    ijk[fold] = i;
+                    return point(ijk);
+                };
+                column.emplace_back(at(columns), at(dims_[fold] - 1 - columns));
+                if (!coincide(column.back().first, column.back().second)) return columns < 2 ? PointPairs{} : pairs;
+                collapsed = collapsed && coincide(at(columns), at(columns + 1));
+            }
+            if (collapsed) return {};
+            pairs.insert(pairs.end(), column.begin(), column.end());
+        }
+        return columns < 2 ? PointPairs{} : pairs;
+    }
+
+    const JoinedMesh& mesh_;
+    std::size_t part_;
+    std::array<int, 3> dims_{};
+    double tolerance_ = 0;
+};
+
+std::string count_text(std::uint64_t count, const char* what) { return std::to_string(count) + " " + what; }
+
+void weld_seams(const JoinedMesh& mesh, const SeamDifference& difference_across, DisjointSets& sets, Welds& welds) {
+    for (std::size_t i = 0; i < mesh.parts.size(); ++i) {
+        const JoinedMesh::Member& part = mesh.parts[i];
+        auto* grid = vtkStructuredGrid::SafeDownCast(part.data);
+        if (grid == nullptr) continue;
+        std::string name;
+        if (!part.name.empty()) name.append(" (\"").append(part.name).append("\")");
+        for (Seam& seam : SeamFinder(mesh, i, grid).find()) {
+            const std::string difference = difference_across({seam}, mesh.parts);
+            if (!difference.empty()) {
+                std::string sentence = "A structured block" + name + " closes onto itself, but ";
+                sentence.append(difference).append(" differs across the seam, so it was not welded.");
+                welds.notes.push_back(std::move(sentence));
+                continue;
+            }
+            for (const auto& [a, b] : seam.points) sets.join(a, b);
+            welds.notes.push_back("The seam of a structured block" + name + ", closed onto itself, was welded: " +
+                                  count_text(seam.points.size(), "pairs of points."));
+            welds.seams.push_back(std::move(seam));
+        }
+    }
+}
+
+void join_cut(const Cut& cut, DisjointSets& sets, Welds& welds) {
+    for (const auto& [a, b] : cut.points) sets.join(a, b);
+    if (cut.faces > 0)
+        welds.notes.push_back("The pieces of the mesh were joined along " + count_text(cut.faces, "faces."));
+    if (cut.apart > 0)
+        welds.notes.push_back(count_text(cut.apart, "faces of pieces") +
+                              " lie on those of another piece, where ids or values differ, and stay boundary.");
+    if (cut.single > 0)
+        welds.notes.push_back(count_text(cut.single, "faces of no patch") +
+                              " have no counterpart on another piece and stay boundary.");
+}
+
+// Every set of points with the same coordinates, to the bit.
+template <typename Visit>
+void for_each_coincident(const JoinedMesh& mesh, const std::vector<bool>& looked_at, Visit&& visit) {
+    struct Hash {
+        std::size_t operator()(const std::array<float, 3>& p) const {
+            std::uint64_t hash = 0;
+            for (const float x : p) hash = (hash ^ std::bit_cast<std::uint32_t>(x)) * 0x9E3779B97F4A7C15U;
+            return hash ^ (hash >> 32);
+        }
+    };
+    std::unordered_map<std::array<float, 3>, Index, Hash> first;
+    first.reserve(mesh.point_count);
+    for (Index i = 0; i < mesh.point_count; ++i) {
+        if (!looked_at[i]) continue;
+        const float* p = &mesh.positions[3 * std::size_t{i}];
+        const auto [at, is_new] = first.try_emplace({p[0] + 0.0F, p[1] + 0.0F, p[2] + 0.0F}, i);
+        if (!is_new) visit(at->second, i);
+    }
+}
+
+} // namespace
+
+Welds find_welds(const JoinedMesh& mesh, Weld mode, const Cut& cut, const SeamDifference& difference) {
+    Welds welds;
+    DisjointSets sets(mesh.point_count);
+    join_cut(cut, sets, welds);
+    if (mode == Weld::seams) weld_seams(mesh, difference, sets, welds);
+    std::uint64_t coincident = 0;
+    const bool look = mode == Weld::all || mesh.parts.size() > 1;
+    // Points that no cell uses are of ghosts, and go with those.
+    std::vector<bool> looked_at(look ? mesh.point_count : 0, mode == Weld::all);
+    if (look)
+        for (const Index point : mesh.face_vertex) looked_at[point] = true;
+    if (look)
+        for_each_coincident(mesh, looked_at, [&](Index a, Index b) {
+            coincident += sets.find(a) == sets.find(b) ? 0 : 1; // pieces were joined already
+            if (mode == Weld::all) sets.join(a, b);
+        });
+    std::vector<Index> representative = sets.representatives();
+    for (Index i = 0; i < mesh.point_count; ++i) welds.welded_points += representative[i] != i ? 1 : 0;
+    if (mode == Weld::all)
+        welds.notes.push_back(
+            count_text(welds.welded_points, "points that coincide with others were welded (--weld)."));
+    else if (coincident > 0)
+        welds.notes.push_back(
+            count_text(coincident, "points coincide with others and were left apart; --weld joins them."));
+    if (welds.welded_points > 0) welds.representative = std::move(representative);
+    return welds;
+}
+
+} // namespace ciel::importer

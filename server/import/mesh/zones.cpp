@@ -1,0 +1,48 @@
+#include "import/mesh/zones.hpp"
+
+#include "import/mesh/corner_index.hpp"
+
+#include <algorithm>
+
+namespace ciel::importer {
+
+namespace {
+
+std::unordered_map<Corners, Index, CornersHash> cells_by_corners(const FaceMeshView& mesh, CornerIndex& index) {
+    std::vector<std::vector<Index>> vertices(mesh.cell_count());
+    for (Index face = 0; face < mesh.face_count(); ++face)
+        for (const Index cell : {mesh.owner[face], mesh.neighbour[face]})
+            if (cell != none)
+                vertices[cell].insert(vertices[cell].end(), mesh.loop(face).begin(), mesh.loop(face).end());
+    std::unordered_map<Corners, Index, CornersHash> cells;
+    cells.reserve(vertices.size());
+    for (Index cell = 0; cell < vertices.size(); ++cell) {
+        cells.try_emplace(index.learn(vertices[cell]), cell);
+        vertices[cell] = {};
+    }
+    return cells;
+}
+
+} // namespace
+
+std::vector<Zone> match_zones(const FaceMeshView& mesh, const std::vector<DataSet>& zones) {
+    std::vector<Zone> matched;
+    if (zones.empty()) return matched;
+    CornerIndex index(mesh);
+    const auto cells = cells_by_corners(mesh, index);
+    for (const DataSet& data_set : zones) {
+        Zone zone{data_set.name, {}, 0};
+        for (vtkIdType cell = 0; cell < data_set.data->GetNumberOfCells(); ++cell) {
+            const auto found = cells.find(index.find(data_set.data, cell));
+            if (found == cells.end())
+                ++zone.unmatched;
+            else
+                zone.cells.push_back(found->second);
+        }
+        std::sort(zone.cells.begin(), zone.cells.end());
+        matched.push_back(std::move(zone));
+    }
+    return matched;
+}
+
+} // namespace ciel::importer

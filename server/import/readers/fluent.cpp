@@ -1,0 +1,43 @@
+// Fluent's two forms of a case: text (.cas) with a .dat beside it, and HDF5 (.cas.h5, "CFF") with a .dat.h5.
+#include "ciel/types.hpp"
+#include "import/readers/formats.hpp"
+#include "import/readers/reader_source.hpp"
+#include "import/readers/regular_file.hpp"
+
+#include <vtkFLUENTReader.h>
+#include <vtkNew.h>
+#include <vtkVersion.h>
+#ifdef CIEL_FLUENT_CFF
+#include <vtkFLUENTCFFReader.h>
+#endif
+
+namespace ciel::importer {
+
+bool is_fluent(const Head& head) { return head.extension == ".cas" && head.bytes.find('(') != std::string::npos; }
+
+bool is_fluent_cff(const Head& head) {
+    return head.bytes.starts_with("\x89HDF\r\n\x1a\n") && head.extension == ".h5" &&
+           head.path.stem().extension() == ".cas";
+}
+
+std::unique_ptr<Source> open_fluent(const Inputs& inputs, const SourceOptions&) {
+    require_regular(std::filesystem::path(inputs.front()).replace_extension(".dat"));
+    vtkNew<vtkFLUENTReader> reader;
+    reader->SetFileName(inputs.front().c_str());
+    return std::make_unique<ReaderSource>("Fluent", inputs.front(), reader.Get());
+}
+
+std::unique_ptr<Source> open_fluent_cff(const Inputs& inputs, const SourceOptions&) {
+#ifdef CIEL_FLUENT_CFF
+    vtkNew<vtkFLUENTCFFReader> reader;
+    reader->SetFileName(inputs.front());
+    return std::make_unique<ReaderSource>("Fluent CFF", inputs.front(), reader.Get());
+#else
+    throw Error(
+        inputs.front() + ": VTK " + vtkVersion::GetVTKVersion() +
+        " does not read Fluent's HDF5 files; import it with CIEL's container image, which has a newer one, or let "
+        "Fluent write the legacy .cas and .dat");
+#endif
+}
+
+} // namespace ciel::importer

@@ -1,0 +1,96 @@
+// PVD and .series: each time is one file or several, read by the reader of its own format.
+#include "ciel/types.hpp"
+#include "import/parsers/index_entry.hpp"
+#include "import/readers/formats.hpp"
+#include "import/readers/open_source.hpp"
+#include "import/readers/piece_reading.hpp"
+
+#include <fstream>
+#include <iterator>
+
+namespace ciel::importer {
+
+namespace {
+
+constexpr std::uintmax_t max_index_bytes = 256U << 20;
+
+class IndexSource : public Source {
+public:
+    IndexSource(std::string file, std::string format, std::vector<IndexEntry> entries, SourceOptions options)
+        : file_(std::move(file)), format_(std::move(format)), options_(std::move(options)) {
+        const auto directory = std::filesystem::path(file_).parent_path();
+        for (IndexEntry& entry : entries) {
+            entry.file = (directory / entry.file).string(); // an absolute name replaces the directory
+            if (times_.empty() || times_.back() != entry.time) {
+                times_.push_back(entry.time);
+                steps_.emplace_back();
+            }
+            steps_.back().push_back(std::move(entry));
+        }
+    }
+
+    [[nodiscard]] std::string format() const override { return format_; }
+    [[nodiscard]] const std::vector<double>& times() const override { return times_; }
+
+    [[nodiscard]] std::optional<std::vector<ArrayName>> listed_arrays(std::size_t step) const override {
+        std::vector<ArrayName> all;
+        for (const IndexEntry& part : steps_[step]) {
+            const auto listed = opened(part.file)->listed_arrays(0);
+            if (!listed) return std::nullopt;
+            all.insert(all.end(), listed->begin(), listed->end());
+        }
+        return all;
+    }
+
+    [[nodiscard]] vtkSmartPointer<vtkDataObject> read(std::size_t step, const ReadProgress& progress) override {
+        const std::vector<IndexEntry>& parts = steps_[step];
+        lost_.clear();
+        if (parts.size() == 1) return read_part(parts.front(), progress);
+        return read_pieces(
+            parts.size(), [&](std::size_t i, const ReadProgress& of_part) { return read_part(parts[i], of_part); },
+            [&](std::size_t i) { return parts[i].part.empty() ? "part " + std::to_string(i) : parts[i].part; }, lost_,
+            progress);
+    }
+
+    [[nodiscard]] std::vector<std::string> lost() const override { return lost_; }
+    [[nodiscard]] std::string file_of(const ArrayName&, std::size_t step) const override {
+        return std::filesystem::path(steps_[step].front().file).filename().string();
+    }
+
+private:
+    // When its step is read, for a file that is damaged or missing costs no more than that step.
+    std::unique_ptr<Source> opened(const std::string& file) const {
+        if (!std::filesystem::exists(file)) throw Error(file_ + ": names " + file + ", which does not exist");
+        if (find_format(file).open == open_index)
+            throw Error(file_ + ": names " + file + ", which is an index itself; name the data files directly");
+        return open_source({file}, options_);
+    }
+
+    vtkSmartPointer<vtkDataObject> read_part(const IndexEntry& entry, const ReadProgress& progress) {
+        const auto source = opened(entry.file);
+        auto data = source->read(0, progress);
+        for (const std::string& sentence : source->lost()) lost_.push_back(sentence);
+        return data;
+    }
+
+    std::string file_;
+    std::string format_;
+    std::vector<std::string> lost_;
+    SourceOptions options_;
+    std::vector<double> times_;
+    std::vector<std::vector<IndexEntry>> steps_;
+};
+
+} // namespace
+
+std::unique_ptr<Source> open_index(const Inputs& inputs, const SourceOptions& options) {
+    const std::string& file = inputs.front();
+    if (std::filesystem::file_size(file) > max_index_bytes) throw Error(file + ": is too large for an index file");
+    std::ifstream stream(file, std::ios::binary);
+    const std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+    if (std::filesystem::path(file).extension() == ".series")
+        return std::make_unique<IndexSource>(file, "file series", parse_series(text, file), options);
+    return std::make_unique<IndexSource>(file, "PVD collection", parse_pvd(text, file), options);
+}
+
+} // namespace ciel::importer

@@ -1,0 +1,71 @@
+// LS-DYNA databases: d3plot and its family, or the XML file that names them.
+#include "ciel/types.hpp"
+#include "import/readers/formats.hpp"
+#include "import/readers/reader_source.hpp"
+#include "import/readers/regular_file.hpp"
+
+#include <cstdlib>
+#include <fstream>
+#include <vtkLSDynaReader.h>
+#include <vtkNew.h>
+
+namespace ciel::importer {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// VTK's reader closes the last file of a family when it meets the end marker, and never opens it again if it is the
+// only one. Seen from here the family has a second, empty one.
+class PairedFamily {
+public:
+    explicit PairedFamily(const fs::path& only) {
+        std::string pattern = (fs::temp_directory_path() / "ciel-lsdyna-XXXXXX").string();
+        if (mkdtemp(pattern.data()) == nullptr)
+            throw Error("no temporary directory can be made in " + fs::temp_directory_path().string());
+        directory_ = pattern;
+        fs::create_symlink(fs::absolute(only), first());
+        std::ofstream(directory_ / "d3plot01");
+    }
+    ~PairedFamily() {
+        std::error_code ignored;
+        fs::remove_all(directory_, ignored);
+    }
+    PairedFamily(const PairedFamily&) = delete;
+    PairedFamily& operator=(const PairedFamily&) = delete;
+
+    [[nodiscard]] fs::path first() const { return directory_ / "d3plot"; }
+
+private:
+    fs::path directory_;
+};
+
+bool is_alone(const fs::path& file) {
+    return file.extension() != ".lsdyna" && !fs::exists(fs::path(file).concat("01"));
+}
+
+class LsDynaSource : public ReaderSource {
+public:
+    LsDynaSource(const std::string& file, vtkLSDynaReader* reader, std::unique_ptr<PairedFamily> family)
+        : ReaderSource("LS-DYNA", file, reader), family_(std::move(family)) {}
+
+private:
+    std::unique_ptr<PairedFamily> family_; // as long as the reader reads
+};
+
+} // namespace
+
+std::unique_ptr<Source> open_lsdyna(const Inputs& inputs, const SourceOptions&) {
+    const fs::path input = inputs.front(); // d3plot01, d3plot02... follow; an XML file names them
+    require_regular_files(input.parent_path(), input.extension() == ".lsdyna" ? "" : input.filename().string());
+    auto family = is_alone(inputs.front()) ? std::make_unique<PairedFamily>(inputs.front()) : nullptr;
+    vtkNew<vtkLSDynaReader> reader;
+    reader->SetFileName(family ? family->first().c_str() : inputs.front().c_str());
+    reader->SetDeformedMesh(1); // the current positions: a moving mesh
+    reader->UpdateInformation();
+    for (int i = 0; i < reader->GetNumberOfPointArrays(); ++i) reader->SetPointArrayStatus(i, 1);
+    for (int i = 0; i < reader->GetNumberOfSolidArrays(); ++i) reader->SetSolidArrayStatus(i, 1);
+    return std::make_unique<LsDynaSource>(inputs.front(), reader.Get(), std::move(family));
+}
+
+} // namespace ciel::importer

@@ -1,0 +1,24 @@
+#include "import/readers/regular_file.hpp"
+
+#include "ciel/types.hpp"
+
+namespace ciel::importer {
+
+namespace fs = std::filesystem;
+
+void require_regular(const fs::path& file) {
+    std::error_code ignored;
+    const fs::file_status status = fs::status(file, ignored);
+    if (fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status))
+        throw Error(file.string() + ": is not a regular file but a pipe, a socket or a device");
+}
+
+void require_regular_files(const fs::path& directory) { require_regular_files(directory, ""); }
+
+void require_regular_files(const fs::path& directory, std::string_view beginning) {
+    std::error_code missing;
+    for (const auto& entry : fs::directory_iterator(directory.empty() ? "." : directory, missing))
+        if (entry.path().filename().string().starts_with(beginning)) require_regular(entry.path());
+}
+
+} // namespace ciel::importer

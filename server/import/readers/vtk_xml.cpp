@@ -1,0 +1,129 @@
+// VTK's XML files: the reader follows from the type in the first element, whatever the extension says.
+#include "ciel/types.hpp"
+#include "import/readers/formats.hpp"
+#include "import/readers/piece_reading.hpp"
+#include "import/readers/reader_source.hpp"
+#include "import/readers/regular_file.hpp"
+
+#include <filesystem>
+#include <fstream>
+#include <pugixml.hpp>
+#include <regex>
+#include <vtkXMLImageDataReader.h>
+#include <vtkXMLMultiBlockDataReader.h>
+#include <vtkXMLPImageDataReader.h>
+#include <vtkXMLPRectilinearGridReader.h>
+#include <vtkXMLPStructuredGridReader.h>
+#include <vtkXMLPUnstructuredGridReader.h>
+#include <vtkXMLPartitionedDataSetCollectionReader.h>
+#include <vtkXMLPartitionedDataSetReader.h>
+#include <vtkXMLRectilinearGridReader.h>
+#include <vtkXMLStructuredGridReader.h>
+#include <vtkXMLUnstructuredGridReader.h>
+
+namespace ciel::importer {
+
+namespace {
+
+template <typename Reader>
+vtkSmartPointer<vtkXMLReader> make() {
+    return vtkSmartPointer<Reader>::New();
+}
+
+struct XmlType {
+    std::string_view type;
+    bool composite; // names the files that hold the data: its own arrays are none
+    vtkSmartPointer<vtkXMLReader> (*make)();
+};
+constexpr XmlType xml_types[] = {
+    {"UnstructuredGrid", false, make<vtkXMLUnstructuredGridReader>},
+    {"PUnstructuredGrid", false, make<vtkXMLPUnstructuredGridReader>},
+    {"StructuredGrid", false, make<vtkXMLStructuredGridReader>},
+    {"PStructuredGrid", false, make<vtkXMLPStructuredGridReader>},
+    {"RectilinearGrid", false, make<vtkXMLRectilinearGridReader>},
+    {"PRectilinearGrid", false, make<vtkXMLPRectilinearGridReader>},
+    {"ImageData", false, make<vtkXMLImageDataReader>},
+    {"PImageData", false, make<vtkXMLPImageDataReader>},
+    {"vtkMultiBlockDataSet", true, make<vtkXMLMultiBlockDataReader>},
+    {"vtkPartitionedDataSet", true, make<vtkXMLPartitionedDataSetReader>},
+    {"vtkPartitionedDataSetCollection", true, make<vtkXMLPartitionedDataSetCollectionReader>},
+};
+
+std::string type_in(const std::string& file) {
+    std::ifstream stream(file, std::ios::binary);
+    std::string head(4096, '\0');
+    stream.read(head.data(), static_cast<std::streamsize>(head.size()));
+    static const std::regex element(R"(<VTKFile[^>]*\btype\s*=\s*["'](\w+)["'])");
+    std::smatch match;
+    return std::regex_search(head, match, element) ? match[1].str() : "";
+}
+
+// The files that an index of pieces or blocks names, and those that these name.
+void require_regular_references(const std::filesystem::path& file, const std::string& type, int depth = 0) {
+    constexpr std::uintmax_t most_bytes = 256U << 20;
+    constexpr int deepest = 8; // an index that names itself
+    const bool is_index = type.starts_with("P") || type.starts_with("vtk");
+    std::error_code missing;
+    if (!is_index || depth > deepest || std::filesystem::file_size(file, missing) > most_bytes || missing) return;
+    pugi::xml_document document;
+    if (!document.load_file(file.c_str())) return; // the reader tells
+    for (const auto& found : document.select_nodes("//@Source | //@file")) {
+        const std::filesystem::path named = file.parent_path() / found.attribute().value();
+        require_regular(named);
+        if (std::filesystem::is_regular_file(named, missing))
+            require_regular_references(named, type_in(named.string()), depth + 1);
+    }
+}
+
+// A mesh in several files. VTK's own reader puts them into one grid, in which nobody can tell the pieces.
+class PiecesSource : public ReaderSource {
+public:
+    PiecesSource(const std::string& file, const vtkSmartPointer<vtkXMLReader>& whole, std::vector<std::string> pieces)
+        : ReaderSource("VTK XML PUnstructuredGrid", file, whole, [&] { return arrays_of(*whole); }),
+          pieces_(std::move(pieces)) {}
+
+    [[nodiscard]] vtkSmartPointer<vtkDataObject> read(std::size_t step, const ReadProgress& progress) override {
+        lost_.clear();
+        if (times().size() > 1) return ReaderSource::read(step, progress); // of files with steps inside, which are rare
+        const auto read_piece = [&](std::size_t i, const ReadProgress& of_piece) {
+            return open_vtk_xml({pieces_[i]}, {})->read(0, of_piece);
+        };
+        return read_pieces(pieces_.size(), read_piece, nullptr, lost_, progress);
+    }
+    [[nodiscard]] std::vector<std::string> lost() const override { return lost_; }
+
+private:
+    std::vector<std::string> pieces_;
+    std::vector<std::string> lost_;
+};
+
+std::vector<std::string> pieces_in(const std::string& file) {
+    pugi::xml_document document;
+    std::vector<std::string> pieces;
+    if (!document.load_file(file.c_str())) return pieces;
+    for (const auto& found : document.select_nodes("//Piece/@Source"))
+        pieces.push_back((std::filesystem::path(file).parent_path() / found.attribute().value()).string());
+    return pieces;
+}
+
+} // namespace
+
+std::unique_ptr<Source> open_vtk_xml(const Inputs& inputs, const SourceOptions&) {
+    const std::string& file = inputs.front();
+    const std::string type = type_in(file);
+    require_regular_references(file, type);
+    for (const XmlType& row : xml_types) {
+        if (row.type != type) continue;
+        const vtkSmartPointer<vtkXMLReader> reader = row.make();
+        reader->SetFileName(file.c_str());
+        if (type == "PUnstructuredGrid")
+            if (auto pieces = pieces_in(file); pieces.size() > 1)
+                return std::make_unique<PiecesSource>(file, reader, std::move(pieces));
+        ReaderSource::ListArrays list_arrays;
+        if (!row.composite) list_arrays = [&reader] { return arrays_of(*reader); };
+        return std::make_unique<ReaderSource>("VTK XML " + type, file, reader, list_arrays);
+    }
+    throw Error(file + ": is a VTK XML file of type \"" + type + "\", which holds no volume mesh");
+}
+
+} // namespace ciel::importer

@@ -1,0 +1,37 @@
+#include "import/values/patch_faces.hpp"
+
+#include "ciel/boundary_faces.hpp"
+#include "store/no_value.hpp"
+
+#include <algorithm>
+
+namespace ciel::importer {
+
+PatchFaces::PatchFaces(const FaceMeshView& mesh, const std::vector<Patch>& patches) : entries_(patches.size()) {
+    for (Index face = 0; face < mesh.face_count(); ++face) count_ += mesh.neighbour[face] == none ? 1 : 0;
+    std::vector<Index> faces; // of all patches, so that the mesh is looked at once
+    for (const Patch& patch : patches) faces.insert(faces.end(), patch.faces.begin(), patch.faces.end());
+    const std::vector<Index> numbers = boundary_numbers(mesh, faces);
+    auto number = numbers.begin();
+    for (std::size_t patch = 0; patch < patches.size(); ++patch)
+        for (const std::size_t cell : patches[patch].cells)
+            if (const Index of_face = *number++; of_face != none) entries_[patch].push_back({of_face, cell});
+}
+
+std::vector<float> PatchFaces::values(const std::vector<PatchValues>& of_patches, int components) const {
+    const auto has_some = [](const PatchValues& values) { return values.has_value(); };
+    if (std::ranges::none_of(of_patches, has_some)) return {};
+    const auto width = static_cast<std::size_t>(components);
+    std::vector<float> values(count_ * width, store::no_value);
+    for (std::size_t patch = 0; patch < entries_.size(); ++patch) {
+        if (!of_patches[patch]) continue;
+        const std::vector<float>& own = *of_patches[patch];
+        for (const Entry& entry : entries_[patch])
+            if ((entry.cell + 1) * width <= own.size())
+                std::copy_n(own.begin() + static_cast<std::ptrdiff_t>(entry.cell * width), width,
+                            values.begin() + static_cast<std::ptrdiff_t>(entry.number * width));
+    }
+    return values;
+}
+
+} // namespace ciel::importer

@@ -1,0 +1,56 @@
+#include "import/values/seam_difference.hpp"
+
+#include "import/values/fields.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace ciel::importer {
+namespace {
+
+// Of a field's range: what is left of a copied value after a file's rounding.
+constexpr double field_tolerance = 1e-4;
+
+bool values_differ(const std::vector<float>& values, std::size_t width, const std::vector<Seam>& seams) {
+    float low = std::numeric_limits<float>::infinity();
+    float high = -low;
+    for (const float value : values) {
+        if (!std::isfinite(value)) continue;
+        low = std::min(low, value);
+        high = std::max(high, value);
+    }
+    const double tolerance = field_tolerance * (static_cast<double>(high) - low);
+    for (const Seam& seam : seams)
+        for (const auto& [a, b] : seam.points)
+            for (std::size_t c = 0; c < width; ++c)
+                if (std::abs(static_cast<double>(values[a * width + c]) - values[b * width + c]) > tolerance)
+                    return true;
+    return false;
+}
+
+bool positions_differ(const Seam& seam, const JoinedMesh::Member& part) {
+    return std::any_of(seam.points.begin(), seam.points.end(), [&](const std::pair<Index, Index>& pair) {
+        Vec3d a;
+        Vec3d b;
+        part.data->GetPoint(pair.first - part.first_point, a.data());
+        part.data->GetPoint(pair.second - part.first_point, b.data());
+        return std::max({std::abs(a[0] - b[0]), std::abs(a[1] - b[1]), std::abs(a[2] - b[2])}) > 2 * seam.tolerance;
+    });
+}
+
+} // namespace
+
+std::string difference_across(const std::vector<Seam>& seams, const std::vector<JoinedMesh::Member>& parts) {
+    if (seams.empty()) return "";
+    for (const Seam& seam : seams)
+        if (positions_differ(seam, parts[seam.part])) return "position";
+    for (const FieldName& field : field_names(parts))
+        if (field.of == FieldOf::points &&
+            values_differ(gather_field(parts, field), static_cast<std::size_t>(field.components), seams))
+            return field.name;
+    return "";
+}
+
+} // namespace ciel::importer

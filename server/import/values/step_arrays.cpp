@@ -1,0 +1,175 @@
+#include "import/values/step_arrays.hpp"
+
+#include <algorithm>
+#include <sstream>
+#include <string_view>
+
+namespace ciel::importer {
+
+namespace {
+
+// By the patch's condition for the field, else by its type (OpenFOAM User Guide, "Boundary conditions").
+PatchRole role_of(const store::PatchFacts& facts, const std::string& field) {
+    constexpr std::string_view planes[] = {"slip", "symmetry", "symmetryPlane", "basicSymmetry", "partialSlip"};
+    constexpr std::string_view free[] = {"zeroGradient", "fixedGradient", "inletOutlet", "fixedFluxPressure",
+                                         "pressureInletOutletVelocity"};
+    const auto condition = facts.conditions.find(field);
+    const bool is_known = condition != facts.conditions.end() && !condition->second.empty();
+    const std::string& told = is_known ? condition->second : facts.type;
+    if (std::ranges::find(planes, told) != std::end(planes)) return PatchRole::plane;
+    return std::ranges::find(free, told) != std::end(free) ? PatchRole::free : PatchRole::other;
+}
+
+// Patches at rest in a flow that moves: zero on every face, in a vector that is not zero everywhere.
+std::vector<bool> find_no_slip(const StepMesh& mesh, const DataSets& data_sets, const std::vector<FieldName>& fields) {
+    std::vector<bool> no_slip(mesh.patches.size(), false);
+    for (const FieldName& field : fields) {
+        if (field.of != FieldOf::cells || field.components != 3) continue;
+        if (holds_only_zero(gather_field(mesh.parts, field))) continue;
+        for (std::size_t i = 0; i < mesh.patches.size(); ++i) {
+            if (mesh.patches[i].surface == Patch::none_of_them) continue;
+            const DataSet& surface = data_sets.surfaces[mesh.patches[i].surface];
+            if (role_of(surface.facts, field.name) == PatchRole::other &&
+                holds_only_zero(array_values(surface.data, field)))
+                no_slip[i] = true;
+        }
+    }
+    return no_slip;
+}
+
+std::vector<PatchValues> patch_values(const StepMesh& mesh, const DataSets& data_sets, const FieldName& field) {
+    std::vector<PatchValues> values(mesh.patches.size());
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        if (mesh.patches[i].surface == Patch::none_of_them) continue;
+        std::vector<float> own = array_values(data_sets.surfaces[mesh.patches[i].surface].data, field);
+        if (!own.empty()) values[i] = std::move(own);
+    }
+    return values;
+}
+
+std::vector<PatchRole> patch_roles(const StepMesh& mesh, const DataSets& data_sets, const std::vector<bool>& no_slip,
+                                   const std::string& field) {
+    std::vector<PatchRole> roles(mesh.patches.size(), PatchRole::other);
+    for (std::size_t i = 0; i < roles.size(); ++i) {
+        const std::size_t surface = mesh.patches[i].surface;
+        if (no_slip[i])
+            roles[i] = PatchRole::no_slip_wall;
+        else if (surface != Patch::none_of_them)
+            roles[i] = role_of(data_sets.surfaces[surface].facts, field);
+    }
+    return roles;
+}
+
+} // namespace
+
+// A file that says what a patch is should say what each field does there, too.
+void StepArrays::note_unknown_conditions(const StepMesh& mesh, const DataSets& data_sets, const FieldName& field) {
+    std::string names;
+    for (const Patch& patch : mesh.patches) {
+        if (patch.surface == Patch::none_of_them || patch.faces.empty()) continue;
+        const auto& conditions = data_sets.surfaces[patch.surface].facts.conditions;
+        const auto condition = conditions.find(field.name);
+        if (condition != conditions.end() && condition->second.empty())
+            names += (names.empty() ? "" : ", ") + patch.name;
+    }
+    if (!names.empty())
+        notes_.insert("The files of " + field.name + " name no boundary condition on " + names +
+                      ": the values of the cells behind were taken.");
+}
+
+store::Origin StepArrays::origin_of(const FieldName& field) const {
+    return source_.is_derived(field) ? store::Origin::derived : store::Origin::original;
+}
+
+// An array has the same components at all steps, and a tensor's in the order of the first.
+bool StepArrays::accept(FieldName& field, const std::string& stored) {
+    const std::string components = components_text(field);
+    if (components_.accept(stored, components)) {
+        field.component_names = order_.try_emplace(stored, field.component_names).first->second;
+        return true;
+    }
+    std::ostringstream sentence;
+    sentence << "The array " << stored << " has " << components << " at time " << source_.times()[step_]
+             << " where it has " << components_.chosen(stored) << " at other times: it was left out there.";
+    lost_.insert(sentence.str());
+    return false;
+}
+
+void StepArrays::add(const FieldName& field, const std::string& name, store::Association association,
+                     store::Origin origin, std::vector<float> values) {
+    const auto units = units_.find(field.name);
+    values_.push_back(std::move(values));
+    store::ArrayValues array;
+    array.info.name = name;
+    array.info.association = association;
+    array.info.components = field.components;
+    if (units != units_.end()) array.info.units = units->second;
+    array.info.component_names = field.component_names;
+    array.info.source = {origin, field.type, source_.file_of(field, step_)};
+    array.values = values_.back();
+    arrays_.push_back(array);
+}
+
+void StepArrays::add_cell_field(const StepMesh& mesh, const DataSets& data_sets, FieldName field,
+                                bool point_field_exists, std::unique_ptr<PointMaker>& maker) {
+    const std::string name = stored_name(field.name);
+    std::vector<float> cells = to_stored(gather_field(mesh.parts, field), mesh.cell_of_cell, field.components);
+    // At other steps the file may have values of points under this name.
+    if (!point_field_exists && selection_.wants(name, false) && accept(field, name)) {
+        if (!maker)
+            maker = std::make_unique<PointMaker>(PointMaker{PointInterpolation(mesh.view()),
+                                                            WallValues(mesh.view(), mesh.patches),
+                                                            PatchFaces(mesh.view(), mesh.patches)});
+        const std::vector<PatchValues> on_patches = patch_values(mesh, data_sets, field);
+        std::vector<float> points = maker->interpolation.apply(cells, field.components);
+        maker->walls.overlay(on_patches, patch_roles(mesh, data_sets, no_slip_, field.name), field.components, points);
+        note_unknown_conditions(mesh, data_sets, field);
+        add(field, name, store::Association::point, store::Origin::interpolated, std::move(points));
+        if (std::vector<float> faces = maker->patch_faces.values(on_patches, field.components); !faces.empty())
+            add(field, "patch:" + name, store::Association::boundary_face, origin_of(field), std::move(faces));
+    }
+    add(field, "cell:" + name, store::Association::cell, origin_of(field), std::move(cells));
+}
+
+std::vector<std::string> StepArrays::notes() const {
+    std::vector<std::string> notes(notes_.begin(), notes_.end());
+    for (std::string& sentence : loss_.notes()) notes.push_back(std::move(sentence));
+    return notes;
+}
+
+const std::vector<store::ArrayValues>& StepArrays::make(std::size_t step, const StepMesh& mesh,
+                                                        const DataSets& data_sets, std::unique_ptr<PointMaker>& maker) {
+    step_ = step;
+    arrays_.clear();
+    values_.clear();
+    const std::vector<FieldName> fields = field_names(mesh.parts);
+    no_slip_ = find_no_slip(mesh, data_sets, fields);
+    const auto has_points = [&](const std::string& name) {
+        return std::any_of(fields.begin(), fields.end(), [&](const FieldName& field) {
+            return field.of == FieldOf::points && stored_name(field.name) == name;
+        });
+    };
+    for (std::string& sentence : left_out_arrays(mesh.parts)) notes_.insert(std::move(sentence));
+    for (std::string& sentence : lost_arrays(mesh.parts)) lost_.insert(std::move(sentence));
+    std::set<std::string> taken;
+    for (FieldName field : fields) {
+        const std::string name = stored_name(field.name);
+        const bool cell = field.of == FieldOf::cells;
+        selection_.saw(field);
+        if (!selection_.wants(name, cell)) continue;
+        if (!taken.insert((cell ? "cell:" : "") + name).second) {
+            notes_.insert("Two arrays are both called " + name + " here; the first was kept.");
+            continue;
+        }
+        if (!accept(field, (cell ? "cell:" : "") + name)) continue;
+        loss_.look_at(mesh.parts, field);
+        if (cell)
+            add_cell_field(mesh, data_sets, field, has_points(name), maker);
+        else
+            add(field, name, store::Association::point, origin_of(field),
+                to_stored(gather_field(mesh.parts, field), mesh.point_of_vertex, field.components));
+    }
+    return arrays_;
+}
+
+} // namespace ciel::importer

@@ -1,0 +1,88 @@
+#include "importing/import_end.hpp"
+
+#include <algorithm>
+#include <array>
+#include <csignal>
+#include <cstring>
+#include <sstream>
+
+namespace ciel::importing {
+namespace {
+
+constexpr const char* nothing_written = "; nothing was written";
+
+std::string number(double value) {
+    std::ostringstream text;
+    text.precision(3);
+    text << value;
+    return text.str();
+}
+
+struct Words {
+    std::string own;   // the importer's sentence
+    std::string other; // the last that a library, the loader or the runtime said
+};
+
+Words last_words(const std::string& errors) {
+    Words words;
+    std::istringstream lines(errors);
+    for (std::string line; std::getline(lines, line);) {
+        if (line.starts_with(import_error_prefix))
+            words.own = line.substr(import_error_prefix.size());
+        else if (!line.empty())
+            words.other = line;
+    }
+    return words;
+}
+
+// The loader of the program's libraries and the C++ runtime say it in words of their own.
+bool ran_out_of_memory(const processes::ChildEnd& end, const Words& last) {
+    if (end.exit_code == import_out_of_memory) return true;
+    if (!last.own.empty()) return false;
+    constexpr std::array<const char*, 5> words{"failed to map segment", "annot allocate memory", "std::bad_alloc",
+                                               "cannot create shared object descriptor", "out of memory"};
+    return std::any_of(words.begin(), words.end(),
+                       [&](const char* word) { return end.errors.find(word) != std::string::npos; });
+}
+
+std::string describe_memory(const std::string& input, const ImportLimits& limits) {
+    if (limits.memory_gigabytes <= 0)
+        return input + ": needs more memory than the machine has, or is damaged and declares more than it holds" +
+               nothing_written;
+    return input + ": the memory limit of " + number(limits.memory_gigabytes) +
+           " GB was reached; raise it with --memory-limit (0: none), unless the file is damaged and declares more than "
+           "it holds" +
+           nothing_written;
+}
+
+std::string describe_signal(int signal, const std::string& input, const ImportLimits& limits) {
+    if (signal == SIGKILL)
+        return input +
+               ": the import was killed from outside, most likely because the machine ran out of memory; the "
+               "file may be sound: free some memory, or choose a lower --memory-limit to be told" +
+               nothing_written;
+    std::string sentence = input + ": the reader crashed (" + ::strsignal(signal) + "): the file is damaged";
+    if (limits.memory_gigabytes > 0)
+        sentence += ", or needs more than the " + number(limits.memory_gigabytes) + " GB of --memory-limit";
+    return sentence + nothing_written;
+}
+
+} // namespace
+
+std::string describe_end(const processes::ChildEnd& end, const std::string& input, const ImportLimits& limits) {
+    if (end.cancelled) return "the import was cancelled; nothing was written";
+    if (end.timed_out)
+        return input + ": the import took longer than " + number(limits.seconds) + " s and was stopped (--time-limit)" +
+               nothing_written;
+    if (end.stalled)
+        return input + ": the import made no progress for " + number(limits.stalled_seconds) +
+               " s and was stopped: the file is damaged, or needs a longer --stall-limit (0: none)" + nothing_written;
+    const Words last = last_words(end.errors);
+    if (ran_out_of_memory(end, last)) return describe_memory(input, limits);
+    if (end.signal != 0) return describe_signal(end.signal, input, limits);
+    if (!last.own.empty()) return last.own;
+    if (!last.other.empty()) return input + ": the reader gave up: " + last.other;
+    return input + ": ciel-import ended with code " + std::to_string(end.exit_code) + " and no reason";
+}
+
+} // namespace ciel::importing

@@ -1,0 +1,100 @@
+#include "importing/import_missing.hpp"
+
+#include "ciel/types.hpp"
+#include "importing/freshness.hpp"
+#include "store/files/files.hpp"
+#include "store/format/checksum.hpp"
+#include "store/format/layout.hpp"
+#include "store/imported_copy.hpp"
+
+#include <span>
+
+namespace ciel::importing {
+namespace {
+
+namespace fs = std::filesystem;
+constexpr const char* extension = ".ciel";
+
+bool is_dataset(const fs::path& path) { return fs::exists(path / store::layout::commit_marker); }
+
+// Other folders hold datasets, or will.
+bool is_folder_of_datasets(const fs::path& path) { return fs::is_directory(path) && !is_openfoam_case(path); }
+
+fs::path without_slash(const fs::path& path) {
+    const fs::path whole = fs::absolute(path).lexically_normal();
+    return whole.has_filename() ? whole : whole.parent_path();
+}
+
+// "run.vtu.series" and "run.vtu" are both "run"; a directory keeps its dots.
+std::string dataset_name(const fs::path& input) {
+    if (fs::is_directory(input)) return input.filename().string();
+    fs::path name = input.stem();
+    if (input.extension() == ".series") name = name.stem();
+    return name.string();
+}
+
+// Inputs of one name in different places must not be taken for each other.
+fs::path target_of(const fs::path& input, const fs::path& folder) {
+    const std::string path = fs::weakly_canonical(input).string();
+    const std::string sum = store::checksum(std::as_bytes(std::span(path)));
+    return without_slash(folder) / sum.substr(sum.find(':') + 1) / (dataset_name(input) + extension);
+}
+
+// The marker carries the time of the input that was imported (import_one).
+bool is_imported(const fs::path& input, const fs::path& target) {
+    return is_dataset(target) && fs::last_write_time(target / store::layout::commit_marker) >= last_change(input);
+}
+
+// Of a copy that an earlier version made. Where nothing can be written, nothing can be appended either.
+void complete_sign(const fs::path& input, const fs::path& target) {
+    try {
+        store::mark_as_copy(target, input);
+    } catch (const Error&) {
+        return;
+    }
+}
+
+// The importer's sentence; empty when a dataset stands at `target` now.
+std::string import_one(const fs::path& input, const fs::path& target, const ImportLimits& limits,
+                       const ImportListener& listener, const std::atomic<bool>& cancel) {
+    store::make_directory(target.parent_path());
+    listener.line("importing " + input.string());
+    const auto imported = last_change(input); // what changes from now on may come too late for this import
+    const ImportValues values{{"inputs", {input.string()}}, {"output", {target.string()}}, {"force", {"yes"}}};
+    const ImportEnd end = run_import(values, limits, listener, cancel);
+    if (end.exit_code == 1 || end.exit_code == 2) {
+        std::error_code error;
+        fs::remove(target.parent_path(), error); // when nothing is in it
+        if (cancel) throw Error(end.problem);
+        return end.problem;
+    }
+    fs::last_write_time(target / store::layout::commit_marker, imported);
+    store::mark_as_copy(target, input);
+    if (!end.problem.empty()) listener.line(end.problem);
+    return {};
+}
+
+} // namespace
+
+std::vector<Servable> import_missing(const std::vector<fs::path>& data, const fs::path& folder,
+                                     const ImportLimits& limits, const ImportListener& listener,
+                                     const std::atomic<bool>& cancel) {
+    for (const fs::path& path : data)
+        if (!fs::exists(path))
+            throw Error(path.string() + " does not exist; name a dataset, a folder of datasets or a file to import");
+    std::vector<Servable> result;
+    for (const fs::path& path : data) {
+        const fs::path input = without_slash(path);
+        if (input.extension() == extension || is_folder_of_datasets(input)) {
+            result.push_back({input, {}});
+            continue;
+        }
+        const fs::path target = target_of(input, folder);
+        const bool is_there = is_imported(input, target);
+        result.push_back({target, is_there ? "" : import_one(input, target, limits, listener, cancel)});
+        if (is_there && store::input_of_copy(target).empty()) complete_sign(input, target);
+    }
+    return result;
+}
+
+} // namespace ciel::importing

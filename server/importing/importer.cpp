@@ -1,0 +1,87 @@
+#include "importing/importer.hpp"
+
+#include "ciel/types.hpp"
+#include "importing/import_end.hpp"
+#include "limits/machine_memory.hpp"
+#include "processes/child_process.hpp"
+#include "store/place.hpp"
+
+#include <cstdlib>
+#include <sstream>
+#include <unistd.h>
+
+namespace ciel::importing {
+namespace {
+
+namespace fs = std::filesystem;
+constexpr const char* program = "ciel-import";
+constexpr double gigabyte = 1e9;
+constexpr double default_share = 0.8; // of the memory
+
+std::vector<std::string> command_line(const ImportValues& values) {
+    std::vector<std::string> arguments{find_import_program().string()};
+    std::vector<std::string> positional;
+    for (const ImportOption& option : import_options) {
+        const auto given = values.find(std::string(option.name));
+        if (given == values.end()) continue;
+        for (const std::string& value : given->second) {
+            if (option.required)
+                positional.push_back(value);
+            else if (option.value.empty())
+                arguments.push_back("--" + std::string(option.name));
+            else
+                arguments.push_back("--" + std::string(option.name) + "=" + value);
+        }
+    }
+    arguments.emplace_back("--"); // an input may begin with a dash
+    arguments.insert(arguments.end(), positional.begin(), positional.end());
+    return arguments;
+}
+
+void pass_line(std::string_view line, const ImportListener& listener) {
+    constexpr std::string_view progress = "progress ";
+    if (!line.starts_with(progress)) {
+        listener.line(std::string(line));
+        return;
+    }
+    const std::string rest(line.substr(progress.size()));
+    char* phase = nullptr;
+    const double share = std::strtod(rest.c_str(), &phase);
+    listener.progress(share, *phase == ' ' ? phase + 1 : phase);
+}
+
+} // namespace
+
+fs::path find_import_program() {
+    std::error_code error;
+    fs::path beside = fs::read_symlink("/proc/self/exe", error).parent_path() / program;
+    if (::access(beside.c_str(), X_OK) == 0) return beside;
+    const char* path = std::getenv("PATH");
+    std::istringstream folders(path != nullptr ? path : "");
+    for (std::string folder; std::getline(folders, folder, ':');)
+        if (fs::path found = fs::path(folder) / program; ::access(found.c_str(), X_OK) == 0) return found;
+    throw Error("ciel-import was not found beside ciel or on PATH; it is built with -DCIEL_IMPORT=ON and needs VTK 9");
+}
+
+double default_memory_gigabytes() { return default_share * static_cast<double>(limits::machine_memory()) / gigabyte; }
+
+ImportEnd run_import(const ImportValues& values, const ImportLimits& limits, const ImportListener& listener,
+                     const std::atomic<bool>& cancel) {
+    const std::string& input = values.at("inputs").at(0);
+    if (cancel) { // before it starts
+        processes::ChildEnd end;
+        end.cancelled = true;
+        return {1, describe_end(end, input, limits)};
+    }
+    const auto memory = static_cast<std::uint64_t>(limits.memory_gigabytes * gigabyte);
+    const processes::ChildEnd end = processes::run_child(
+        command_line(values), {memory, limits.seconds, limits.stalled_seconds},
+        [&](std::string_view line) { pass_line(line, listener); }, cancel);
+    if (end.exit_code == 0) return {};
+    if (const auto output = values.find("output"); output != values.end() && !output->second.empty())
+        store::remove_left_behind(output->second.back());
+    const bool known = end.exit_code >= 1 && end.exit_code <= 3;
+    return {known ? end.exit_code : 1, describe_end(end, input, limits)};
+}
+
+} // namespace ciel::importing

@@ -1,0 +1,41 @@
+// Imports by the program ciel-import, which reads foreign files in a process of its own: whatever they do to it, the
+// caller gets a sentence and nothing half-written stays.
+#pragma once
+
+#include "importing/import_options.hpp"
+
+#include <atomic>
+#include <filesystem>
+#include <functional>
+
+namespace ciel::importing {
+
+// Four fifths of what the machine has, so that a damaged file cannot take the rest of it along.
+[[nodiscard]] double default_memory_gigabytes();
+
+struct ImportLimits { // 0: none
+    double memory_gigabytes = default_memory_gigabytes();
+    double seconds = 0;
+    // Without progress (child_process.hpp). The longest silence of a sound import is the building of a huge mesh.
+    double stalled_seconds = 1800;
+};
+
+struct ImportListener {
+    std::function<void(double share, const std::string& phase)> progress; // share in [0, 1]
+    std::function<void(const std::string& line)> line;                    // notes and listings
+};
+
+struct ImportEnd {
+    int exit_code = 0;   // 0 done, 1 failed, 2 wrong usage, 3 done with cells left out
+    std::string problem; // a sentence; empty when done
+};
+
+// `values` as the options of import_options say. Removes what a failed import of values["output"] has left. Throws
+// Error when the program cannot be found or started. Thread-safe.
+[[nodiscard]] ImportEnd run_import(const ImportValues& values, const ImportLimits& limits,
+                                   const ImportListener& listener, const std::atomic<bool>& cancel);
+
+// ciel-import beside this program, or on PATH. Throws Error when there is none.
+[[nodiscard]] std::filesystem::path find_import_program();
+
+} // namespace ciel::importing

@@ -1,0 +1,148 @@
+#include "limits/limits.hpp"
+
+#include "ciel/printable.hpp"
+#include "ciel/types.hpp"
+#include "limits/machine_memory.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+
+namespace ciel::limits {
+namespace {
+
+using Unit = LimitRow::Unit;
+
+constexpr std::uint64_t million = 1'000'000, most_bytes = std::uint64_t{1} << 50, most_seconds = 315'360'000;
+
+constexpr auto rows = std::to_array<LimitRow>({
+    {"message_bytes", &Limits::message_bytes, Unit::bytes, "size of one JSON-RPC text", most_bytes, 4 << 10},
+    {"json_depth", &Limits::json_depth, Unit::count, "levels of JSON", 1000},
+    {"batch_requests", &Limits::batch_requests, Unit::count, "requests in one JSON-RPC batch", million},
+    {"batch_answer_bytes", &Limits::batch_answer_bytes, Unit::bytes, "answers of one batch together", most_bytes},
+    {"header_bytes", &Limits::header_bytes, Unit::bytes, "size of an HTTP request's head", 1 << 20, 1 << 10},
+    {"connections", &Limits::connections, Unit::count, "open connections", million},
+    {"reserved_connections", &Limits::reserved_connections, Unit::count,
+     "of these, kept for clients that are let in; at most half", million},
+    {"connections_of_address", &Limits::connections_of_address, Unit::count,
+     "open connections of one address (IPv6: of one /64); loopback is not counted", million},
+    {"sessions", &Limits::sessions, Unit::count, "sessions kept", million},
+    {"views_per_session", &Limits::views_per_session, Unit::count, "views of one session", million},
+    {"layers", &Limits::layers, Unit::count, "layers of one scene", million},
+    {"values_per_layer", &Limits::values_per_layer, Unit::count, "iso-values of one layer", 64},
+    {"undo_steps", &Limits::undo_steps, Unit::count, "changes that can be undone", million},
+    {"scene_bytes", &Limits::scene_bytes, Unit::bytes, "one scene as JSON text", most_bytes},
+    {"history_bytes", &Limits::history_bytes, Unit::bytes,
+     "scenes that a session can undo or redo; beyond it, the oldest are forgotten", most_bytes},
+    {"image_side", &Limits::image_side, Unit::pixels, "width and height of a picture", 8192},
+    {"image_pixels", &Limits::image_pixels, Unit::pixels, "pixels of a picture", 8192 * 8192},
+    {"histogram_bins", &Limits::histogram_bins, Unit::count, "bins of a histogram", 4096},
+    {"export_bytes", &Limits::export_bytes, Unit::bytes, "size of an exported surface", most_bytes},
+    {"uploads", &Limits::uploads, Unit::count, "steps that clients push at a time", 1024},
+    {"upload_bytes", &Limits::upload_bytes, Unit::bytes, "values of one pushed step", most_bytes},
+    {"upload_piece_bytes", &Limits::upload_piece_bytes, Unit::bytes, "size of one piece of a pushed step", 512 << 10},
+    {"upload_idle_seconds", &Limits::upload_idle_seconds, Unit::seconds,
+     "time without a piece after which a pushed step is forgotten", most_seconds},
+    {"slow_calls", &Limits::slow_calls, Unit::count, "pictures, exports and other slow calls made at a time", 1024},
+    {"slow_calls_waiting", &Limits::slow_calls_waiting, Unit::count, "slow calls that wait, of all connections",
+     million},
+    {"slow_calls_of_connection", &Limits::slow_calls_of_connection, Unit::count,
+     "slow calls that wait, of one connection", million},
+    {"field_cache_bytes", &Limits::field_cache_bytes, Unit::memory, "cached fields of one dataset", most_bytes},
+    {"dataset_memory_bytes", &Limits::dataset_memory_bytes, Unit::memory,
+     "all datasets in memory; beyond it, unused ones are released", most_bytes},
+    {"dataset_idle_seconds", &Limits::dataset_idle_seconds, Unit::seconds,
+     "time without use after which a dataset is released", most_seconds},
+    {"session_memory_bytes", &Limits::session_memory_bytes, Unit::memory, "query state and surfaces of one scene",
+     most_bytes},
+    {"memory_bytes", &Limits::memory_bytes, Unit::memory, "all that clients and datasets hold", most_bytes, 64 << 20},
+    {"unacknowledged_frames", &Limits::unacknowledged_frames, Unit::count,
+     "frames of a view on the way to a client before it has acknowledged one", 1024},
+    {"session_idle_seconds", &Limits::session_idle_seconds, Unit::seconds,
+     "time without a connection after which a session is dropped", most_seconds},
+    {"keep_alive_seconds", &Limits::keep_alive_seconds, Unit::seconds, "time until the next request of a connection",
+     most_seconds},
+    {"head_seconds", &Limits::head_seconds, Unit::seconds,
+     "time to send a request's head, and of a new connection until it begins", most_seconds},
+    {"request_seconds", &Limits::request_seconds, Unit::seconds,
+     "time to send a request's body, or to take some of its answer", most_seconds},
+    {"wrong_token_seconds", &Limits::wrong_token_seconds, Unit::seconds, "time that the answer to a wrong token waits",
+     3600},
+    {"wrong_tokens_waiting", &Limits::wrong_tokens_waiting, Unit::count,
+     "such answers that wait; others are refused at once", million},
+    {"waiting_call_bytes", &Limits::waiting_call_bytes, Unit::bytes,
+     "requests of a WebSocket that wait; beyond it, the socket is not read", most_bytes},
+    {"unsent_bytes", &Limits::unsent_bytes, Unit::bytes,
+     "output that a WebSocket has not taken: half for frames, half for answers", most_bytes, 2 << 20},
+    {"websocket_idle_seconds", &Limits::websocket_idle_seconds, Unit::seconds,
+     "time without a sign of life of a WebSocket; pings are sent at half of it", most_seconds},
+    {"drain_seconds", &Limits::drain_seconds, Unit::seconds, "time from SIGTERM to the end", most_seconds},
+});
+static_assert(rows.size() * sizeof(std::uint64_t) == sizeof(Limits), "every limit has a row");
+
+constexpr std::string_view size_letters = "KMGT";
+
+bool is_bytes(const LimitRow& row) { return row.unit == Unit::bytes || row.unit == Unit::memory; }
+
+// Throws Error when `text` is no such value.
+std::uint64_t number_of(const LimitRow& row, std::string_view text) {
+    std::uint64_t value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    const std::string_view suffix(end, static_cast<std::size_t>(text.data() + text.size() - end));
+    const auto letter = suffix.size() == 1 ? size_letters.find(suffix.front()) : std::string_view::npos;
+    const bool is_share = suffix == "%" && row.unit == Unit::memory && value <= 100;
+    if (error == std::errc() && suffix.empty()) return value;
+    if (error == std::errc() && is_share) return memory_share(static_cast<unsigned>(value));
+    if (error == std::errc() && is_bytes(row) && letter != std::string_view::npos) {
+        const auto shift = 10 * (letter + 1);
+        return value > most_bytes >> shift ? most_bytes + 1 : value << shift;
+    }
+    const char* expected = " is not a whole number";
+    if (is_bytes(row)) expected = " is not a whole number, such as 64M";
+    if (row.unit == Unit::memory) expected = " is not a whole number, such as 64M or 25%";
+    throw Error(printable(text) + expected);
+}
+
+} // namespace
+
+std::uint64_t memory_share(unsigned percent) { return machine_memory() / 100 * percent; }
+
+std::span<const LimitRow> limit_rows() { return rows; }
+
+std::string option_of(const LimitRow& row) {
+    std::string name = "--limit-";
+    name += row.name;
+    std::replace(name.begin(), name.end(), '_', '-');
+    return name;
+}
+
+std::string environment_of(const LimitRow& row) {
+    std::string name = "CIEL_LIMIT_";
+    name += row.name;
+    for (char& c : name)
+        if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
+    return name;
+}
+
+std::uint64_t parse_limit(const LimitRow& row, std::string_view text) {
+    const std::uint64_t value = number_of(row, text);
+    if (value < row.least || value > row.most)
+        throw Error(printable(text) + " is not between " + (row.least > 1 ? limit_text(row, row.least) : "1") +
+                    " and " + limit_text(row, row.most));
+    return value;
+}
+
+std::string limit_text(const LimitRow& row, std::uint64_t value) {
+    if (row.unit == Unit::seconds) return std::to_string(value) + " s";
+    if (row.unit == Unit::pixels) return std::to_string(value) + " pixels";
+    if (!is_bytes(row)) return std::to_string(value);
+    std::size_t power = 0;
+    // Large sizes are rounded down: a share of the machine's memory is no round number.
+    while (power < size_letters.size() && value >= 1024 && (value % 1024 == 0 || value >= 100 * 1024)) {
+        value /= 1024;
+        ++power;
+    }
+    return std::to_string(value) + (power == 0 ? " bytes" : std::string(" ") + size_letters[power - 1] + "iB");
+}
+
+} // namespace ciel::limits

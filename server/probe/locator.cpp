@@ -1,0 +1,174 @@
+#include "probe/locator.hpp"
+
+#include "ciel/vector_operators.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace ciel::probe {
+namespace {
+
+constexpr Index cells_per_box = 128; // cells lie on a space-filling curve, so that runs of them are compact
+constexpr std::size_t locators_kept = 4;
+constexpr double rounding = 1e-6; // in 4 pi; a point on a face, an edge or in a corner is inside each cell by a part
+
+// Of the triangle a, b, c seen from the origin.
+double solid_angle(const Vec3d& a, const Vec3d& b, const Vec3d& c) {
+    const double la = length(a), lb = length(b), lc = length(c);
+    const double volume = dot(a, cross(b, c));
+    return 2 * std::atan2(volume, la * lb * lc + dot(a, b) * lc + dot(b, c) * la + dot(c, a) * lb);
+}
+
+} // namespace
+
+Locator::Locator(std::shared_ptr<const store::Dataset> dataset, std::size_t mesh, std::size_t coordinates)
+    : dataset_(std::move(dataset)), mesh_(dataset_->mesh(mesh, coordinates)), faces_(cell_faces(mesh_)) {
+    constexpr float infinity = std::numeric_limits<float>::infinity();
+    boxes_.assign((mesh_.cell_count() + cells_per_box - 1) / cells_per_box,
+                  {Vec3f{infinity, infinity, infinity}, Vec3f{-infinity, -infinity, -infinity}});
+    for (Index cell = 0; cell < mesh_.cell_count(); ++cell) {
+        auto& [low, high] = boxes_[cell / cells_per_box];
+        for (const Index face : faces_.of(cell))
+            for (const Index vertex : mesh_.loop(face))
+                for (std::size_t axis = 0; axis < 3; ++axis) {
+                    const float at = mesh_.positions[std::size_t{3} * vertex + axis];
+                    low[axis] = std::min(low[axis], at);
+                    high[axis] = std::max(high[axis], at);
+                }
+    }
+    dataset_->check_unchanged();
+}
+
+Vec3d Locator::point(Index vertex) const {
+    const float* at = &mesh_.positions[std::size_t{3} * vertex];
+    return {at[0], at[1], at[2]};
+}
+
+template <class Vertices>
+Vec3d Locator::centroid(const Vertices& vertices) const {
+    Vec3d sum{};
+    for (const Index vertex : vertices) {
+        const Vec3d at = point(vertex);
+        for (std::size_t axis = 0; axis < 3; ++axis) sum[axis] += at[axis] / static_cast<double>(vertices.size());
+    }
+    return sum;
+}
+
+std::vector<Index> Locator::vertices(Index cell) const {
+    std::vector<Index> all;
+    for (const Index face : faces_.of(cell)) {
+        const Ids loop = mesh_.loop(face);
+        all.insert(all.end(), loop.begin(), loop.end());
+    }
+    std::sort(all.begin(), all.end());
+    all.erase(std::unique(all.begin(), all.end()), all.end());
+    if (all.empty()) mesh_.face_offset.refuse(); // around a cell that holds a point
+    return all;
+}
+
+double Locator::winding(Index cell, const Vec3d& at) const {
+    double angle = 0;
+    for (const Index face : faces_.of(cell)) {
+        const Ids loop = mesh_.loop(face);
+        const Vec3d middle = centroid(loop) - at;
+        double face_angle = 0;
+        for (std::size_t k = 0; k < loop.size(); ++k)
+            face_angle += solid_angle(middle, point(loop[k]) - at, point(loop[(k + 1) % loop.size()]) - at);
+        angle += mesh_.owner[face] == cell ? face_angle : -face_angle;
+    }
+    return angle / (4 * std::numbers::pi);
+}
+
+Index Locator::cell_at(const Vec3d& position) const {
+    const Vec3d at = position - mesh_.origin;
+    Index best = none;
+    double most = rounding;
+    for (std::size_t box = 0; box < boxes_.size(); ++box) {
+        const auto& [low, high] = boxes_[box];
+        bool inside = true;
+        for (std::size_t axis = 0; axis < 3; ++axis) inside = inside && low[axis] <= at[axis] && at[axis] <= high[axis];
+        if (!inside) continue;
+        const auto begin = static_cast<Index>(box * cells_per_box);
+        for (Index cell = begin; cell < std::min(begin + cells_per_box, mesh_.cell_count()); ++cell) {
+            const double here = winding(cell, at);
+            if (here <= most) continue;
+            most = here;
+            best = cell;
+        }
+        if (most > 1 - rounding) break;
+    }
+    return best;
+}
+
+Index Locator::nearest_vertex(Index cell, const Vec3d& position) const {
+    const Vec3d at = position - mesh_.origin;
+    const auto all = vertices(cell);
+    return *std::min_element(all.begin(), all.end(),
+                             [&](Index a, Index b) { return length(point(a) - at) < length(point(b) - at); });
+}
+
+Weights Locator::weights_in(Index cell, const Vec3d& position) const {
+    const Vec3d at = position - mesh_.origin;
+    const auto all = vertices(cell);
+    const Vec3d center = centroid(all);
+
+    // The tetrahedron that the point is deepest in; in a bent cell it may lie a little outside of all.
+    std::array<double, 4> best{};
+    double deepest = -std::numeric_limits<double>::infinity();
+    Ids best_loop;
+    Index best_a = none, best_b = none;
+    for (const Index face : faces_.of(cell)) {
+        const Ids loop = mesh_.loop(face);
+        const Vec3d middle = centroid(loop) - center;
+        for (std::size_t k = 0; k < loop.size(); ++k) {
+            const Index a = loop[k], b = loop[(k + 1) % loop.size()];
+            const Vec3d pa = point(a) - center, pb = point(b) - center, p = at - center;
+            const double volume = dot(middle, cross(pa, pb));
+            if (volume == 0) continue;
+            const double wf = dot(p, cross(pa, pb)) / volume;
+            const double wa = dot(middle, cross(p, pb)) / volume;
+            const double wb = dot(middle, cross(pa, p)) / volume;
+            const std::array<double, 4> shares{1 - wf - wa - wb, wf, wa, wb};
+            const double depth = *std::min_element(shares.begin(), shares.end());
+            if (!(depth > deepest)) continue;
+            deepest = depth;
+            best = shares;
+            best_loop = loop;
+            best_a = a;
+            best_b = b;
+        }
+    }
+    Weights weights;
+    if (best_a == none) return {{nearest_vertex(cell, position), 1}}; // a cell without volume
+    for (const Index vertex : all) weights.emplace_back(vertex, best[0] / static_cast<double>(all.size()));
+    for (const Index vertex : best_loop) weights.emplace_back(vertex, best[1] / static_cast<double>(best_loop.size()));
+    weights.emplace_back(best_a, best[2]);
+    weights.emplace_back(best_b, best[3]);
+    return weights;
+}
+
+std::shared_ptr<const Locator> Locators::get(const std::shared_ptr<store::Dataset>& dataset, std::size_t step) {
+    const store::Step& shown = dataset->steps().at(step);
+    const float* positions = dataset->mesh(shown.mesh, shown.coordinates).positions.data();
+    const std::scoped_lock lock(mutex_);
+    const auto found =
+        std::find_if(kept_.begin(), kept_.end(), [&](const Kept& kept) { return kept.positions == positions; });
+    if (found != kept_.end()) return found->locator;
+    auto made = std::make_shared<const Locator>(dataset, shown.mesh, shown.coordinates);
+    if (kept_.size() == locators_kept) kept_.erase(kept_.begin());
+    kept_.push_back({positions, made});
+    return made;
+}
+
+void Locators::forget() {
+    const std::scoped_lock lock(mutex_);
+    kept_.clear();
+}
+
+void Locators::forget_lost() {
+    const std::scoped_lock lock(mutex_);
+    std::erase_if(kept_, [](const Kept& kept) { return !kept.locator->dataset().is_intact(); });
+}
+
+} // namespace ciel::probe

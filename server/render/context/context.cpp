@@ -1,0 +1,56 @@
+#include "render/context/context.hpp"
+
+#include "ciel/types.hpp"
+
+namespace ciel::render {
+namespace {
+
+struct Kind {
+    Backend backend;
+    std::unique_ptr<Context> (*make)();
+};
+
+constexpr Kind kinds[] = {
+    {Backend::egl_device, make_egl_device_context},
+    {Backend::egl_surfaceless, make_egl_surfaceless_context},
+    {Backend::osmesa, make_osmesa_context},
+};
+
+thread_local Context* current = nullptr;
+
+} // namespace
+
+ChosenContext make_context(Backend backend) {
+    if (current != nullptr) { // else a library that finds another's context current gets confused while making its own
+        current->release();
+        current = nullptr;
+    }
+    std::string failures;
+    for (const Kind& kind : kinds) {
+        if (backend != Backend::automatic && backend != kind.backend) continue;
+        try {
+            auto context = kind.make();
+            std::string chosen(name_of(kind.backend));
+            chosen.append(", ").append(context->description());
+            if (!failures.empty()) chosen.append("; not ").append(failures);
+            return {std::move(context), kind.backend, std::move(chosen)};
+        } catch (const Error& error) {
+            if (!failures.empty()) failures += "; ";
+            failures.append(name_of(kind.backend)).append(": ").append(error.what());
+        }
+    }
+    throw Error("no OpenGL 3.3 to draw with: " + failures +
+                "; install libegl1 and libgl1-mesa-dri, or libosmesa6, or a GPU's driver");
+}
+
+bool make_current(Context& context) {
+    if (current != nullptr && current != &context) current->release();
+    current = context.make_current() ? &context : nullptr;
+    return current != nullptr;
+}
+
+void forget_current(const Context& context) {
+    if (current == &context) current = nullptr;
+}
+
+} // namespace ciel::render

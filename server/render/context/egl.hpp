@@ -1,0 +1,40 @@
+// What both EGL platforms share: the library and a context without a surface on a display.
+#pragma once
+
+#include "render/context/context.hpp"
+#include "render/context/library.hpp"
+
+#include <EGL/egl.h>
+#include <EGL/eglext.h>
+#include <string_view>
+
+namespace ciel::render {
+
+struct Egl {
+    Library library;
+    PFNEGLGETPROCADDRESSPROC GetProcAddress;
+    PFNEGLQUERYSTRINGPROC QueryString;
+    PFNEGLGETERRORPROC GetError;
+    PFNEGLINITIALIZEPROC Initialize;
+    PFNEGLBINDAPIPROC BindAPI;
+    PFNEGLCHOOSECONFIGPROC ChooseConfig;
+    PFNEGLCREATECONTEXTPROC CreateContext;
+    PFNEGLDESTROYCONTEXTPROC DestroyContext;
+    PFNEGLMAKECURRENTPROC MakeCurrent;
+    PFNEGLGETPLATFORMDISPLAYEXTPROC GetPlatformDisplay;
+
+    static const Egl& instance(); // opens the library once; throws Error when it is not there
+    [[nodiscard]] bool has_client_extension(std::string_view name) const;
+    [[nodiscard]] std::string last_error() const; // "EGL error 0x3001"
+
+private:
+    Egl();
+};
+
+[[nodiscard]] bool has_word(const char* words, std::string_view word); // in an extension string, which may be null
+
+// OpenGL 3.3 core on the display, which stays initialised for the life of the process: displays are shared, and ending
+// one would end every context on it. Throws Error.
+[[nodiscard]] std::unique_ptr<Context> make_egl_context(const Egl& egl, EGLDisplay display, std::string description);
+
+} // namespace ciel::render

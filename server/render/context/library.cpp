@@ -1,0 +1,19 @@
+#include "render/context/library.hpp"
+
+#include "ciel/types.hpp"
+
+#include <dlfcn.h>
+
+namespace ciel::render {
+
+Library::Library(const char* name) : name_(name), handle_(dlopen(name, RTLD_NOW | RTLD_LOCAL)) {
+    if (handle_ == nullptr) throw Error(dlerror());
+}
+
+void* Library::address(const char* symbol) const {
+    void* address = dlsym(handle_, symbol);
+    if (address == nullptr) throw Error(name_ + " lacks " + symbol);
+    return address;
+}
+
+} // namespace ciel::render

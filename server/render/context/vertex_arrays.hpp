@@ -1,0 +1,24 @@
+// A vertex array whose vertices are structs of floats in one buffer.
+#pragma once
+
+#include "render/context/gl.hpp"
+
+#include <cstddef>
+#include <initializer_list>
+
+namespace ciel::render {
+
+struct VertexArrays { // names, which live as long as their context
+    GLuint array = 0, vertices = 0, indices = 0;
+};
+
+struct VertexMember {
+    GLuint attribute = 0;
+    int components = 1;
+    std::size_t offset = 0; // in the struct, bytes
+};
+
+[[nodiscard]] VertexArrays make_vertex_arrays(const Gl& gl, std::size_t bytes_of_vertex,
+                                              std::initializer_list<VertexMember> members);
+
+} // namespace ciel::render

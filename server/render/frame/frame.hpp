@@ -1,0 +1,63 @@
+// What a picture is drawn from, as values: meshes, volumes, lights and the camera. No GL.
+#pragma once
+
+#include "annotations/annotations.hpp"
+#include "ciel/types.hpp"
+#include "color/color_scale.hpp"
+#include "render/frame/lighting.hpp"
+#include "render/frame/volume.hpp"
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
+
+namespace ciel::render {
+
+inline constexpr std::size_t most_clip_planes = 6;
+
+// Triangles, lines or points with per-vertex attributes; borrowed for the duration of a draw.
+struct Primitives {
+    std::span<const Vec3f> positions; // offsets from the frame's origin
+    std::span<const Vec3f> normals;   // triangles are wound about them; empty: flat shading from the triangle
+    std::span<const float> scalars;   // empty: solid color
+    std::span<const Index> indices;   // 3 per triangle, 2 per line, 1 per point
+    bool lines = false, points = false;
+    float line_width = 1.5F, point_size = 4; // pixels
+    bool on_opaque = false;  // lines known to lie on an opaque surface, so on no transparent one in front of it
+    color::ColorScale scale; // of the scalars
+    std::array<float, 4> color{0.8F, 0.8F, 0.8F, 1}; // alpha is the opacity, also of mapped colors
+    std::uint64_t revision = 0;                      // same non-zero revision: same buffers, may be kept on the GPU
+    std::uint64_t identity = 0;                      // which layer the buffers belong to
+    bool lit = true;
+};
+
+struct Frame : annotations::AnnotatedPicture { // positions are offsets from its origin
+    // Opaque triangles, then points, then lines, then transparent triangles of all meshes, sorted from the back to the
+    // front; or peeled with lines and points among them, where there are several samples or volumes or one can see
+    // through those.
+    std::vector<Primitives> primitives;
+    // In front of what is behind them and behind what is in front, mixed where they are in the same place. All have
+    // slabs across one direction.
+    std::vector<Volume> volumes;
+    int samples = 1; // 4: multisampled, for stills
+    // At most most_clip_planes: only what has dot(xyz, position) + w >= 0 is drawn, and of meshes found by pick.
+    std::vector<std::array<float, 4>> clip;
+    Lighting lighting;   // of what is lit
+    Occlusion occlusion; // likewise, of opaque triangles
+    // Called every so often while the picture is drawn, on its thread: to throw gives it up, and is handed on.
+    std::function<void()> check_wanted;
+};
+
+// Rows from the top, RGB, 8 bits, no padding.
+struct Image {
+    int width = 0, height = 0;
+    std::vector<std::uint8_t> rgb;
+};
+
+// Stages of a draw call; volumes and annotations are uploaded during `draw`.
+enum class DrawStage { upload, draw, read };
+using AfterStage = std::function<void(DrawStage)>;
+
+} // namespace ciel::render

@@ -1,0 +1,43 @@
+// Letters as they are on the screen, each drawn once and kept in one texture.
+#pragma once
+
+#include "fonts/font.hpp"
+#include "render/context/gl.hpp"
+
+#include <optional>
+#include <unordered_map>
+
+namespace ciel::render {
+
+struct AtlasGlyph {
+    int u = 0, v = 0, width = 0, height = 0; // texels
+    int left = 0, top = 0;                   // as in GlyphImage
+};
+
+class GlyphAtlas {
+public:
+    GlyphAtlas(const Gl& gl, fonts::Font& font);
+
+    // Null when the texture is full: call clear and begin the frame's text again.
+    [[nodiscard]] const AtlasGlyph* find(std::uint32_t glyph, int pixels);
+    // Forgets all glyphs; the next texture is larger, up to the limit. False when it was as large already.
+    bool clear();
+    // Binds the texture, brought up to date, to the active unit.
+    void bind();
+    [[nodiscard]] int side() const { return side_; }
+
+private:
+    void allocate(int side);
+    [[nodiscard]] std::optional<AtlasGlyph> placed(const fonts::GlyphImage& image);
+
+    const Gl& gl_;
+    fonts::Font& font_;
+    GLuint texture_ = 0;
+    int side_ = 0;
+    std::vector<std::uint8_t> texels_;                     // two bytes each, as in GlyphImage
+    std::unordered_map<std::uint64_t, AtlasGlyph> glyphs_; // by size and glyph
+    int shelf_top_ = 0, shelf_height_ = 0, shelf_x_ = 0;   // of the row of glyphs that is being filled
+    int changed_top_ = 0, changed_bottom_ = 0;             // rows that the texture does not have yet
+};
+
+} // namespace ciel::render

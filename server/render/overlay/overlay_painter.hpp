@@ -1,0 +1,48 @@
+// Draws annotations over a finished picture: one buffer, one program, one draw.
+#pragma once
+
+#include "annotations/overlay.hpp"
+#include "render/frame/frame.hpp"
+#include "render/overlay/glyph_atlas.hpp"
+#include "render/target/touched_tiles.hpp"
+
+namespace ciel::render {
+
+class OverlayPainter {
+public:
+    explicit OverlayPainter(const Gl& gl);
+    OverlayPainter(const OverlayPainter&) = delete;
+    OverlayPainter& operator=(const OverlayPainter&) = delete;
+
+    // Lays the annotations out. Throws Error when the font is not installed.
+    void prepare(const Frame& frame);
+    void touch(TouchedTiles& touched, int height) const; // those of what was prepared
+    // What was prepared, into the bound target, of which it leaves the depth alone. Nothing without annotations.
+    void draw(const Frame& frame);
+
+private:
+    struct Vertex {
+        float x, y, u, v; // pixels; texels of a glyph, or pixels across a stroke
+        annotations::Ink ink;
+        float kind, half_width;
+        bool operator==(const Vertex&) const = default;
+    };
+    void add_quad(const Vertex& vertex, const annotations::Box& box, const annotations::Box& texels);
+    void add(const annotations::Plate& back);
+    void add(const annotations::Fill& fill);
+    void add(const annotations::Stroke& stroke, double width, const annotations::Ink& ink);
+    void add(const annotations::Triangle& triangle);
+    [[nodiscard]] bool add(const annotations::Label& label, bool halo,
+                           const annotations::Ink& ink); // false when the atlas is full
+    [[nodiscard]] bool add_labels(const annotations::Overlay& overlay);
+    void build(const annotations::Overlay& overlay);
+
+    const Gl& gl_;
+    fonts::Font font_;
+    GlyphAtlas atlas_;
+    GLuint program_ = 0, array_ = 0, buffer_ = 0;
+    GLint viewport_ = -1, glyphs_ = -1;
+    std::vector<Vertex> vertices_, uploaded_;
+};
+
+} // namespace ciel::render

@@ -1,0 +1,30 @@
+#include "render/surfaces/color_glsl.hpp"
+
+namespace ciel::render {
+
+// Values are less the scale's origin (ScaleRow), and so are the numbers of a row of scale_rules: (low, 1 / width,
+// steps, way), (lowest inside, highest inside), below, above, NaN. The way is 0 for linear, 1 for logarithmic, and less
+// than zero where it is logarithmic on both sides of zero: less the width of the nearly linear part; `low` and `width`
+// are then of the logarithms to base 2. Missing values are told by their bits: compilers may assume that x != x never
+// holds.
+const char* const color_scale_glsl = R"(
+uniform sampler2D scale_colors;
+uniform sampler2D scale_rules;
+vec3 scale_color(float value, float row_of) {
+    int row = int(row_of + 0.5);
+    if ((floatBitsToUint(value) & 0x7fffffffu) >= 0x7f800000u) return texelFetch(scale_rules, ivec2(4, row), 0).rgb;
+    vec4 inside = texelFetch(scale_rules, ivec2(1, row), 0);
+    if (value < inside.x) return texelFetch(scale_rules, ivec2(2, row), 0).rgb;
+    if (value > inside.y) return texelFetch(scale_rules, ivec2(3, row), 0).rgb;
+    vec4 rule = texelFetch(scale_rules, ivec2(0, row), 0);
+    float measure = rule.w > 0.5 ? log2(max(value, 1e-37)) : value;
+    if (rule.w < 0.0) measure = sign(value) * log2(1.0 + abs(value) / -rule.w);
+    float place = rule.y > 0.0 ? clamp((measure - rule.x) * rule.y, 0.0, 1.0) : 0.5;
+    if (rule.z > 1.5) return texelFetch(scale_colors, ivec2(int(min(place * rule.z, rule.z - 0.5)), row), 0).rgb;
+    vec2 size = vec2(textureSize(scale_colors, 0));
+    return texture(scale_colors, vec2((place * (size.x - 1.0) + 0.5) / size.x, (float(row) + 0.5) / size.y)).rgb;
+}
+vec3 base_color(float value, vec3 solid, float row) { return row < -0.5 ? solid : scale_color(value, row); }
+)";
+
+} // namespace ciel::render

@@ -1,0 +1,297 @@
+#include "render/surfaces/depth_peeling.hpp"
+
+#include "render/context/pacing.hpp"
+#include "render/surfaces/peeling_shaders.hpp"
+#include "render/target/per_sample.hpp"
+#include "render/target/sheet.hpp"
+
+#include <bit>
+
+namespace ciel::render {
+namespace {
+
+// A layer's pixels take 20 bytes: with twice the resolution those of a large screen, two thirds of a gigabyte.
+constexpr int most_pixels_at_twice_the_resolution = 3840 * 2160;
+
+// Whether the volumes are drawn for a layer, up to it. Later ones, to which little light comes through, are seen
+// through as much of the volumes as the one before.
+bool has_volumes_of_its_own(int layer, bool dense) {
+    if (dense) return std::has_single_bit(static_cast<unsigned>(layer)) || layer == 0;
+    return layer < 8 || layer % 4 == 0;
+}
+
+// Behind those of the color scales, but for what is added up; surface_slopes.cpp has 4 and 5.
+enum Unit : int {
+    layer_unit = 0,
+    opaque_unit = 1,
+    nearer_unit = 2,
+    volumes_unit = 3,
+    farther_unit = 3,
+    lines_unit = 6,
+    own_lines_unit = 7,
+    behind_unit = 8
+};
+
+} // namespace
+
+bool has_finer_layers(int width, int height, int samples) {
+    return samples > 1 && width * height <= most_pixels_at_twice_the_resolution;
+}
+
+DepthPeeling::DepthPeeling(const Gl& gl)
+    : gl_(gl), programs_{make_peeling_program(gl, false), make_peeling_line_program(gl, false),
+                         make_peeling_point_program(gl, false)},
+      recorded_programs_{make_peeling_program(gl, true), make_peeling_line_program(gl, true),
+                         make_peeling_point_program(gl, true)},
+      between_(make_point_between_program(gl, true)), free_between_(make_point_between_program(gl, false)),
+      keep_to_outlines_(make_kept_to_outlines_program(gl)), copy_depth_(make_depth_copy_program(gl)),
+      add_(make_layer_sum_program(gl)), picture_(make_layers_picture_program(gl, false)),
+      sample_picture_(make_layers_picture_program(gl, true)), fine_opaque_(gl), kept_opaque_(gl) {
+    for (Layer& layer : layers_) {
+        gl_.GenFramebuffers(1, &layer.framebuffer);
+        gl_.GenTextures(1, &layer.depth);
+        gl_.GenTextures(1, &layer.record);
+    }
+    for (GLuint* texture : {&color_, &opaque_, &sum_, &nothing_}) gl_.GenTextures(1, texture);
+    gl_.GenFramebuffers(1, &opaque_framebuffer_);
+    gl_.GenFramebuffers(1, &sum_framebuffer_);
+    gl_.GenFramebuffers(1, &color_framebuffer_);
+    gl_.GenQueries(1, &query_);
+    gl_.GenVertexArrays(1, &no_array_);
+    constexpr float zeros[4] = {};
+    gl_.BindTexture(GL_TEXTURE_2D, nothing_);
+    gl_.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA16F, 1, 1, 0, GL_RGBA, GL_FLOAT, zeros);
+    filter(gl_, GL_NEAREST);
+}
+
+void DepthPeeling::allocate(GLuint texture, GLint format, int width, int height) const {
+    const bool is_depth = format != GL_RGBA16F && format != GL_RGBA16;
+    gl_.BindTexture(GL_TEXTURE_2D, texture);
+    gl_.TexImage2D(GL_TEXTURE_2D, 0, format, width, height, 0, is_depth ? GL_DEPTH_COMPONENT : GL_RGBA, GL_FLOAT,
+                   nullptr);
+    filter(gl_, texture == sum_ ? GL_LINEAR : GL_NEAREST);
+}
+
+void DepthPeeling::attach(GLuint framebuffer, GLuint color, GLuint depth) const {
+    gl_.BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+    gl_.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, color, 0);
+    gl_.FramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, depth, 0);
+    // A framebuffer of depth alone is only copied to, which asks for less.
+    if (color != 0 && gl_.CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
+        throw Error("the GL driver cannot draw transparent surfaces to a picture of this size; ask for a smaller one");
+}
+
+void DepthPeeling::resize(const Scene& scene) {
+    const int factor = has_finer_layers(scene.width, scene.height, scene.samples) ? 2 : 1;
+    if (width_ == scene.width && height_ == scene.height && factor_ == factor) return;
+    factor_ = 0; // not usable until it is known to be complete
+    width_ = scene.width;
+    height_ = scene.height;
+    allocate(opaque_, GL_DEPTH_COMPONENT24, width_, height_);
+    attach(opaque_framebuffer_, 0, opaque_);
+    allocate(color_, GL_RGBA16F, factor * width_, factor * height_);
+    attach(color_framebuffer_, color_, 0);
+    for (const Layer& layer : layers_) {
+        // Exactly what the program compares it with.
+        allocate(layer.depth, GL_DEPTH_COMPONENT32F, factor * width_, factor * height_);
+        attach(layer.framebuffer, color_, layer.depth);
+    }
+    // Of a float of 16 bits each of many layers would lose up to a bit.
+    allocate(sum_, GL_RGBA16, factor * width_, factor * height_);
+    attach(sum_framebuffer_, sum_, 0);
+    factor_ = factor;
+}
+
+void DepthPeeling::record(bool on) {
+    recorded_ = on;
+    const int width = factor_ * width_, height = factor_ * height_;
+    const bool has_size = recorded_width_ == width && recorded_height_ == height;
+    constexpr GLenum both[] = {GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1};
+    for (const Layer& layer : layers_) {
+        gl_.BindFramebuffer(GL_FRAMEBUFFER, layer.framebuffer);
+        if (on && !has_size) {
+            gl_.BindTexture(GL_TEXTURE_2D, layer.record);
+            gl_.TexImage2D(GL_TEXTURE_2D, 0, GL_RG32F, width, height, 0, GL_RG, GL_FLOAT, nullptr);
+            filter(gl_, GL_NEAREST);
+            gl_.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT1, GL_TEXTURE_2D, layer.record, 0);
+        }
+        if (!on && recorded_width_ != 0 && !has_size) // of another size it would make the framebuffer as small
+            gl_.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT1, GL_TEXTURE_2D, 0, 0);
+        gl_.DrawBuffers(on ? 2 : 1, both);
+        if (on && gl_.CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
+            throw Error("the GL driver cannot draw transparent lines to a picture of this size; ask for a smaller one");
+    }
+    if (on || !has_size) {
+        recorded_width_ = on ? width : 0;
+        recorded_height_ = on ? height : 0;
+    }
+}
+
+void DepthPeeling::set_nearer(const Program& program, bool joining) const {
+    gl_.Uniform1i(program.nearer, nearer_unit);
+    gl_.Uniform1i(program.farther, farther_unit);
+    gl_.Uniform1i(program.nearer_lines, lines_unit);
+    gl_.Uniform1i(program.own_lines, own_lines_unit);
+    gl_.Uniform1i(program.behind, behind_unit);
+    gl_.Uniform1f(program.joining, joining ? 1.0F : 0.0F);
+}
+
+void DepthPeeling::cover() const {
+    gl_.BindVertexArray(no_array_);
+    gl_.DrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+void DepthPeeling::draw(const Scene& scene, Target& target) {
+    resize(scene);
+    record(static_cast<bool>(scene.join_lines));
+    const GLuint opaque = find_opaque(scene, target);
+    gl_.Viewport(0, 0, factor_ * width_, factor_ * height_);
+    gl_.BindFramebuffer(GL_FRAMEBUFFER, sum_framebuffer_);
+    gl_.ClearColor(0, 0, 0, 1);
+    gl_.Clear(GL_COLOR_BUFFER_BIT);
+    gl_.BindFramebuffer(GL_FRAMEBUFFER, layers_[1].framebuffer);
+    gl_.DepthMask(GL_TRUE);
+    gl_.ClearDepth(0);
+    gl_.Clear(recorded_ ? GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT : GL_DEPTH_BUFFER_BIT);
+    gl_.ClearDepth(1);
+
+    const auto volumes = [&](GLuint depth, GLuint color) {
+        return scene.volumes ? scene.volumes(depth, color) : nothing_;
+    };
+    GLuint in_front = nothing_;
+    was_cut_ = false;
+    for (int i = 0; i <= scene.most_layers; ++i) {
+        const Layer& layer = layers_[i % 2];
+        next_pass(gl_);
+        const bool any = draw_layer(scene, opaque, layer, layers_[(i + 1) % 2]);
+        if (scene.draw_between) add_between(scene, layer);
+        if (!any) break;
+        was_cut_ = i == scene.most_layers; // drawn to know it, and no more
+        if (was_cut_) break;
+        if (has_volumes_of_its_own(i, scene.dense)) in_front = volumes(layer.depth, color_);
+        add_to_sum(layer, in_front);
+    }
+    put_on(scene, target, volumes(0, 0));
+}
+
+// In the middle of the layers' pixels: of a picture with several samples that is not where its own depth is.
+GLuint DepthPeeling::find_opaque(const Scene& scene, Target& target) {
+    if (scene.samples == 1) {
+        target.copy_depth(opaque_framebuffer_);
+        return opaque_;
+    }
+    if (factor_ == 1 && scene.outlines != 0) return scene.outlines;
+    fine_opaque_.begin(factor_ * width_, factor_ * height_, false);
+    gl_.Enable(GL_DEPTH_TEST);
+    gl_.DepthMask(GL_TRUE);
+    scene.draw_opaque();
+    return scene.outlines == 0 ? fine_opaque_.texture() : keep_to_outlines(scene);
+}
+
+// Samples that are put on one by one want each pixel of the picture to be all before or all behind an outline.
+GLuint DepthPeeling::keep_to_outlines(const Scene& scene) {
+    kept_opaque_.begin(factor_ * width_, factor_ * height_, false);
+    gl_.DepthFunc(GL_ALWAYS);
+    bind(gl_, opaque_unit, fine_opaque_.texture());
+    bind(gl_, nearer_unit, scene.outlines);
+    keep_to_outlines_.use();
+    keep_to_outlines_.set("opaque", int{opaque_unit});
+    keep_to_outlines_.set("middles", int{nearer_unit});
+    cover();
+    gl_.DepthFunc(GL_LEQUAL);
+    return kept_opaque_.texture();
+}
+
+// False where nothing is behind the nearer layer any more.
+bool DepthPeeling::draw_layer(const Scene& scene, GLuint opaque, const Layer& layer, const Layer& nearer) const {
+    gl_.BindFramebuffer(GL_FRAMEBUFFER, layer.framebuffer);
+    gl_.Viewport(0, 0, factor_ * width_, factor_ * height_);
+    gl_.Disable(GL_BLEND);
+    gl_.Enable(GL_DEPTH_TEST);
+    gl_.DepthMask(GL_TRUE);
+    gl_.ClearColor(0, 0, 0, 0);
+    gl_.Clear(GL_COLOR_BUFFER_BIT);
+    gl_.ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+    gl_.DepthFunc(GL_ALWAYS);
+    bind(gl_, layer_unit, opaque);
+    copy_depth_.use();
+    bind(gl_, opaque_unit, sum_);
+    copy_depth_.set("opaque", int{layer_unit});
+    copy_depth_.set("sum", int{opaque_unit});
+    copy_depth_.set("viewport", glm::vec2(factor_ * width_, factor_ * height_));
+    cover();
+    gl_.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    gl_.DepthFunc(GL_LESS);
+    bind(gl_, nearer_unit, nearer.depth);
+    if (recorded_) bind(gl_, lines_unit, nearer.record);
+    bind(gl_, own_lines_unit, 0); // is drawn to
+    AnySamples drawn(gl_, query_);
+    scene.draw_surfaces();
+    const bool any = drawn.passed();
+    gl_.DepthFunc(GL_LEQUAL);
+    gl_.Enable(GL_BLEND);
+    if (any && recorded_) {
+        bind(gl_, behind_unit, opaque);
+        join_lines(scene, layer);
+    }
+    return any;
+}
+
+void DepthPeeling::join_lines(const Scene& scene, const Layer& layer) const {
+    gl_.BindFramebuffer(GL_FRAMEBUFFER, color_framebuffer_);
+    gl_.BlendEquationSeparate(GL_FUNC_ADD, GL_MAX);
+    gl_.BlendFuncSeparate(GL_ZERO, GL_ONE, GL_ONE, GL_ONE);
+    bind(gl_, own_lines_unit, layer.record);
+    scene.join_lines();
+    gl_.BlendEquation(GL_FUNC_ADD);
+}
+
+// What is drawn is behind what is there: premultiplied colors.
+void DepthPeeling::begin_sum() const {
+    gl_.BindFramebuffer(GL_FRAMEBUFFER, sum_framebuffer_);
+    gl_.Viewport(0, 0, factor_ * width_, factor_ * height_);
+    gl_.Disable(GL_DEPTH_TEST);
+    gl_.BlendFuncSeparate(GL_DST_ALPHA, GL_ONE, GL_ZERO, GL_ONE_MINUS_SRC_ALPHA);
+}
+
+// In front of the layer and behind the nearer one, which is bound still.
+void DepthPeeling::add_between(const Scene& scene, const Layer& layer) const {
+    begin_sum();
+    bind(gl_, farther_unit, layer.depth);
+    scene.draw_between();
+}
+
+void DepthPeeling::add_to_sum(const Layer& layer, GLuint volumes) const {
+    begin_sum();
+    bind(gl_, layer_unit, color_);
+    bind(gl_, volumes_unit, volumes);
+    bind(gl_, opaque_unit, layer.depth);
+    add_.use();
+    add_.set("layer", int{layer_unit});
+    add_.set("volumes", int{volumes_unit});
+    add_.set("depths", int{opaque_unit});
+    add_.set("factor", factor_);
+    cover();
+}
+
+void DepthPeeling::put_on(const Scene& scene, Target& target, GLuint volumes) const {
+    const bool per_sample = scene.samples > 1 && scene.outlines != 0;
+    target.bind_again();
+    gl_.Disable(GL_DEPTH_TEST);
+    gl_.BlendFuncSeparate(GL_ONE, GL_SRC_ALPHA, GL_ZERO, GL_ONE);
+    bind(gl_, layer_unit, sum_);
+    bind(gl_, volumes_unit, volumes);
+    const ShaderProgram& program = per_sample ? sample_picture_ : picture_;
+    program.use();
+    program.set("sum", int{layer_unit});
+    program.set("volumes", int{volumes_unit});
+    program.set("viewport", glm::vec2(width_, height_));
+    if (per_sample)
+        draw_per_sample(gl_, program, {scene.outlines, opaque_unit}, [this] { cover(); });
+    else
+        cover();
+    gl_.BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    gl_.Enable(GL_DEPTH_TEST);
+}
+
+} // namespace ciel::render

@@ -1,0 +1,94 @@
+#include "render/surfaces/peeling_shaders.hpp"
+
+#include "render/target/per_sample.hpp"
+
+namespace ciel::render {
+namespace {
+
+// How steep a surface is itself, at its outline too, is the lesser slope to either side.
+constexpr const char* kept_to_outlines_fragment = R"(#version 330 core
+uniform sampler2D opaque;
+uniform sampler2D middles; // of the picture's pixels
+const float least_step = 1e-2; // what per_sample.cpp takes for an outline
+float middle_at(ivec2 pixel) { return texelFetch(middles, clamp(pixel, ivec2(0), textureSize(middles, 0) - 1), 0).r; }
+void main() {
+    ivec2 pixel = ivec2(gl_FragCoord.xy) / 2;
+    float own = texelFetch(opaque, ivec2(gl_FragCoord.xy), 0).r, middle = middle_at(pixel);
+    float rise = 0.0;
+    for (int axis = 0; axis < 2; ++axis) {
+        ivec2 beside = ivec2(1 - axis, axis);
+        rise += min(abs(middle_at(pixel - beside) - middle), abs(middle_at(pixel + beside) - middle));
+    }
+    gl_FragDepth = abs(own - middle) > least_step + rise ? min(middle + rise, 1.0) : own;
+}
+)";
+
+// A layer on the very faces of what is opaque lies over it, whatever the rounding.
+constexpr const char* depth_copy_fragment = R"(#version 330 core
+uniform sampler2D opaque;
+uniform sampler2D sum; // of the nearer layers
+uniform vec2 viewport;
+const float rounding = 1e-6;
+const float least_share = 1.0 / 512.0; // of the light: half of a step of the picture's colors
+void main() {
+    float through = texelFetch(sum, ivec2(gl_FragCoord.xy), 0).a;
+    gl_FragDepth = through < least_share ? 0.0 : min(texture(opaque, gl_FragCoord.xy / viewport).r + rounding, 1.0);
+}
+)";
+
+constexpr const char* layer_sum_fragment = R"(#version 330 core
+uniform sampler2D layer;
+uniform sampler2D volumes;
+uniform sampler2D depths; // of the layer
+uniform int factor;       // pixels of the layer to one of the volumes
+out vec4 picture;
+float depth_of_ray(ivec2 pixel) { return texelFetch(depths, factor * pixel + factor / 2, 0).r; }
+// The volumes have one ray a pixel, which ended on the layer or went past it: of another pixel's where that did what
+// this one would.
+ivec2 pixel_of_volumes() {
+    ivec2 here = ivec2(gl_FragCoord.xy), pixel = here / factor, found = pixel;
+    ivec2 side = (here & 1) * 2 - 1, last = textureSize(volumes, 0) - 1;
+    float own = texelFetch(depths, here, 0).r;
+    float off = abs(depth_of_ray(pixel) - own);
+    for (int i = 1; i < 4 && off > 2e-3; ++i) {
+        ivec2 other = clamp(pixel + side * ivec2(i & 1, i >> 1), ivec2(0), last);
+        float other_off = abs(depth_of_ray(other) - own);
+        if (other_off < off) {
+            off = other_off;
+            found = other;
+        }
+    }
+    return min(found, last);
+}
+void main() {
+    vec4 surface = texelFetch(layer, ivec2(gl_FragCoord.xy), 0);
+    vec4 volume = texelFetch(volumes, pixel_of_volumes(), 0);
+    picture = vec4((volume.rgb + (1.0 - volume.a) * surface.rgb) * surface.a, surface.a);
+}
+)";
+
+// Where there are two by two of the layers' pixels to one, the filter takes their mean.
+constexpr const char* layers_picture_fragment = R"(
+uniform sampler2D sum;
+uniform sampler2D volumes;
+uniform vec2 viewport;
+out vec4 picture;
+void main() {
+    vec2 place = seen_from() / viewport;
+    vec4 layers = texture(sum, place);
+    vec4 volume = texture(volumes, place);
+    picture = vec4(layers.rgb + layers.a * volume.rgb, layers.a * (1.0 - volume.a));
+}
+)";
+
+} // namespace
+
+ShaderProgram make_kept_to_outlines_program(const Gl& gl) { return make_cover_program(gl, kept_to_outlines_fragment); }
+ShaderProgram make_depth_copy_program(const Gl& gl) { return make_cover_program(gl, depth_copy_fragment); }
+ShaderProgram make_layer_sum_program(const Gl& gl) { return make_cover_program(gl, layer_sum_fragment); }
+ShaderProgram make_layers_picture_program(const Gl& gl, bool per_sample) {
+    return make_cover_program(gl, std::string("#version 330 core\n") + seen_from_glsl(per_sample) +
+                                      layers_picture_fragment);
+}
+
+} // namespace ciel::render

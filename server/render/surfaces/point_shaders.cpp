@@ -1,0 +1,148 @@
+// The programs of points: discs, shaded as the balls that they stand for.
+#include "render/surfaces/shader_parts.hpp"
+
+namespace ciel::render {
+namespace {
+
+constexpr const char* point_vertex = R"(#version 330 core
+layout(location = 0) in vec3 position;
+layout(location = 2) in float scalar;
+layout(location = 3) in float size;
+layout(location = 4) in vec4 color;
+layout(location = 5) in vec3 style;
+uniform mat4 view;
+uniform mat4 projection;
+uniform float point_pixels; // of what is drawn to one of the picture
+uniform vec4 clip[6];       // counts only where the painter has enabled it
+out float gl_ClipDistance[6];
+out Disc {
+    flat float value;
+    flat float size;
+    flat vec4 color;
+    flat vec2 style;
+} disc;
+void main() {
+    gl_Position = projection * (view * vec4(position, 1.0));
+    for (int i = 0; i < 6; ++i) gl_ClipDistance[i] = dot(clip[i].xyz, position) + clip[i].w;
+    disc.value = scalar - style.z;
+    disc.size = max(size, 1.0) * point_pixels; // a thinner one would miss most pixels
+    disc.color = color;
+    disc.style = style.xy;
+    gl_PointSize = disc.size + 1.0; // room for a soft edge
+}
+)";
+
+// On nothing, points are as deep as they are.
+constexpr const char* free_glsl = R"(
+const float least = 5e-7;
+uniform vec2 viewport;
+float depth_of_disc(vec2 place) { return gl_FragCoord.z - 2.0 * least; }
+)";
+
+// Before the lines that meet in it, whatever these rise.
+constexpr const char* lying_glsl = R"(
+uniform float point_pixels;
+uniform float line_reach; // of the widest lines: half of their width, and of a pixel; 0 without lines
+float depth_of_disc(vec2 place) {
+    float give;
+    float reach = disc.size * 0.5 + 0.5 + line_reach, slack = 0.75 + 0.5 * line_reach;
+    return depth_on_surface(place, reach, slack, 12.0 * point_pixels, false, give) - least;
+}
+)";
+
+constexpr const char* disc_glsl = R"(
+in Disc {
+    flat float value;
+    flat float size;
+    flat vec4 color;
+    flat vec2 style;
+} disc;
+// To the right and up from its centre, in pixels.
+vec2 from_center() { return (gl_PointCoord - 0.5) * (disc.size + 1.0) * vec2(1.0, -1.0); }
+vec4 color_of_disc(vec2 place, float cover) {
+    vec3 base = base_color(disc.value, disc.color.rgb, disc.style.x);
+    if (disc.style.y > 0.5) base = lit_ball(base, place / (disc.size * 0.5 + 0.5));
+    return vec4(base, disc.color.a * cover);
+}
+)";
+
+// Sample by sample, as a surface is: a soft edge that leaves a depth hides what is behind it, and one that leaves none
+// does not hide it where it should.
+constexpr const char* opaque_fragment = R"(
+uniform int sample_count;
+uniform vec2 sample_places[8]; // from the middle of a pixel
+out vec4 picture;
+void main() {
+    vec2 place = from_center();
+    int covered = 0;
+    for (int i = 0; i < sample_count; ++i)
+        if (length(place + sample_places[i]) <= disc.size * 0.5) covered |= 1 << i;
+    if (covered == 0) discard;
+#ifdef GL_ARB_sample_shading
+    gl_SampleMask[0] = covered;
+#endif
+    gl_FragDepth = depth_of_disc(place);
+    picture = color_of_disc(place, 1.0);
+}
+)";
+
+// A layer itself. What is opaque has a hard edge there, whose pixels are small in stills: of a soft one, what is behind
+// would be another layer, and dense clouds have as many as they please. A point only ever comes nearer than it is.
+constexpr const char* layer_fragment = R"(
+layout(location = 0) out vec4 picture;
+void main() {
+    if (gl_FragCoord.z <= texelFetch(nearer, ivec2(gl_FragCoord.xy), 0).r) discard;
+    vec2 place = from_center();
+    float inside = disc.size * 0.5 - length(place);
+    float cover = disc.color.a < 1.0 ? clamp(inside + 0.5, 0.0, 1.0) : step(0.0, inside);
+    if (cover < 0.02) discard;
+    float depth = depth_of_disc(place);
+    if (!is_seen(depth)) discard;
+#ifdef RECORDED
+    if (disc.color.a * cover > 0.998) record.x = -1.0;
+#endif
+    gl_FragDepth = depth;
+    picture = color_of_disc(place, cover);
+}
+)";
+
+// What lies between two layers, blended from the nearest on.
+constexpr const char* between_fragment = R"(
+uniform sampler2D nearer;
+uniform sampler2D farther; // nothing is seen where it is 0
+out vec4 picture;
+void main() {
+    vec2 place = from_center();
+    float cover = clamp(disc.size * 0.5 + 0.5 - length(place), 0.0, 1.0);
+    ivec2 pixel = ivec2(gl_FragCoord.xy);
+    float last = texelFetch(farther, pixel, 0).r, first = texelFetch(nearer, pixel, 0).r;
+    if (cover < 0.02 || last <= 0.0 || gl_FragCoord.z <= first) discard;
+    float depth = depth_of_disc(place);
+    if (depth <= first || depth > last) discard;
+    picture = color_of_disc(place, cover);
+    picture.rgb *= picture.a;
+}
+)";
+
+Program make_program(const Gl& gl, const std::string& depth, const char* fragment, const std::string& before = "") {
+    const std::string body = disc_glsl + depth + fragment;
+    return link(gl, {{GL_VERTEX_SHADER, point_vertex}, {GL_FRAGMENT_SHADER, with_color_scale(body, before)}});
+}
+
+std::string lying() { return std::string(on_surface_glsl) + lying_glsl; }
+
+} // namespace
+
+Program make_point_program(const Gl& gl) {
+    return make_program(gl, lying(), opaque_fragment, "#extension GL_ARB_sample_shading : enable\n");
+}
+
+Program make_peeling_point_program(const Gl& gl, bool recorded) {
+    return make_program(gl, lying(), layer_fragment, recorded ? recorded_glsl : peeled_glsl);
+}
+
+Program make_point_between_program(const Gl& gl, bool on_surfaces) {
+    return make_program(gl, on_surfaces ? lying() : free_glsl, between_fragment);
+}
+
+} // namespace ciel::render

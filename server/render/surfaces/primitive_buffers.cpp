@@ -1,0 +1,69 @@
+#include "render/surfaces/primitive_buffers.hpp"
+
+#include "render/context/pacing.hpp"
+#include "render/frame/frame_parts.hpp"
+#include "render/surfaces/shaders.hpp"
+
+#include <algorithm>
+
+namespace ciel::render {
+
+void check_primitives(const Primitives& mesh) {
+    const std::size_t vertices = mesh.positions.size();
+    Index largest = 0;
+    for (const Index vertex : mesh.indices) largest = std::max(largest, vertex);
+    if ((!mesh.normals.empty() && mesh.normals.size() != vertices) ||
+        (!mesh.scalars.empty() && mesh.scalars.size() != vertices) || mesh.indices.size() % corners_of(mesh) != 0 ||
+        (!mesh.indices.empty() && largest >= vertices)) {
+        throw Error("a mesh to draw has arrays that do not fit together: " + std::to_string(vertices) + " vertices, " +
+                    std::to_string(mesh.normals.size()) + " normals, " + std::to_string(mesh.scalars.size()) +
+                    " scalars, " + std::to_string(mesh.indices.size()) + " indices up to " + std::to_string(largest));
+    }
+}
+
+PrimitiveBuffers::PrimitiveBuffers(const Gl& gl) : gl_(gl) {
+    gl_.GenVertexArrays(1, &array_);
+    for (GLuint* buffer : {&positions_, &normals_, &scalars_, &indices_}) gl_.GenBuffers(1, buffer);
+}
+
+void PrimitiveBuffers::upload(GLuint buffer, GLenum target, std::size_t bytes, const void* data) {
+    gl_.BindBuffer(target, buffer);
+    fill_buffer(gl_, target, bytes, data);
+}
+
+void PrimitiveBuffers::attribute(GLuint index, GLuint buffer, int components, std::size_t bytes, const void* data) {
+    if (bytes == 0) {
+        gl_.DisableVertexAttribArray(index);
+        return;
+    }
+    upload(buffer, GL_ARRAY_BUFFER, bytes, data);
+    gl_.EnableVertexAttribArray(index);
+    gl_.VertexAttribPointer(index, components, GL_FLOAT, GL_FALSE, 0, nullptr);
+}
+
+void PrimitiveBuffers::load(const Primitives& mesh) {
+    if (mesh.revision != 0 && mesh.identity == identity_ && mesh.revision == revision_) return;
+    check_primitives(mesh);
+    revision_ = 0; // until all is there: the upload may be given up
+    gl_.BindVertexArray(array_);
+    attribute(attribute_position, positions_, 3, mesh.positions.size_bytes(), mesh.positions.data());
+    attribute(attribute_normal, normals_, 3, mesh.normals.size_bytes(), mesh.normals.data());
+    attribute(attribute_scalar, scalars_, 1, mesh.scalars.size_bytes(), mesh.scalars.data());
+    upload(indices_, GL_ELEMENT_ARRAY_BUFFER, mesh.indices.size_bytes(), mesh.indices.data());
+    identity_ = mesh.identity;
+    primitive_ = mesh.points ? GL_POINTS : mesh.lines ? GL_LINES : GL_TRIANGLES;
+    count_ = mesh.indices.size();
+    revision_ = mesh.revision;
+}
+
+void PrimitiveBuffers::draw(const Primitives& mesh, const ScaleRow& scale) const {
+    gl_.BindVertexArray(array_);
+    gl_.VertexAttrib3f(attribute_normal, 0, 0, 0);
+    gl_.VertexAttrib1f(attribute_scalar, 0);
+    gl_.VertexAttrib1f(attribute_size, mesh.point_size);
+    gl_.VertexAttrib4f(attribute_color, mesh.color[0], mesh.color[1], mesh.color[2], mesh.color[3]);
+    gl_.VertexAttrib3f(attribute_style, scale.row, mesh.lit ? 1.0F : 0.0F, scale.origin);
+    draw_elements(gl_, primitive_, 0, count_);
+}
+
+} // namespace ciel::render

@@ -1,0 +1,38 @@
+// The vertex buffers of one mesh on the GL's side, used again from frame to frame.
+#pragma once
+
+#include "render/context/gl.hpp"
+#include "render/frame/frame.hpp"
+#include "render/surfaces/color_scales.hpp"
+
+#include <vector>
+
+namespace ciel::render {
+
+// Throws Error when the mesh's arrays do not fit together: the GL would read past their ends.
+void check_primitives(const Primitives& mesh);
+
+class PrimitiveBuffers {
+public:
+    explicit PrimitiveBuffers(const Gl& gl);
+    // Uploads the mesh unless the buffers hold this identity and revision already. Can be given up between pieces
+    // (pacing.hpp); then load() again before it is drawn.
+    void load(const Primitives& mesh);
+    // `mesh` is what was loaded, perhaps in other colors.
+    void draw(const Primitives& mesh, const ScaleRow& scale) const;
+    [[nodiscard]] std::uint64_t identity() const {
+        return identity_;
+    } // of the mesh that was loaded; 0 before the first
+
+private:
+    void upload(GLuint buffer, GLenum target, std::size_t bytes, const void* data);
+    void attribute(GLuint index, GLuint buffer, int components, std::size_t bytes, const void* data);
+
+    const Gl& gl_;
+    GLuint array_ = 0, positions_ = 0, normals_ = 0, scalars_ = 0, indices_ = 0;
+    std::uint64_t identity_ = 0, revision_ = 0;
+    GLenum primitive_ = GL_TRIANGLES;
+    std::size_t count_ = 0;
+};
+
+} // namespace ciel::render

@@ -1,0 +1,171 @@
+#include "render/surfaces/shader_parts.hpp"
+
+#include "ciel/types.hpp"
+#include "render/surfaces/color_glsl.hpp"
+#include "render/surfaces/lighting_glsl.hpp"
+
+namespace ciel::render {
+
+// What the vertices tell lines and triangles.
+const char* const surface_block = R"( Surface {
+    vec3 place; // in the eye's axes, in units of the bounds' diagonal: derivatives of small scenes must not underflow
+    vec3 normal;
+    float value;
+    flat vec4 color;
+    flat vec2 style;
+    vec3 position; // for the lines' clip distances
+} surface)";
+
+const std::string surface_vertex = R"(#version 330 core
+layout(location = 0) in vec3 position;
+layout(location = 1) in vec3 normal;
+layout(location = 2) in float scalar;
+layout(location = 4) in vec4 color;
+layout(location = 5) in vec3 style;
+uniform mat4 view;
+uniform mat4 projection;
+uniform float scale;
+uniform vec4 clip[6]; // counts only where the painter has enabled it
+out float gl_ClipDistance[6];
+out)" + std::string(surface_block) +
+                                   R"(;
+void main() {
+    vec4 place = view * vec4(position, 1.0);
+    gl_Position = projection * place;
+    for (int i = 0; i < 6; ++i) gl_ClipDistance[i] = dot(clip[i].xyz, position) + clip[i].w;
+    surface.place = place.xyz * scale;
+    surface.normal = mat3(view) * normal;
+    surface.value = scalar - style.z;
+    surface.color = color;
+    surface.style = style.xy;
+    surface.position = position;
+}
+)";
+
+const char* const peeled_glsl = R"(
+#define PEELED
+uniform sampler2D nearer;
+bool is_seen(float depth) { return depth > texelFetch(nearer, ivec2(gl_FragCoord.xy), 0).r; }
+)";
+
+// A pixel of a line or point is beside the place where that is: as deep as there, it would be buried where the surface
+// under it rises. So it comes as much nearer. Surfaces that went back instead would go behind what is behind them, most
+// of all at their outlines. How a surface rises is what two steps to one side agree on, for one may be over an outline.
+const char* const on_surface_glsl = R"(
+uniform vec2 viewport;
+uniform float on_opaque; // 1: on no sheet
+uniform sampler2D opaque_depth; // of the window, of what is opaque, in the picture's pixels
+uniform sampler2D sheet_slopes; // depth a pixel of the steepest transparent surface, and as far as its triangle rises
+const float least = 5e-7;       // of 24 bits the last few, and what rounding takes
+float opaque_at(ivec2 pixel) {
+    return texelFetch(opaque_depth, clamp(pixel, ivec2(0), textureSize(opaque_depth, 0) - 1), 0).r;
+}
+float smaller(float a, float b) { return abs(a) < abs(b) ? a : b; }
+float rise_along(ivec2 pixel, ivec2 axis) {
+    float own = opaque_at(pixel), next = opaque_at(pixel + axis), last = opaque_at(pixel - axis);
+    float ahead = smaller(next - own, opaque_at(pixel + 2 * axis) - next);
+    float behind = smaller(own - last, last - opaque_at(pixel - 2 * axis));
+    return abs(ahead) > abs(behind) ? ahead : behind;
+}
+// Of the pixels beside as well: a sheet that ends within the pixel may have missed its middle. Where an outline runs along
+// a face that is seen from its edge, that fills a pixel now and then, or a row of them, with a slope that is nothing
+// else's: so slopes count that more than three of nine have, and any other no further than its triangle rises in all.
+float slope_around(ivec2 pixel) {
+    vec4 steepest = vec4(0.0);
+    float most = 0.0;
+    for (int i = 0; i < 9; ++i) {
+        vec2 found = texelFetch(sheet_slopes, clamp(pixel + ivec2(i % 3, i / 3) - 1, ivec2(0),
+                                                    textureSize(sheet_slopes, 0) - 1), 0).rg;
+        float slope = found.x;
+        most = max(most, found.y);
+        if (slope > steepest.x) steepest = vec4(slope, steepest.xyz);
+        else if (slope > steepest.y) steepest.yzw = vec3(slope, steepest.yz);
+        else if (slope > steepest.z) steepest.zw = vec2(slope, steepest.z);
+        else steepest.w = max(steepest.w, slope);
+    }
+    return max(steepest.w, most);
+}
+// `beside`: the place, from that of the line or point, at most `reach` away; `slack`: by how much that is unsure. Pixels.
+// `most`: of these; farther off it would come before what is well before it.
+// `back`: whether it may go back, so that all lines on one surface are as deep. `give`: by how much they may yet differ.
+float depth_on_surface(vec2 beside, float reach, float slack, float most, bool back, out float give) {
+    vec2 size = vec2(textureSize(opaque_depth, 0));
+    beside *= min(1.0, most / (reach + slack));
+    ivec2 pixel = ivec2(gl_FragCoord.xy / viewport * size);
+    vec2 rise = vec2(rise_along(pixel, ivec2(1, 0)), rise_along(pixel, ivec2(0, 1))) * size / viewport;
+    float shift = dot(rise, beside);
+    float depth = gl_FragCoord.z + (back ? shift : min(shift, 0.0)) - slack * length(rise) - least;
+    give = 0.0;
+    if (on_opaque > 0.5 || depth > opaque_at(pixel)) return depth; // hidden, whatever sheets are there
+    vec2 sheets = vec2(textureSize(sheet_slopes, 0)) / viewport;
+    pixel = ivec2(gl_FragCoord.xy * sheets);
+    float slope = slope_around(pixel) * sheets.x;
+    give = min(reach, most) * slope;
+    return min(depth, gl_FragCoord.z - min(reach + slack, most) * slope - least);
+}
+)";
+
+// The same where lines of less than full opacity are among the layers. Segments that meet in a joint lie over each
+// other there, and each would take its share of the light: so the last line at a pixel is passed on from layer to
+// layer, and what is of the same mesh and as deep, within what either may rise in a joint, is the same line. Of its
+// segments the nearest is the layer's; drawn a second time, they leave what they cover most of the pixel with.
+const char* const recorded_glsl = R"(
+#define PEELED
+#define RECORDED
+uniform sampler2D nearer;
+uniform sampler2D nearer_lines;
+uniform sampler2D own_lines; // of the layer itself, the second time
+uniform sampler2D behind;    // window depths of what is opaque, as the layers end on it
+layout(location = 1) out vec2 record; // number of the last line, and how far back it is that; -1: nothing is seen behind
+bool is_seen(float depth) {
+    record = texelFetch(nearer_lines, ivec2(gl_FragCoord.xy), 0).rg;
+    return record.x >= 0.0 && depth > texelFetch(nearer, ivec2(gl_FragCoord.xy), 0).r;
+}
+)";
+
+Program link(const Gl& gl, const std::vector<Stage>& stages) {
+    Program program;
+    program.id = link_stages(gl, stages);
+    const auto uniform = [&](const char* name) { return gl.GetUniformLocation(program.id, name); };
+    program.view = uniform("view");
+    program.projection = uniform("projection");
+    program.scale = uniform("scale");
+    program.parallel = uniform("parallel");
+    program.scale_colors = uniform("scale_colors");
+    program.scale_rules = uniform("scale_rules");
+    program.lights = uniform("lights");
+    program.look = uniform("look");
+    program.solid = uniform("solid");
+    program.lit = uniform("lit");
+    program.clip = uniform("clip");
+    program.point_pixels = uniform("point_pixels");
+    program.farther = uniform("farther");
+    program.viewport = uniform("viewport");
+    program.half_width = uniform("half_width");
+    program.on_opaque = uniform("on_opaque");
+    program.opaque_depth = uniform("opaque_depth");
+    program.sheet_slopes = uniform("sheet_slopes");
+    program.before_volume = uniform("before_volume");
+    program.volume_limits = uniform("volume_limits");
+    program.cover_part = uniform("cover_part");
+    program.nearer = uniform("nearer");
+    program.nearer_lines = uniform("nearer_lines");
+    program.own_lines = uniform("own_lines");
+    program.behind = uniform("behind");
+    program.number = uniform("number");
+    program.joining = uniform("joining");
+    program.line_reach = uniform("line_reach");
+    program.sample_count = uniform("sample_count");
+    program.sample_places = uniform("sample_places");
+    program.occlusion = uniform("occlusion");
+    program.occlusion_stride = uniform("occlusion_stride");
+    program.occlusion_strength = uniform("occlusion_strength");
+    program.occlusion_scale = uniform("occlusion_scale");
+    return program;
+}
+
+std::string with_color_scale(const std::string& body, const std::string& defines) {
+    return "#version 330 core\n" + defines + color_scale_glsl + lighting_glsl + body;
+}
+
+} // namespace ciel::render

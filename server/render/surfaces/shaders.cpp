@@ -1,0 +1,296 @@
+#include "render/surfaces/shader_parts.hpp"
+
+#include "render/surfaces/ambient_occlusion_shaders.hpp"
+#include "render/surfaces/lighting_glsl.hpp"
+
+namespace ciel::render {
+namespace {
+
+// The most common mesh: one color, normals of its own, no clip plane. A software rasteriser pays for each number that
+// is carried from the vertices to the pixels, so only the normal is; where a pixel looks, it knows itself.
+const std::string plain_vertex = R"(#version 330 core
+layout(location = 0) in vec3 position;
+layout(location = 1) in vec3 normal;
+uniform mat4 view;
+uniform mat4 projection;
+out vec3 eye_normal;
+void main() {
+    gl_Position = projection * (view * vec4(position, 1.0));
+    eye_normal = mat3(view) * normal;
+}
+)";
+
+const std::string plain_fragment = R"(
+uniform vec4 look; // a pixel's ray is (xy of the pixel * look.xy + look.zw, -1)
+uniform vec4 solid;
+uniform float lit;
+in vec3 eye_normal;
+out vec4 picture;
+void main() {
+    picture = solid;
+    if (lit > 0.5) {
+        vec3 viewer = normalize(vec3(-(gl_FragCoord.xy * look.xy + look.zw), 1.0));
+        float square = dot(eye_normal, eye_normal);
+        vec3 n = square > 1e-12 ? eye_normal * inversesqrt(square) : viewer;
+        picture.rgb = lit_surface(solid.rgb, seen_normal(n, viewer), viewer);
+    }
+}
+)";
+
+// Of lines, which are drawn after the volumes too, then only what is in front of them. A line on the
+// boundary is, though in the middle of a pixel a steep face may come before it: so a pixel's slope behind counts.
+constexpr const char* before_volume_glsl = R"(
+uniform float before_volume; // 1: only what is in front of the volume
+uniform sampler2D volume_limits;
+float first_depth(ivec2 pixel) {
+    return texelFetch(volume_limits, clamp(pixel, ivec2(0), textureSize(volume_limits, 0) - 1), 0).a;
+}
+bool is_seen(float depth) {
+    if (before_volume < 0.5) return true;
+    const float most = 5e-3; // beside an outline
+    ivec2 pixel = ivec2(gl_FragCoord.xy / viewport * vec2(textureSize(volume_limits, 0)));
+    float own = first_depth(pixel), slope = 0.0;
+    for (int axis = 0; axis < 2; ++axis) {
+        ivec2 beside = ivec2(1 - axis, axis);
+        slope += min(max(abs(first_depth(pixel - beside) - own), abs(first_depth(pixel + beside) - own)), most);
+    }
+    return gl_FragCoord.z <= own + slope;
+}
+)";
+
+const std::string triangle_fragment = R"(
+uniform float parallel;
+in)" + std::string(surface_block) + R"(;
+layout(location = 0) out vec4 picture;
+#ifdef OCCLUDED
+uniform float occlusion_scale; // bounds' diagonal in units of the radius
+#endif
+
+vec3 facing_normal(vec3 viewer) {
+    vec3 plane = cross(dFdx(surface.place), dFdy(surface.place));
+    float plane_length = length(plane);
+    float normal_length = length(surface.normal);
+    if (normal_length > 1e-6) return seen_normal(surface.normal / normal_length, viewer);
+    if (plane_length <= 1e-30) return viewer; // a sliver without a plane of its own: never black
+    return plane / (dot(plane, viewer) < 0.0 ? -plane_length : plane_length);
+}
+
+void main() {
+#ifdef PEELED
+    if (!is_seen(gl_FragCoord.z)) discard;
+#endif
+    vec3 viewer = mix(normalize(-surface.place), vec3(0.0, 0.0, 1.0), parallel);
+#ifdef NORMALS
+    picture = vec4(facing_normal(viewer), 1.0);
+    return;
+#endif
+    vec3 base = base_color(surface.value, surface.color.rgb, surface.style.x);
+    if (surface.style.y > 0.5) {
+        base = lit_surface(base, facing_normal(viewer), viewer);
+#ifdef OCCLUDED
+        base *= light_from_everywhere(-surface.place.z * occlusion_scale);
+#endif
+    }
+    picture = vec4(base, surface.color.a);
+}
+)";
+
+// (slope, no more of it than the triangle rises in all), in depth a pixel.
+const std::string slopes_geometry = R"(#version 330 core
+layout(triangles) in;
+layout(triangle_strip, max_vertices = 3) out;
+uniform vec4 clip[6];
+out float gl_ClipDistance[6];
+in)" + std::string(surface_block) +
+                                    R"([];
+flat out float extent;
+void main() {
+    float low = 1.0;
+    float high = -1.0;
+    for (int i = 0; i < 3; ++i) {
+        vec4 place = gl_in[i].gl_Position;
+        float depth = place.w > 0.0 ? place.z / place.w : -1.0; // behind the eye
+        low = min(low, depth);
+        high = max(high, depth);
+    }
+    for (int i = 0; i < 3; ++i) {
+        gl_Position = gl_in[i].gl_Position;
+        for (int k = 0; k < 6; ++k) gl_ClipDistance[k] = dot(clip[k].xyz, surface[i].position) + clip[k].w;
+        extent = 0.5 * (high - low);
+        EmitVertex();
+    }
+    EndPrimitive();
+}
+)";
+
+const std::string slopes_fragment = R"(#version 330 core
+flat in float extent;
+out vec4 picture;
+void main() {
+    float slope = length(vec2(dFdx(gl_FragCoord.z), dFdy(gl_FragCoord.z)));
+    picture = vec4(slope, min(slope, extent), 0.0, 0.0);
+}
+)";
+
+// A line becomes a rectangle of the asked width in pixels with soft edges: core profiles may refuse wide lines.
+const std::string line_geometry = R"(#version 330 core
+layout(lines) in;
+layout(triangle_strip, max_vertices = 4) out;
+uniform vec4 clip[6];
+out float gl_ClipDistance[6];
+uniform vec2 viewport;
+uniform float half_width;
+in)" + std::string(surface_block) +
+                                  R"([];
+out Line {
+    float value;
+    noperspective float across;
+    flat vec2 side; // of unit length, in pixels: where `across` runs to
+    flat float joint; // depth within which it meets others
+    flat vec4 color;
+    flat vec2 style;
+} line;
+
+// `along`: where between the two vertices.
+void corner(vec4 end, float value, float along, vec2 offset, vec2 side, float across, float joint) {
+    vec3 position = mix(surface[0].position, surface[1].position, along);
+    for (int i = 0; i < 6; ++i) gl_ClipDistance[i] = dot(clip[i].xyz, position) + clip[i].w;
+    gl_Position = end + vec4(offset / viewport * 2.0 * end.w, 0.0, 0.0);
+    line.value = value;
+    line.across = across;
+    line.side = side;
+    line.joint = joint;
+    line.color = surface[0].color;
+    line.style = surface[0].style;
+    EmitVertex();
+}
+
+void main() {
+    vec4 a = gl_in[0].gl_Position;
+    vec4 b = gl_in[1].gl_Position;
+    float value_a = surface[0].value;
+    float value_b = surface[1].value;
+    float in_a = a.z + a.w; // behind the nearest plane when negative: cut there, a point behind the eye has no pixel
+    float in_b = b.z + b.w;
+    float from = 0.0;
+    float to = 1.0;
+    if (in_a < 0.0 && in_b < 0.0) return;
+    if (in_a < 0.0) {
+        from = in_a / (in_a - in_b);
+        a = mix(a, b, from);
+        value_a = mix(value_a, value_b, from);
+    } else if (in_b < 0.0) {
+        to = in_a / (in_a - in_b);
+        b = mix(a, b, to);
+        value_b = mix(value_a, value_b, to);
+    }
+    vec2 along = (b.xy / b.w - a.xy / a.w) * viewport * 0.5;
+    float pixels = length(along);
+    float joint = abs(b.z / b.w - a.z / a.w) * 0.5 * min(1.0, (half_width + 1.0) / max(pixels, 1e-6));
+    along = pixels > 1e-6 ? along / pixels : vec2(1.0, 0.0);
+    vec2 side = vec2(-along.y, along.x);
+    float edge = half_width + 0.5;
+    vec2 cap = along * half_width * 0.5; // so that lines that meet leave no notch
+    corner(a, value_a, from, edge * side - cap, side, edge, joint);
+    corner(a, value_a, from, -edge * side - cap, side, -edge, joint);
+    corner(b, value_b, to, edge * side + cap, side, edge, joint);
+    corner(b, value_b, to, -edge * side + cap, side, -edge, joint);
+    EndPrimitive();
+}
+)";
+
+// How much of a pixel is a line's, of the part that is being drawn.
+constexpr const char* cover_glsl = R"(
+uniform float cover_part; // 0: all; 1: only where it is less than half; 2: only where it is more, and that is then whole
+float cover_drawn(float cover) {
+    if (cover_part > 1.5) return cover < 0.5 ? 0.0 : 1.0;
+    return cover_part > 0.5 && cover >= 0.5 ? 0.0 : cover;
+}
+)";
+
+constexpr const char* line_fragment = R"(
+uniform float half_width;
+in Line {
+    float value;
+    noperspective float across;
+    flat vec2 side;
+    flat float joint;
+    flat vec4 color;
+    flat vec2 style;
+} line;
+layout(location = 0) out vec4 picture;
+#ifdef RECORDED
+uniform float number;  // of lines that are the same where they meet; 0: of none
+uniform float joining; // 1: the second time
+#endif
+void main() {
+    float cover = cover_drawn(clamp(half_width + 0.5 - abs(line.across), 0.0, 1.0));
+    if (cover < 0.02) discard; // else an unseen edge would still hide what is behind it
+    float give;
+    float slack = 0.5 + 0.5 * half_width; // a pixel's half, and the caps
+    float depth = depth_on_surface(line.side * line.across, half_width + 0.5, slack, 6.0, true, give);
+    if (!is_seen(depth)) discard;
+#ifdef RECORDED
+    float joint = 3.0 * (line.joint + give + least);
+    if (number > 0.5 && record.x == number && depth - joint < record.y) discard;
+    if (joining > 0.5) {
+        vec2 own = texelFetch(own_lines, ivec2(gl_FragCoord.xy), 0).rg;
+        if (own.x != number || depth - joint > own.y ||
+            depth > texture(behind, gl_FragCoord.xy / viewport).r)
+            discard;
+    }
+    record = vec2(number > 0.5 ? number : line.color.a * cover > 0.998 ? -1.0 : 0.0, depth + joint);
+#endif
+    gl_FragDepth = depth;
+    picture = vec4(base_color(line.value, line.color.rgb, line.style.x), line.color.a * cover);
+}
+)";
+
+Program make_line_program(const Gl& gl, const char* visibility) {
+    return link(gl, {{GL_VERTEX_SHADER, surface_vertex},
+                     {GL_GEOMETRY_SHADER, line_geometry},
+                     {GL_FRAGMENT_SHADER, with_color_scale(std::string(cover_glsl) + line_fragment,
+                                                           std::string(on_surface_glsl) + visibility)}});
+}
+
+} // namespace
+
+Program make_triangle_program(const Gl& gl) {
+    return link(gl, {{GL_VERTEX_SHADER, surface_vertex}, {GL_FRAGMENT_SHADER, with_color_scale(triangle_fragment)}});
+}
+
+Program make_plain_program(const Gl& gl) {
+    return link(gl, {{GL_VERTEX_SHADER, plain_vertex},
+                     {GL_FRAGMENT_SHADER, std::string("#version 330 core\n") + lighting_glsl + plain_fragment}});
+}
+
+Program make_peeling_program(const Gl& gl, bool recorded) {
+    return link(gl,
+                {{GL_VERTEX_SHADER, surface_vertex},
+                 {GL_FRAGMENT_SHADER, with_color_scale(triangle_fragment, recorded ? recorded_glsl : peeled_glsl)}});
+}
+
+Program make_peeling_line_program(const Gl& gl, bool recorded) {
+    return make_line_program(gl, recorded ? recorded_glsl : peeled_glsl);
+}
+
+Program make_normals_program(const Gl& gl) {
+    return link(gl, {{GL_VERTEX_SHADER, surface_vertex},
+                     {GL_FRAGMENT_SHADER, with_color_scale(triangle_fragment, "#define NORMALS\n")}});
+}
+
+Program make_slopes_program(const Gl& gl) {
+    return link(gl, {{GL_VERTEX_SHADER, surface_vertex},
+                     {GL_GEOMETRY_SHADER, slopes_geometry},
+                     {GL_FRAGMENT_SHADER, slopes_fragment}});
+}
+
+Program make_occluded_program(const Gl& gl) {
+    const std::string defines = std::string("#define OCCLUDED\n") + occluded_glsl;
+    return link(
+        gl, {{GL_VERTEX_SHADER, surface_vertex}, {GL_FRAGMENT_SHADER, with_color_scale(triangle_fragment, defines)}});
+}
+
+Program make_line_program(const Gl& gl) { return make_line_program(gl, before_volume_glsl); }
+
+} // namespace ciel::render

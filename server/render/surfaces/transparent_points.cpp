@@ -1,0 +1,97 @@
+#include "render/surfaces/transparent_points.hpp"
+
+#include "render/context/pacing.hpp"
+#include "render/surfaces/primitive_buffers.hpp"
+#include "render/surfaces/shaders.hpp"
+#include "render/surfaces/sort_by_key.hpp"
+
+namespace ciel::render {
+
+TransparentPoints::TransparentPoints(const Gl& gl)
+    : gl_(gl), arrays_(make_vertex_arrays(gl, sizeof(Vertex),
+                                          {{attribute_position, 3, offsetof(Vertex, position)},
+                                           {attribute_scalar, 1, offsetof(Vertex, scalar)},
+                                           {attribute_size, 1, offsetof(Vertex, size)},
+                                           {attribute_color, 4, offsetof(Vertex, color)},
+                                           {attribute_style, 2, offsetof(Vertex, style)}})) {}
+
+void TransparentPoints::load(const std::vector<ScaledPrimitives>& parts, const glm::vec4& depth_row) {
+    std::vector<Held> wanted;
+    wanted.reserve(parts.size());
+    bool same = true;
+    for (const auto& [mesh, scale] : parts) {
+        same = same && mesh->revision != 0;
+        wanted.push_back({mesh->identity, mesh->revision, mesh->color, scale, mesh->point_size, mesh->lit});
+    }
+    same = same && wanted == held_;
+    if (same && is_ordered_ && depth_row == depth_row_) return;
+    is_ordered_ = false; // until all is there
+    if (!same) {
+        held_.clear();
+        gather(parts);
+        upload_vertices();
+        held_ = std::move(wanted);
+    }
+    depth_row_ = depth_row;
+    sort();
+    upload_order();
+    is_ordered_ = true;
+}
+
+void TransparentPoints::gather(const std::vector<ScaledPrimitives>& parts) {
+    std::size_t points = 0;
+    for (const auto& [mesh, scale] : parts) {
+        check_primitives(*mesh);
+        points += mesh->indices.size();
+    }
+    vertices_.clear();
+    vertices_.reserve(points); // once: a reserve a part copies all parts before it each time
+    for (const ScaledPrimitives& part : parts) add(part);
+}
+
+void TransparentPoints::add(const ScaledPrimitives& part) {
+    const Primitives& mesh = *part.primitives;
+    Vertex vertex{{}, 0, mesh.point_size, mesh.color, {part.scale.row, mesh.lit ? 1.0F : 0.0F}};
+    in_pieces(gl_, mesh.indices.size(), [&](std::size_t i, std::size_t end) {
+        for (; i < end; ++i) {
+            vertex.position = mesh.positions[mesh.indices[i]];
+            if (!mesh.scalars.empty()) vertex.scalar = mesh.scalars[mesh.indices[i]] - part.scale.origin;
+            vertices_.push_back(vertex);
+        }
+    });
+}
+
+void TransparentPoints::upload_vertices() {
+    if (vertices_.empty()) return;
+    gl_.BindBuffer(GL_ARRAY_BUFFER, arrays_.vertices);
+    fill_buffer(gl_, GL_ARRAY_BUFFER, vertices_.size() * sizeof(Vertex), vertices_.data());
+}
+
+void TransparentPoints::sort() {
+    sorted_.resize(vertices_.size());
+    in_pieces(gl_, vertices_.size(), [&](std::size_t i, std::size_t end) {
+        for (; i < end; ++i) {
+            const Vec3f& p = vertices_[i].position;
+            const float nearness = depth_row_.x * p[0] + depth_row_.y * p[1] + depth_row_.z * p[2];
+            sorted_[i] = {sortable(-nearness), static_cast<Index>(i)};
+        }
+    });
+    sort_by_key(gl_, sorted_, other_);
+}
+
+void TransparentPoints::upload_order() {
+    order_.resize(sorted_.size());
+    in_pieces(gl_, sorted_.size(), [&](std::size_t i, std::size_t end) {
+        for (; i < end; ++i) order_[i] = sorted_[i].vertex;
+    });
+    if (order_.empty()) return;
+    gl_.BindVertexArray(arrays_.array);
+    fill_buffer(gl_, GL_ELEMENT_ARRAY_BUFFER, order_.size() * sizeof(Index), order_.data());
+}
+
+void TransparentPoints::draw() const {
+    gl_.BindVertexArray(arrays_.array);
+    draw_elements(gl_, GL_POINTS, 0, order_.size());
+}
+
+} // namespace ciel::render

@@ -1,0 +1,40 @@
+// The picture of the last frame, so that the next one clears, reads and converts only what has changed: outside the
+// touched tiles the target holds the background and the farthest depth, and this the background's pixels.
+#pragma once
+
+#include "render/target/target.hpp"
+#include "render/target/touched_tiles.hpp"
+
+namespace ciel::render {
+
+class KeptPicture {
+public:
+    KeptPicture(const Gl& gl, Target& target);
+
+    // What a frame is drawn on.
+    struct Background {
+        int width, height, samples;
+        std::array<float, 3> top, bottom;
+        bool operator==(const Background&) const = default;
+    };
+    // Binds the target and makes it the background. `touched`: where the frame will draw.
+    void begin(const Background& background, const TouchedTiles& touched);
+    // Until the next begin.
+    const Image& read();
+
+private:
+    void clear(const std::vector<PixelBox>& boxes);
+    void keep_background();
+
+    const Gl& gl_;
+    Target& target_;
+    GLuint program_ = 0, no_array_ = 0;
+    GLint top_ = -1, bottom_ = -1, height_ = -1;
+    Background background_{};
+    bool is_drawn_ = false;       // the target holds background_ outside dirty_
+    bool is_clean_known_ = false; // clean_ is background_, and picture_ is outside shown_
+    TouchedTiles dirty_, shown_, touched_;
+    Image clean_, picture_; // the background alone; the last frame
+};
+
+} // namespace ciel::render

@@ -1,0 +1,47 @@
+// Which parts of a picture something is drawn on, in tiles, so that the rest need not be cleared, read and converted.
+#pragma once
+
+#include "annotations/camera.hpp"
+#include "render/frame/frame.hpp"
+
+#include <vector>
+
+namespace ciel::render {
+
+// Pixels from the lower left, as OpenGL counts them.
+struct PixelBox {
+    int left, bottom, width, height;
+};
+
+class TouchedTiles {
+public:
+    static constexpr int side = 64; // pixels, and llvmpipe's own tiles
+
+    TouchedTiles() = default;
+    TouchedTiles(int width, int height); // none is touched
+
+    void touch_all();
+    // Every tile that may have a pixel within, from the lower left; not finite: all.
+    void touch(float left, float bottom, float right, float top);
+    // Every tile that a primitive of the mesh may have a pixel in; all where one reaches behind the nearest plane.
+    void touch(const Primitives& mesh, const annotations::ViewTransform& transform);
+
+    void add(const TouchedTiles& other); // of the same size
+    [[nodiscard]] bool is_of(int width, int height) const { return width_ == width && height_ == height; }
+    [[nodiscard]] double share() const; // of all tiles
+    [[nodiscard]] bool at(int column, int row) const { return tiles_[index(column, row)] != 0; }
+    [[nodiscard]] int columns() const { return columns_; }
+    [[nodiscard]] int rows() const { return rows_; }
+    // The touched tiles (those of `except` left out), each in one box: rows of tiles, together where they are alike.
+    [[nodiscard]] std::vector<PixelBox> boxes(const TouchedTiles* except = nullptr) const;
+
+private:
+    [[nodiscard]] std::size_t index(int column, int row) const {
+        return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(column);
+    }
+
+    int width_ = 0, height_ = 0, columns_ = 0, rows_ = 0;
+    std::vector<std::uint8_t> tiles_; // 1 where touched
+};
+
+} // namespace ciel::render

@@ -1,0 +1,98 @@
+#include "scene/checked_scene.hpp"
+
+#include "ciel/printable.hpp"
+#include "color/color_map.hpp"
+#include "scene/schema.hpp"
+
+#include <algorithm>
+
+namespace ciel::scene {
+namespace {
+
+struct Check {
+    const store::Dataset& dataset;
+    std::string path; // of the layer
+
+    // why_points: what an array of the cells cannot be used for; empty where it can. has_faces: of the boundary, which
+    // alone have values of patches.
+    void scalar(const std::string& name, const std::string& place, const char* why_points,
+                bool has_faces = false) const {
+        try {
+            const store::ScalarName parsed = store::parse_scalar(dataset, name);
+            const store::Association association = dataset.find(parsed.array)->association;
+            if (association == store::Association::boundary_face && !has_faces)
+                throw Error(printable(name) +
+                            " has values on the faces of patches alone, which color surface layers and "
+                            "nothing else; choose an array on points");
+            if (*why_points != '\0' && association == store::Association::cell)
+                throw Error(printable(name) + " has a value per cell, and " + why_points +
+                            "; choose an array on points");
+        } catch (const Error& error) {
+            throw Invalid(path + place, error.what());
+        }
+    }
+
+    void coloring(const Coloring& color, const char* why_points = "", const std::string& place = "/color",
+                  bool has_faces = false) const {
+        if (!color.array.empty()) scalar(color.array, place + "/array", why_points, has_faces);
+        const auto& maps = color::color_map_names();
+        if (std::find(maps.begin(), maps.end(), color.map) != maps.end()) return;
+        std::string known;
+        for (const auto& name : maps) known += (known.empty() ? "" : ", ") + name;
+        throw Invalid(path + place + "/map", "there is no color map " + printable(color.map) + "; there are " + known);
+    }
+
+    void operator()(const IsoLayer& iso) const {
+        scalar(iso.array, "/array", "iso-surfaces are made from values at points");
+        coloring(iso.color);
+    }
+    void operator()(const SliceLayer& slice) const {
+        coloring(slice.color);
+        if (!slice.contours) return;
+        constexpr const char* why = "there are no contour lines on flat values";
+        scalar(slice.contours->array, "/contours/array", why);
+        if (slice.contours->coloring) coloring(*slice.contours->coloring, why, "/contours/coloring");
+    }
+    void operator()(const ClipLayer& clip) const {
+        if (clip.color) coloring(*clip.color);
+    }
+    void operator()(const OutlineLayer& outline) const { coloring(outline.color); }
+    void operator()(const VolumeLayer& volume) const {
+        constexpr const char* why = "volumes are drawn from values at points";
+        scalar(volume.array, "/array", why);
+        coloring(volume.color, why);
+    }
+    void operator()(const SurfaceLayer& surface) const { solid(surface, "", true); }
+    void operator()(const EdgesLayer& edges) const { solid(edges, "edges lie between cells"); }
+    void operator()(const PointsLayer& points) const { solid(points, "points lie between cells"); }
+
+    template <class Kind>
+    void solid(const Kind& layer, const char* why_points, bool has_faces = false) const {
+        coloring(layer.color, why_points, "/color", has_faces);
+        if (layer.threshold) scalar(layer.threshold->array, "/threshold/array", "");
+        for (std::size_t i = 0; i < layer.groups.size(); ++i) patch(layer.groups[i], i);
+    }
+
+    void patch(const std::string& name, std::size_t index) const {
+        std::string known;
+        for (std::size_t mesh = 0; mesh < dataset.info().meshes.size(); ++mesh)
+            for (const store::Group& group : dataset.groups(mesh)) {
+                if (group.of != store::Group::Of::faces) continue;
+                if (group.name == name) return;
+                known += (known.empty() ? "" : ", ") + group.name;
+            }
+        throw Invalid(path + "/groups/" + std::to_string(index),
+                      "there is no patch " + printable(name) +
+                          (known.empty() ? "; the dataset has none" : "; there are " + known));
+    }
+};
+
+} // namespace
+
+CheckedScene::CheckedScene(Scene scene, std::shared_ptr<store::LoadedDataset> loaded)
+    : scene_(std::move(scene)), loaded_(std::move(loaded)), dataset_(loaded_->dataset()) {
+    for (const Layer& layer : scene_.layers)
+        std::visit(Check{*dataset_, pointer_step("/layers", layer.id)}, layer.kind);
+}
+
+} // namespace ciel::scene

@@ -1,8 +1,0 @@
-// Samples a pixel of a still where nobody has chosen: edges are smooth, also in software.
-#pragma once
-
-namespace ciel::session {
-
-inline constexpr int default_still_samples = 4;
-
-} // namespace ciel::session

@@ -1,0 +1,17 @@
+// A notification of the contract as JSON-RPC text.
+#pragma once
+
+#include "protocol/json.hpp"
+
+#include <string>
+
+namespace ciel::sessions {
+
+// `Note` is one of the contract's notification structures.
+template <class Note>
+std::string notification_text(const Note& note) {
+    const nlohmann::json text{{"jsonrpc", "2.0"}, {"method", Note::method}, {"params", note}};
+    return text.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
+} // namespace ciel::sessions

@@ -1,0 +1,185 @@
+#include "sessions/session.hpp"
+
+#include "limits/errors.hpp"
+#include "protocol/json.hpp"
+#include "scene/document_size.hpp"
+#include "sessions/notify.hpp"
+#include "wire/frame_header.hpp"
+
+#include <exception>
+
+namespace ciel::sessions {
+namespace {
+
+std::string scene_changed(const std::string& session, const SceneVersion& version) {
+    protocol::SceneChanged note{session, static_cast<std::int64_t>(version.revision), std::nullopt};
+    note.scene.emplace(*version.document);
+    std::string text = notification_text(note);
+    if (text.size() <= wire::longest_message) return text;
+    note.scene.reset(); // the client asks for it
+    return notification_text(note);
+}
+
+// The documents that the patches lead to, one after the other, as long as `take` returns true.
+template <class Take>
+void follow(nlohmann::json document, const std::vector<nlohmann::json>& patches, std::size_t most_bytes, Take take) {
+    for (const nlohmann::json& patch : patches) {
+        document = scene::merge_patch(std::move(document), patch);
+        if (scene::text_bytes(document) > most_bytes) return;
+        if (!take(std::make_shared<const nlohmann::json>(document))) return;
+    }
+}
+
+} // namespace
+
+Session::Session(std::string id, const Services& services, std::shared_ptr<const SceneVersion> first,
+                 const Steps& steps)
+    : id_(std::move(id)), services_(services), version_(std::move(first)),
+      history_(services.limits.undo_steps, services.limits.history_bytes),
+      documents_(services.memory, limits::Held::scenes), used_(Clock::now()) {
+    const std::size_t most = services.limits.scene_bytes;
+    follow(*version_->document, steps.undo, most, [&](Document step) { return history_.append_undo(std::move(step)); });
+    follow(*version_->document, steps.redo, most, [&](Document step) { return history_.append_redo(std::move(step)); });
+    documents_.change(version_->bytes + history_.bytes());
+}
+
+SessionStatus Session::current() const { return {version_, history_.can_undo(), history_.can_redo()}; }
+
+SessionStatus Session::status() const {
+    const std::scoped_lock lock(mutex_);
+    used_ = Clock::now();
+    return current();
+}
+
+std::shared_ptr<const SceneVersion> Session::newest() const {
+    const std::scoped_lock lock(mutex_);
+    return version_;
+}
+
+SessionStatus Session::change(std::shared_ptr<const SceneVersion> next, History after, std::uint64_t author) {
+    documents_.change(next->bytes + after.bytes());
+    version_ = std::move(next);
+    history_ = std::move(after);
+    used_ = Clock::now();
+    tell_others(author);
+    for (const auto& [id, viewer] : viewers_) viewer.offer(version_);
+    return current();
+}
+
+void Session::tell_others(std::uint64_t author) const {
+    std::string text;
+    for (const auto connection_id : subscribers_) {
+        if (connection_id == author) continue;
+        const auto connection = services_.connections.find(connection_id);
+        if (!connection || !connection->send_text) continue;
+        if (text.empty()) text = scene_changed(id_, *version_);
+        connection->send_text(text);
+    }
+}
+
+SessionStatus Session::patch(const nlohmann::json& merge_patch, const std::string& gesture, std::uint64_t author) {
+    const std::scoped_lock lock(mutex_);
+    auto next = make_version(services_, scene::merge_patch(*version_->document, merge_patch), version_->revision + 1);
+    if (*next->document == *version_->document) return current();
+    History after = history_;
+    after.record(version_->document, gesture);
+    return change(std::move(next), std::move(after), author);
+}
+
+SessionStatus Session::replace(nlohmann::json document, std::uint64_t author) {
+    const std::scoped_lock lock(mutex_);
+    auto next = make_version(services_, std::move(document), version_->revision + 1);
+    if (*next->document == *version_->document) return current();
+    History after = history_;
+    after.record(version_->document, "");
+    return change(std::move(next), std::move(after), author);
+}
+
+SessionStatus Session::undo(std::uint64_t author) { return move_in_history(&History::undo, author); }
+SessionStatus Session::redo(std::uint64_t author) { return move_in_history(&History::redo, author); }
+
+SessionStatus Session::move_in_history(Document (History::*move)(Document), std::uint64_t author) {
+    const std::scoped_lock lock(mutex_);
+    History after = history_; // the old one stays when there is nothing that can be shown
+    std::exception_ptr refused;
+    Document document = version_->document;
+    while ((document = (after.*move)(document))) {
+        try {
+            auto next = make_version(services_, *document, version_->revision + 1);
+            return change(std::move(next), after, author);
+        } catch (const std::exception&) { // its dataset is gone, or has other arrays: the step before may do
+            if (!refused) refused = std::current_exception();
+        }
+    }
+    if (refused) std::rethrow_exception(refused);
+    return current();
+}
+
+void Session::subscribe(std::uint64_t connection) {
+    const std::scoped_lock lock(mutex_);
+    subscribers_.insert(connection);
+    used_ = Clock::now();
+}
+
+void Session::add_viewer(std::uint32_t id, Viewer viewer) {
+    const std::scoped_lock lock(mutex_);
+    if (viewers_.size() >= services_.limits.views_per_session)
+        throw limits::LimitReached("a session may have " + std::to_string(services_.limits.views_per_session) +
+                                   " views; close one first");
+    viewer.offer(version_);
+    viewers_[id] = std::move(viewer);
+}
+
+void Session::remove_viewer(std::uint32_t id) {
+    const std::scoped_lock lock(mutex_);
+    const auto found = viewers_.find(id);
+    if (found == viewers_.end()) return;
+    found->second.close();
+    viewers_.erase(found);
+}
+
+void Session::disconnect(std::uint64_t connection) {
+    const std::scoped_lock lock(mutex_);
+    const bool was_here = subscribers_.erase(connection) > 0;
+    std::erase_if(viewers_, [&](const auto& entry) {
+        if (entry.second.connection != connection) return false;
+        entry.second.close();
+        return true;
+    });
+    if (was_here) used_ = Clock::now();
+}
+
+void Session::close() {
+    const std::scoped_lock lock(mutex_);
+    for (const auto& [id, viewer] : viewers_) viewer.close();
+    viewers_.clear();
+    subscribers_.clear();
+}
+
+void Session::dataset_changed() {
+    const std::scoped_lock lock(mutex_);
+    try {
+        version_ = make_version(services_, *version_->document, version_->revision);
+    } catch (const std::exception&) {
+        // The scene does not fit what stands there now: the next patch is told so, and what is mapped can still be
+        // shown.
+    }
+    for (const auto& [id, viewer] : viewers_) viewer.offer(version_);
+}
+
+bool Session::is_idle_since(Clock::time_point time) const {
+    const std::scoped_lock lock(mutex_);
+    return subscribers_.empty() && viewers_.empty() && used_ < time;
+}
+
+Clock::time_point Session::last_used() const {
+    const std::scoped_lock lock(mutex_);
+    return used_;
+}
+
+std::size_t Session::viewer_count() const {
+    const std::scoped_lock lock(mutex_);
+    return viewers_.size();
+}
+
+} // namespace ciel::sessions

@@ -1,0 +1,44 @@
+#include "sessions/version.hpp"
+
+#include "limits/errors.hpp"
+#include "scene/document_size.hpp"
+#include "sessions/open_dataset.hpp"
+
+namespace ciel::sessions {
+namespace {
+
+void check_size(const nlohmann::json& document, const limits::Limits& limits) {
+    const std::size_t bytes = scene::text_bytes(document);
+    if (bytes > limits.scene_bytes)
+        throw limits::LimitReached("the scene would have " + std::to_string(bytes) + " bytes; it may have at most " +
+                                   std::to_string(limits.scene_bytes) + ". Remove layers, values or patches from it");
+}
+
+void check_limits(const scene::Scene& scene, const limits::Limits& limits) {
+    if (scene.layers.size() > limits.layers)
+        throw limits::LimitReached("a scene may have at most " + std::to_string(limits.layers) +
+                                   " layers; remove some");
+    for (const scene::Layer& layer : scene.layers)
+        if (const auto* iso = std::get_if<scene::IsoLayer>(&layer.kind))
+            if (iso->values.size() > limits.values_per_layer)
+                throw limits::LimitReached("layer " + layer.id + " may have " +
+                                           std::to_string(limits.values_per_layer) + " values; remove some");
+}
+
+} // namespace
+
+std::shared_ptr<const SceneVersion> make_version(const Services& services, nlohmann::json document,
+                                                 std::uint64_t revision) {
+    // Null and absent mean the same in a scene; a merge patch can only make the latter, so only the latter is kept.
+    document = scene::merge_patch(nlohmann::json::object(), document);
+    check_size(document, services.limits);
+    scene::Scene scene = scene::parse(document);
+    check_limits(scene, services.limits);
+    auto loaded = open_dataset(services.catalog, scene.dataset);
+    const std::size_t bytes = 2 * scene::heap_bytes(document); // parsed it has about as much
+    return std::make_shared<const SceneVersion>(
+        SceneVersion{revision, std::make_shared<const nlohmann::json>(std::move(document)),
+                     scene::CheckedScene(std::move(scene), std::move(loaded)), bytes, Clock::now()});
+}
+
+} // namespace ciel::sessions

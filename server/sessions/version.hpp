@@ -1,0 +1,32 @@
+// One state of a session's scene.
+#pragma once
+
+#include "scene/checked_scene.hpp"
+#include "sessions/history.hpp"
+#include "sessions/services.hpp"
+
+#include <chrono>
+#include <cstdint>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+namespace ciel::sessions {
+
+using Clock = std::chrono::steady_clock;
+
+// Immutable.
+struct SceneVersion {
+    std::uint64_t revision = 0;
+    Document document;
+    scene::CheckedScene checked; // the document, parsed
+    std::size_t bytes = 0;       // of the document and the scene
+    Clock::time_point changed;
+
+    [[nodiscard]] const scene::Scene& scene() const { return checked.scene(); }
+};
+
+// Parses a document, opens its dataset and checks the names in it. Throws scene::Invalid, NotFound, LimitReached.
+[[nodiscard]] std::shared_ptr<const SceneVersion> make_version(const Services& services, nlohmann::json document,
+                                                               std::uint64_t revision);
+
+} // namespace ciel::sessions

@@ -1,0 +1,47 @@
+#include "store/cache/cache.hpp"
+
+namespace ciel::store {
+
+std::shared_ptr<const void> Cache::get_erased(const std::string& key, const std::function<Made()>& make) {
+    const std::shared_ptr<Slot> mine = slot(key);
+    const std::lock_guard making(mine->making);
+    if (!mine->made.value) {
+        mine->made = make();
+        account(key, *mine);
+    }
+    return mine->made.value;
+}
+
+std::shared_ptr<Cache::Slot> Cache::slot(const std::string& key) {
+    const std::lock_guard lock(mutex_);
+    auto found = entries_.find(key);
+    if (found == entries_.end()) {
+        ages_.push_front(key);
+        found = entries_.emplace(key, Entry{std::make_shared<Slot>(), ages_.begin(), 0}).first;
+    } else {
+        ages_.splice(ages_.begin(), ages_, found->second.age);
+    }
+    return found->second.slot;
+}
+
+void Cache::account(const std::string& key, const Slot& made) {
+    const std::lock_guard lock(mutex_);
+    // Dropped, or dropped and asked for again, while it was being made: then it is not kept.
+    if (const auto found = entries_.find(key); found != entries_.end() && found->second.slot.get() == &made) {
+        found->second.bytes = made.made.bytes;
+        bytes_ += made.made.bytes;
+    }
+    while (bytes_ > budget_ && ages_.size() > 1) {
+        const auto oldest = entries_.find(ages_.back());
+        bytes_ -= oldest->second.bytes;
+        entries_.erase(oldest);
+        ages_.pop_back();
+    }
+}
+
+std::size_t Cache::bytes() const {
+    const std::lock_guard lock(mutex_);
+    return bytes_;
+}
+
+} // namespace ciel::store

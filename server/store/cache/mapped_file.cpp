@@ -1,0 +1,116 @@
+#include "store/cache/mapped_file.hpp"
+
+#include "store/cache/watched_mappings.hpp"
+#include "store/files/files.hpp"
+
+#include <cerrno>
+#include <fcntl.h>
+#include <string>
+#include <sys/mman.h>
+#include <sys/stat.h>
+#include <unistd.h>
+#include <utility>
+
+namespace ciel::store {
+
+namespace {
+
+void check_status(const std::filesystem::path& file, const struct stat& status, std::size_t bytes) {
+    if (!S_ISREG(status.st_mode)) refuse(file, "is not a regular file");
+    if (static_cast<std::size_t>(status.st_size) != bytes)
+        refuse(file, "has " + std::to_string(status.st_size) + " bytes where " + std::to_string(bytes) +
+                         " are declared; restore it or import the data again");
+}
+
+[[noreturn]] void refuse_absent(const std::filesystem::path& file) {
+    if (errno == ENOENT) refuse(file, "is missing; restore it or import the data again");
+    refuse_errno(file, "cannot be opened");
+}
+
+[[noreturn]] void refuse_shrunken(const std::filesystem::path& file) {
+    refuse(file, "has shrunk while it was open; restore it, and replace files of a dataset instead of truncating them");
+}
+
+[[noreturn]] void refuse_changed(const std::filesystem::path& file) {
+    refuse(file, "has changed while it was open; restore it, and replace files of a dataset instead of rewriting them");
+}
+
+bool is_same_time(const timespec& a, const timespec& b) { return a.tv_sec == b.tv_sec && a.tv_nsec == b.tv_nsec; }
+
+} // namespace
+
+void check_file_size(const std::filesystem::path& file, std::size_t bytes) {
+    struct stat status {};
+    if (::stat(file.c_str(), &status) != 0) refuse_absent(file);
+    check_status(file, status, bytes);
+}
+
+MappedFile::MappedFile(std::filesystem::path file, std::size_t bytes, AnyLost any_lost)
+    : path_(std::move(file)), any_lost_(std::move(any_lost)) {
+    if (bytes == 0) return; // Zarr writes no chunk for an empty array
+    const Descriptor in(::open(path_.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
+    if (in.get() < 0) refuse_absent(path_);
+    if (::fstat(in.get(), &opened_) != 0) refuse_errno(path_, "cannot be examined");
+    check_status(path_, opened_, bytes);
+    void* data = ::mmap(nullptr, bytes, PROT_READ, MAP_SHARED, in.get(), 0);
+    if (data == MAP_FAILED) refuse_errno(path_, "cannot be mapped");
+    data_ = data;
+    size_ = bytes;
+    watched_ = watch_mapping(data_, size_, *any_lost_);
+}
+
+MappedFile::~MappedFile() {
+    if (data_ == nullptr) return;
+    unwatch_mapping(watched_);
+    ::munmap(data_, size_);
+}
+
+MappedFile::MappedFile(MappedFile&& other) noexcept
+    : path_(std::move(other.path_)), data_(std::exchange(other.data_, nullptr)), size_(std::exchange(other.size_, 0)),
+      opened_(other.opened_), any_lost_(std::move(other.any_lost_)), watched_(std::exchange(other.watched_, nullptr)) {}
+
+MappedFile& MappedFile::operator=(MappedFile&& other) noexcept {
+    std::swap(path_, other.path_);
+    std::swap(data_, other.data_);
+    std::swap(size_, other.size_);
+    std::swap(opened_, other.opened_);
+    std::swap(any_lost_, other.any_lost_);
+    std::swap(watched_, other.watched_);
+    return *this;
+}
+
+void MappedFile::check_size() const {
+    check_intact();
+    struct stat status {};
+    // A missing file was replaced or deleted: the mapping keeps its content.
+    if (size_ == 0 || ::stat(path_.c_str(), &status) != 0) return;
+    if (static_cast<std::size_t>(status.st_size) < size_) refuse_shrunken(path_);
+}
+
+void MappedFile::check_intact() const {
+    if (watched_ == nullptr) return;
+    const Loss loss = loss_of(*watched_);
+    if (loss == Loss::shrunk) refuse_shrunken(path_);
+    if (loss == Loss::changed) refuse_changed(path_);
+}
+
+bool MappedFile::was_touched() const {
+    struct stat status {};
+    if (size_ == 0 || ::stat(path_.c_str(), &status) != 0) return false;
+    const bool is_mapped_one = status.st_dev == opened_.st_dev && status.st_ino == opened_.st_ino;
+    return is_mapped_one &&
+           !(is_same_time(status.st_mtim, opened_.st_mtim) && is_same_time(status.st_ctim, opened_.st_ctim));
+}
+
+void MappedFile::accept_touch() {
+    struct stat status {};
+    if (::stat(path_.c_str(), &status) == 0) opened_ = status;
+}
+
+void MappedFile::refuse() const {
+    if (watched_ != nullptr) note_change(*watched_);
+    check_intact(); // it may have been lost in another way before
+    refuse_changed(path_);
+}
+
+} // namespace ciel::store

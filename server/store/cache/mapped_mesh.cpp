@@ -1,0 +1,217 @@
+#include "store/cache/mapped_mesh.hpp"
+
+#include "ciel/parallel.hpp"
+#include "store/files/files.hpp"
+#include "store/format/checksum.hpp"
+#include "store/format/layout.hpp"
+
+#include <algorithm>
+#include <functional>
+#include <tuple>
+#include <utility>
+
+namespace ciel::store {
+namespace {
+
+constexpr const char* damaged = "; the dataset is damaged: restore the file or import the data again";
+
+ElementType type_of(const std::string& name) {
+    if (name == "cell_types") return ElementType::u1;
+    if (std::ranges::find(layout::optional_arrays, name) != std::end(layout::optional_arrays)) return ElementType::i8;
+    return name == "face_offset" ? ElementType::u8 : ElementType::u4;
+}
+
+bool is_cell_type(std::uint8_t type) {
+    switch (static_cast<CellType>(type)) {
+    case CellType::tetrahedron:
+    case CellType::hexahedron:
+    case CellType::wedge:
+    case CellType::pyramid:
+    case CellType::polyhedron:
+        return true;
+    }
+    return false;
+}
+
+// Branch-free, so that a pass over tens of millions of indices costs what reading them costs.
+Index highest(std::span<const Index> ids) {
+    Index result = 0;
+    for (const Index id : ids) result = std::max(result, id);
+    return result;
+}
+
+void check_below(const MappedFile& file, std::uint64_t limit, const char* of_what) {
+    const auto ids = file.as<Index>();
+    if (!ids.empty() && highest(ids) >= limit)
+        refuse(file.path(), "holds index " + std::to_string(highest(ids)) + ", but there are only " +
+                                std::to_string(limit) + " " + of_what + damaged);
+}
+
+void check_offsets(const MappedFile& file, std::uint64_t corners) {
+    const auto offsets = file.as<std::uint64_t>();
+    if (offsets.front() != 0 || offsets.back() != corners)
+        refuse(file.path(), "does not span the " + std::to_string(corners) + " corners of face_vertex" + damaged);
+    bool short_loop = false;
+    for (std::size_t i = 1; i < offsets.size(); ++i)
+        short_loop |= offsets[i] < offsets[i - 1] || offsets[i] - offsets[i - 1] < 3;
+    if (short_loop) refuse(file.path(), std::string("has a face with fewer than three corners") + damaged);
+}
+
+void check_owners(const MappedFile& file, std::uint64_t cells) {
+    check_below(file, cells, "cells");
+    const auto owner = file.as<Index>();
+    if (!std::is_sorted(owner.begin(), owner.end())) refuse(file.path(), std::string("is not sorted") + damaged);
+}
+
+void check_neighbours(const MappedFile& owner, const MappedFile& neighbour, std::uint64_t cells) {
+    const auto own = owner.as<Index>();
+    const auto other = neighbour.as<Index>();
+    bool wrong = false;
+    for (std::size_t i = 0; i < other.size(); ++i)
+        wrong |= other[i] != none && (other[i] >= cells || other[i] <= own[i]);
+    if (wrong)
+        refuse(neighbour.path(),
+               std::string("names a cell that does not exist or comes before its face's owner") + damaged);
+}
+
+void check_group(const Group& group, const MappedFile& file, std::uint64_t limit) {
+    const auto ids = group.ids.unchecked();
+    if (std::adjacent_find(ids.begin(), ids.end(), std::greater_equal<>()) != ids.end())
+        refuse(file.path(), "is not sorted or holds an id twice" + std::string(damaged));
+    check_below(file, limit, group.of == Group::Of::faces ? "faces" : "cells");
+}
+
+} // namespace
+
+MappedMesh::MappedMesh(std::filesystem::path directory, AnyLost any_lost)
+    : directory_(std::move(directory)), any_lost_(std::move(any_lost)) {
+    const auto attributes = directory_ / layout::attributes_document;
+    attributes_ = parse_mesh_attributes(read_text(attributes, layout::document_bytes), attributes);
+    for (const char* name : layout::whole_arrays) map(name, type_of(name));
+    for (const char* name : layout::optional_arrays)
+        if (attributes_.checksums.contains(name)) map(name, type_of(name));
+    for (std::size_t i = 0; i < attributes_.groups.size(); ++i) map("groups/" + std::to_string(i), ElementType::u4);
+
+    vertex_count_ = original_vertex().size();
+    const std::uint64_t faces = array("owner").as<Index>().size();
+    if (vertex_count_ == 0 || cell_count() == 0 || faces == 0)
+        refuse(directory_, std::string("is an empty mesh") + damaged);
+    if (vertex_count_ >= none || cell_count() >= none || faces >= none)
+        refuse(directory_, "has more vertices, faces or cells than 32 bits can number");
+    const auto expect = [&](const char* name, std::size_t have, std::size_t want) {
+        if (have != want)
+            refuse(array(name).path(),
+                   "has " + std::to_string(have) + " entries where " + std::to_string(want) + " are needed" + damaged);
+    };
+    if (attributes_.info.vertices != vertex_count_ || attributes_.info.cells != cell_count() ||
+        attributes_.info.faces != faces)
+        refuse(attributes, std::string("counts other vertices, faces or cells than the arrays hold") + damaged);
+    expect("original_cell", original_cell().size(), cell_count());
+    expect("neighbour", array("neighbour").as<Index>().size(), faces);
+    expect("face_offset", array("face_offset").as<std::uint64_t>().size(), faces + 1);
+    if (!solver_vertex().empty()) expect("solver_vertex", solver_vertex().size(), vertex_count_);
+    if (!solver_cell().empty()) expect("solver_cell", solver_cell().size(), cell_count());
+    for (std::size_t i = 0; i < attributes_.groups.size(); ++i) map_group(i, faces);
+    verify_checksums();
+    verify_indices();
+}
+
+void MappedMesh::map(const std::string& name, ElementType type) {
+    const auto path = directory_ / name;
+    const auto document = path / layout::array_document;
+    const ZarrArray zarr = parse_zarr_array(read_text(document, layout::document_bytes), document);
+    if (zarr.type != type || zarr.shape.size() != 1 || (zarr.shape != zarr.chunks && zarr.shape[0] != 0))
+        refuse(document, std::string("is not the one-chunk array that '") + name + "' must be" + damaged);
+    arrays_.emplace(name, MappedFile(layout::chunk(path, 0, 1), zarr.chunk_bytes(document), any_lost_));
+    keepers_.emplace(std::piecewise_construct, std::forward_as_tuple(name), std::forward_as_tuple(*this, name));
+}
+
+void MappedMesh::map_group(std::size_t index, std::uint64_t faces) {
+    const auto& [of, name, facts] = attributes_.groups[index];
+    const MappedFile& file = array("groups/" + std::to_string(index));
+    const std::uint64_t limit = of == Group::Of::faces ? faces : cell_count();
+    groups_.push_back(
+        {of, name, {file.as<Index>(), static_cast<Index>(limit), keeper("groups/" + std::to_string(index))}, facts});
+}
+
+void MappedMesh::verify_checksums() const {
+    std::vector<std::pair<const std::string*, const MappedFile*>> all;
+    for (const auto& [name, file] : arrays_) all.emplace_back(&name, &file);
+    parallel_for(all.size(), 1, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            const auto& [name, file] = all[i];
+            if (!attributes_.checksums.contains(*name))
+                refuse(directory_ / layout::attributes_document, "lacks the checksum of '" + *name + "'" + damaged);
+            if (!has_its_checksum(*name, *file))
+                refuse(file->path(), std::string("does not have its checksum") + damaged);
+        }
+    });
+}
+
+bool MappedMesh::has_its_checksum(const std::string& name, const MappedFile& file) const {
+    return checksum(file.bytes()) == attributes_.checksums.at(name);
+}
+
+// An array of the boundary's faces has as many values as the attributes count faces.
+void MappedMesh::verify_boundary() const {
+    const auto count = static_cast<std::uint64_t>(std::ranges::count(array("neighbour").as<Index>(), none));
+    if (count != attributes_.info.boundary_faces)
+        refuse(directory_ / layout::attributes_document, "counts " + std::to_string(attributes_.info.boundary_faces) +
+                                                             " boundary faces, but there are " + std::to_string(count) +
+                                                             damaged);
+}
+
+void MappedMesh::verify_indices() const {
+    const std::uint64_t faces = array("owner").as<Index>().size();
+    std::vector<std::function<void()>> checks{
+        [&] { check_below(array("face_vertex"), vertex_count_, "vertices"); },
+        [&] { check_offsets(array("face_offset"), array("face_vertex").as<Index>().size()); },
+        [&] { check_owners(array("owner"), cell_count()); },
+        [&] {
+            check_neighbours(array("owner"), array("neighbour"), cell_count());
+            verify_boundary();
+        },
+        [&] {
+            if (!std::all_of(cell_types().begin(), cell_types().end(), is_cell_type))
+                refuse(array("cell_types").path(), std::string("names a cell type that does not exist") + damaged);
+        }};
+    for (std::size_t i = 0; i < groups_.size(); ++i)
+        checks.emplace_back([&, i] {
+            check_group(groups_[i], array("groups/" + std::to_string(i)),
+                        groups_[i].of == Group::Of::faces ? faces : cell_count());
+        });
+    parallel_for(checks.size(), 1, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) checks[i]();
+    });
+}
+
+FaceMeshView MappedMesh::view(std::span<const float> positions) const {
+    return face_mesh_view(attributes_.origin, positions, cell_types(), array("face_offset").as<std::uint64_t>(),
+                          array("face_vertex").as<Index>(), array("owner").as<Index>(), array("neighbour").as<Index>(),
+                          {keeper("face_offset"), keeper("face_vertex"), keeper("owner"), keeper("neighbour")});
+}
+
+// A contradiction shows in another array than the one that changed: the checksums tell which.
+void MappedMesh::refuse_changed(const std::string& suspected) const {
+    check_intact(); // many threads may meet it
+    if (!has_its_checksum(suspected, array(suspected))) array(suspected).refuse();
+    for (const auto& [name, file] : arrays_)
+        if (!has_its_checksum(name, file)) file.refuse();
+    array(suspected).refuse(); // it holds again what it held
+}
+
+void MappedMesh::check_unchanged() {
+    const std::lock_guard lock(checking_);
+    for (auto& [name, file] : arrays_) {
+        file.check_size();
+        if (!file.was_touched()) continue;
+        file.accept_touch(); // first: what is written from now on is another touch
+        if (!has_its_checksum(name, file)) file.refuse();
+    }
+}
+
+void MappedMesh::check_intact() const {
+    for (const auto& [name, file] : arrays_) file.check_intact();
+}
+
+} // namespace ciel::store

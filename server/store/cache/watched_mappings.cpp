@@ -1,0 +1,103 @@
+#include "store/cache/watched_mappings.hpp"
+
+#include <csignal>
+#include <cstdint>
+#include <mutex>
+#include <sys/mman.h>
+
+namespace ciel::store {
+
+// A node of a list that only grows, so that the handler can walk it at any moment; a node without data is free for the
+// next mapping.
+struct WatchedMapping {
+    std::atomic<std::uintptr_t> begin{0};
+    std::atomic<std::size_t> bytes{0};
+    std::atomic<Loss> loss{Loss::none};
+    std::atomic<std::atomic<bool>*> any_lost{nullptr};
+    WatchedMapping* next = nullptr;
+};
+
+namespace {
+
+std::atomic<WatchedMapping*> first{nullptr};
+std::atomic<std::size_t> lost_count{0};
+std::mutex changing;
+struct sigaction previous {};
+
+static_assert(std::atomic<std::uintptr_t>::is_always_lock_free && std::atomic<bool>::is_always_lock_free &&
+              std::atomic<Loss>::is_always_lock_free);
+
+void lose(WatchedMapping& mapping, Loss loss) {
+    if (mapping.loss.exchange(loss) == Loss::none) ++lost_count;
+    *mapping.any_lost.load() = true;
+}
+
+// Whether the mapping holds the address. A node that is given to another mapping meanwhile has another beginning.
+bool holds(const WatchedMapping& mapping, std::uintptr_t address) {
+    const std::uintptr_t begin = mapping.begin.load();
+    const std::size_t bytes = mapping.bytes.load();
+    return begin != 0 && address >= begin && address - begin < bytes && mapping.begin.load() == begin;
+}
+
+// Only what is allowed in a signal handler: atomics and system calls.
+bool replace_by_zeros(std::uintptr_t address) {
+    for (WatchedMapping* each = first.load(); each != nullptr; each = each->next) {
+        if (!holds(*each, address)) continue;
+        lose(*each, Loss::shrunk);
+        // NOLINTNEXTLINE(performance-no-int-to-ptr): the address came from a pointer
+        return ::mmap(reinterpret_cast<void*>(each->begin.load()), each->bytes.load(), PROT_READ,
+                      MAP_PRIVATE | MAP_ANONYMOUS | MAP_FIXED, -1, 0) != MAP_FAILED;
+    }
+    return false;
+}
+
+void on_bus_error(int number, siginfo_t* info, void*) {
+    // si_addr may be anywhere in the page behind the file's end, which lies in the mapping's last page at most.
+    if (replace_by_zeros(reinterpret_cast<std::uintptr_t>(info->si_addr))) return;
+    ::sigaction(number, &previous, nullptr); // not ours: the access is repeated, and whoever was there before gets it
+}
+
+void install_handler() {
+    struct sigaction action {};
+    action.sa_sigaction = on_bus_error;
+    action.sa_flags = SA_SIGINFO;
+    ::sigemptyset(&action.sa_mask);
+    ::sigaction(SIGBUS, &action, &previous);
+}
+
+WatchedMapping* free_node() {
+    for (WatchedMapping* each = first.load(); each != nullptr; each = each->next)
+        if (each->begin.load() == 0) return each;
+    auto* node = new WatchedMapping; // lives as long as the process: the handler may be looking at it
+    node->next = first.load();
+    first = node;
+    return node;
+}
+
+} // namespace
+
+WatchedMapping* watch_mapping(void* data, std::size_t bytes, std::atomic<bool>& any_lost) {
+    static std::once_flag installed;
+    std::call_once(installed, install_handler);
+    const std::lock_guard lock(changing);
+    WatchedMapping* node = free_node();
+    node->loss = Loss::none;
+    node->any_lost = &any_lost;
+    node->bytes = bytes;
+    node->begin = reinterpret_cast<std::uintptr_t>(data);
+    return node;
+}
+
+void unwatch_mapping(WatchedMapping* mapping) {
+    const std::lock_guard lock(changing);
+    mapping->begin = 0;
+    if (mapping->loss != Loss::none) --lost_count;
+}
+
+Loss loss_of(const WatchedMapping& mapping) { return mapping.loss; }
+
+void note_change(WatchedMapping& mapping) { lose(mapping, Loss::changed); }
+
+std::size_t lost_mapping_count() { return lost_count; }
+
+} // namespace ciel::store

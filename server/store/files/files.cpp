@@ -1,0 +1,174 @@
+#include "store/files/files.hpp"
+
+#include "ciel/types.hpp"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <fcntl.h>
+#include <new>
+#include <stdexcept>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <system_error>
+#include <unistd.h>
+#include <utility>
+
+namespace ciel::store {
+namespace {
+
+constexpr std::string_view beside_mark = ".new-"; // and the writer's process id
+
+Descriptor create(const std::filesystem::path& file) {
+    Descriptor out(::open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644));
+    if (out.get() < 0) refuse_errno(file, "cannot be created");
+    return out;
+}
+
+void write_all(const Descriptor& out, const std::filesystem::path& file, std::span<const std::byte> bytes) {
+    while (!bytes.empty()) {
+        const ssize_t written = ::write(out.get(), bytes.data(), std::min<std::size_t>(bytes.size(), 1 << 30));
+        if (written < 0 && errno == EINTR) continue;
+        if (written < 0) refuse_errno(file, "cannot be written");
+        bytes = bytes.subspan(static_cast<std::size_t>(written));
+    }
+}
+
+bool is_beside(const std::string& name) {
+    const auto mark = name.rfind(beside_mark);
+    if (mark == std::string::npos || mark + beside_mark.size() == name.size()) return false;
+    return name.find_first_not_of("0123456789", mark + beside_mark.size()) == std::string::npos;
+}
+
+} // namespace
+
+FileError::FileError(const std::filesystem::path& file, const std::string& sentence)
+    : Error(file.string() + ": " + sentence) {
+    std::filesystem::path shown;
+    for (const std::filesystem::path& part : file) {
+        if (shown.empty() && part.extension() != ".ciel") continue;
+        shown /= part;
+    }
+    for_clients_ = (shown.empty() ? file.filename() : shown).string() + ": " + sentence;
+}
+
+bool is_out_of_memory(const std::exception& error) {
+    if (dynamic_cast<const std::bad_alloc*>(&error) != nullptr) return true;
+    if (dynamic_cast<const std::length_error*>(&error) != nullptr) return true;
+    if (const auto* failed = dynamic_cast<const std::system_error*>(&error))
+        return failed->code() == std::errc::not_enough_memory ||
+               failed->code() == std::errc::resource_unavailable_try_again;
+    if (dynamic_cast<const Error*>(&error) != nullptr) return false;
+    // TBB tells of a thread that it cannot start in these words alone.
+    return std::string_view(error.what()).find(std::strerror(EAGAIN)) != std::string_view::npos;
+}
+
+std::string sentence_for_clients(const std::exception& error) {
+    if (const auto* of_file = dynamic_cast<const FileError*>(&error)) return of_file->for_clients();
+    if (is_out_of_memory(error))
+        return "the server has not enough memory for this; ask for less at a time, or again when others have left";
+    return error.what();
+}
+
+void refuse(const std::filesystem::path& file, const std::string& sentence) { throw FileError(file, sentence); }
+
+void refuse_errno(const std::filesystem::path& file, const std::string& what_failed) {
+    const int number = errno;
+    refuse(file, what_failed + " (" + std::strerror(number) + ")");
+}
+
+std::string read_text(const std::filesystem::path& file, std::size_t limit) {
+    // O_NONBLOCK: a FIFO put in the place of a file must not hang the server.
+    const Descriptor in(::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
+    if (in.get() < 0) {
+        if (errno == ENOENT) refuse(file, "is missing");
+        refuse_errno(file, "cannot be opened");
+    }
+    struct stat status {};
+    if (::fstat(in.get(), &status) != 0) refuse_errno(file, "cannot be examined");
+    if (!S_ISREG(status.st_mode)) refuse(file, "is not a regular file");
+    if (static_cast<std::size_t>(status.st_size) > limit)
+        refuse(file, "is longer than the " + std::to_string(limit) + " bytes such a file may have");
+    std::string text(static_cast<std::size_t>(status.st_size), '\0');
+    std::size_t filled = 0;
+    while (filled < text.size()) {
+        const ssize_t got = ::read(in.get(), text.data() + filled, text.size() - filled);
+        if (got < 0 && errno == EINTR) continue;
+        if (got < 0) refuse_errno(file, "cannot be read");
+        if (got == 0) break;
+        filled += static_cast<std::size_t>(got);
+    }
+    text.resize(filled);
+    return text;
+}
+
+void write_file(const std::filesystem::path& file, std::span<const std::byte> bytes) {
+    write_all(create(file), file, bytes);
+}
+
+void replace_file(const std::filesystem::path& file, std::span<const std::byte> bytes) {
+    std::error_code error;
+    if (const auto folder = file.parent_path(); !std::filesystem::is_directory(folder, error))
+        refuse(file, "cannot be written: there is no folder " + folder.string() + "; make it first");
+    const std::filesystem::path beside = file.string() + std::string(beside_mark) + std::to_string(::getpid());
+    try {
+        const Descriptor out = create(beside);
+        // The lock tells a file in use from one left behind. A process id does not: each container counts its own.
+        (void)::flock(out.get(), LOCK_EX | LOCK_NB);
+        write_all(out, beside, bytes);
+        if (::fsync(out.get()) != 0) refuse_errno(beside, "cannot be flushed to the disk");
+        if (::rename(beside.c_str(), file.c_str()) != 0) refuse_errno(file, "cannot be replaced");
+    } catch (...) {
+        ::unlink(beside.c_str());
+        throw;
+    }
+    sync_directory(file.parent_path());
+}
+
+void remove_left_beside(const std::filesystem::path& directory) {
+    std::error_code error;
+    for (auto entry = std::filesystem::recursive_directory_iterator(directory, error);
+         !error && entry != std::filesystem::recursive_directory_iterator(); entry.increment(error)) {
+        const std::filesystem::path& file = entry->path();
+        if (!is_beside(file.filename().string())) continue;
+        const Descriptor left(::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOFOLLOW));
+        if (left.get() >= 0 && ::flock(left.get(), LOCK_EX | LOCK_NB) == 0) ::unlink(file.c_str());
+    }
+}
+
+void make_directory(const std::filesystem::path& directory) {
+    std::error_code error;
+    std::filesystem::create_directories(directory, error);
+    if (error) refuse(directory, "cannot be created (" + error.message() + ")");
+}
+
+void sync_directory(const std::filesystem::path& directory) {
+    const Descriptor fd(::open(directory.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+    if (fd.get() < 0 || ::fsync(fd.get()) != 0) refuse_errno(directory, "cannot be flushed to the disk");
+}
+
+void sync_filesystem(const std::filesystem::path& directory) {
+    const Descriptor fd(::open(directory.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+    if (fd.get() < 0 || ::syncfs(fd.get()) != 0) refuse_errno(directory, "cannot be flushed to the disk");
+}
+
+Descriptor::~Descriptor() {
+    if (fd_ >= 0) ::close(fd_);
+}
+
+Descriptor::Descriptor(Descriptor&& other) noexcept : fd_(std::exchange(other.fd_, -1)) {}
+
+Descriptor& Descriptor::operator=(Descriptor&& other) noexcept {
+    std::swap(fd_, other.fd_);
+    return *this;
+}
+
+bool lock_directory(const std::filesystem::path& directory, Descriptor& lock) {
+    Descriptor fd(::open(directory.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+    if (fd.get() < 0) refuse_errno(directory, "cannot be opened");
+    if (::flock(fd.get(), LOCK_EX | LOCK_NB) != 0) return false;
+    lock = std::move(fd);
+    return true;
+}
+
+} // namespace ciel::store

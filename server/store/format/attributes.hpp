@@ -1,0 +1,35 @@
+// The .zattrs documents of a dataset, of a mesh and of an array of values.
+#pragma once
+
+#include "store/format/dataset_info.hpp"
+
+#include <filesystem>
+#include <string_view>
+
+namespace ciel::store {
+
+// The dataset's own attributes: format_version, id, source, created, length_units, input counts, notes.
+[[nodiscard]] DatasetInfo parse_root_attributes(std::string_view text, const std::filesystem::path& file);
+[[nodiscard]] std::string root_attributes_text(const DatasetInfo& info);
+
+struct GroupName {
+    Group::Of of = Group::Of::faces;
+    std::string name;
+    PatchFacts facts = {};
+};
+
+struct MeshAttributes {
+    Vec3d origin{};
+    MeshInfo info;
+    std::vector<GroupName> groups;
+    std::map<std::string, std::string> checksums;  // of each topology array; of each group as "groups/<index>"
+    std::vector<std::string> coordinate_checksums; // shorter than the coordinate sets when some came by plain Zarr
+};
+[[nodiscard]] MeshAttributes parse_mesh_attributes(std::string_view text, const std::filesystem::path& file);
+[[nodiscard]] std::string to_text(const MeshAttributes& mesh);
+
+[[nodiscard]] ArrayInfo parse_array_attributes(std::string_view text, const std::filesystem::path& file);
+[[nodiscard]] std::string to_text(const ArrayInfo& array);
+[[nodiscard]] std::string group_attributes_text(const GroupName& group);
+
+} // namespace ciel::store

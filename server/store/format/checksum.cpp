@@ -1,0 +1,26 @@
+#include "store/format/checksum.hpp"
+
+#include <algorithm>
+#include <string_view>
+#include <xxhash.h>
+
+namespace ciel::store {
+namespace {
+constexpr std::string_view prefix = "xxh3:";
+constexpr std::string_view digits = "0123456789abcdef";
+} // namespace
+
+std::string checksum(std::span<const std::byte> bytes) {
+    const XXH64_hash_t hash = XXH3_64bits(bytes.data(), bytes.size());
+    std::string text(prefix);
+    for (int shift = 60; shift >= 0; shift -= 4) text += digits[(hash >> shift) & 15];
+    return text;
+}
+
+bool is_checksum(const std::string& text) {
+    return text.size() == prefix.size() + 16 && text.starts_with(prefix) &&
+           std::all_of(text.begin() + prefix.size(), text.end(),
+                       [](char c) { return digits.find(c) != std::string_view::npos; });
+}
+
+} // namespace ciel::store

@@ -1,0 +1,116 @@
+#include "store/format/zarr_array.hpp"
+
+#include "store/files/files.hpp"
+#include "store/format/json_reader.hpp"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+
+namespace ciel::store {
+namespace {
+
+struct TypeRow {
+    ElementType type;
+    const char* name;
+    std::size_t bytes;
+};
+constexpr std::array type_table{TypeRow{ElementType::u1, "|u1", 1}, TypeRow{ElementType::u4, "<u4", 4},
+                                TypeRow{ElementType::u8, "<u8", 8}, TypeRow{ElementType::i8, "<i8", 8},
+                                TypeRow{ElementType::f4, "<f4", 4}};
+
+const TypeRow& row(ElementType type) {
+    return *std::find_if(type_table.begin(), type_table.end(), [&](const TypeRow& r) { return r.type == type; });
+}
+
+ElementType parse_type(const JsonReader& value) {
+    const std::string name = value.text();
+    for (const TypeRow& r : type_table)
+        if (name == r.name) return r.type;
+    value.refuse("is '" + name + "', which a dataset never holds");
+}
+
+std::vector<std::uint64_t> parse_extents(const JsonReader& value) {
+    std::vector<std::uint64_t> extents;
+    for (const JsonReader& item : value.items()) extents.push_back(item.count());
+    if (extents.empty() || extents.size() > 3) value.refuse("must have one to three entries");
+    return extents;
+}
+
+void check_version(const JsonReader& document) {
+    if (document.at("zarr_format").count() != 2) document.at("zarr_format").refuse("must be 2");
+}
+
+// zarr-python 3.0 writes the bare word, which is no JSON, where Zarr 2 has the text "NaN".
+std::string with_nan_as_text(std::string text) {
+    constexpr std::string_view key = "\"fill_value\"", bare = "NaN", blank = " \t\r\n";
+    const auto found = text.find(key);
+    if (found == std::string::npos) return text;
+    const auto colon = text.find_first_not_of(blank, found + key.size());
+    if (colon == std::string::npos || text[colon] != ':') return text;
+    const auto value = text.find_first_not_of(blank, colon + 1);
+    if (value != std::string::npos && text.compare(value, bare.size(), bare) == 0)
+        text.replace(value, bare.size(), "\"NaN\"");
+    return text;
+}
+
+} // namespace
+
+std::size_t element_bytes(ElementType type) { return row(type).bytes; }
+
+std::size_t ZarrArray::chunk_bytes(const std::filesystem::path& file) const {
+    // An empty array still declares a chunk of one element (Zarr forbids zero), which is never written.
+    if (std::find(shape.begin(), shape.end(), 0U) != shape.end()) return 0;
+    std::uint64_t bytes = element_bytes(type);
+    for (const std::uint64_t extent : chunks) {
+        if (extent > static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max()) / bytes)
+            refuse(file, "declares a chunk larger than any memory; the file is damaged");
+        bytes *= extent;
+    }
+    return bytes;
+}
+
+ZarrArray whole_array(ElementType type, std::uint64_t count) {
+    return {type, {count}, {std::max<std::uint64_t>(count, 1)}};
+}
+
+ZarrArray parse_zarr_array(std::string_view text, const std::filesystem::path& file) {
+    const nlohmann::json json = parse_json(with_nan_as_text(std::string(text)), file);
+    const JsonReader document(json, file);
+    check_version(document);
+    if (const auto compressor = document.find("compressor"))
+        compressor->refuse("must be null: chunks are mapped, so they are stored raw");
+    if (const auto filters = document.find("filters"); filters && !filters->items().empty())
+        filters->refuse("must be null: chunks are mapped, so they are stored raw");
+    if (document.at("order").text() != "C") document.at("order").refuse("must be \"C\"");
+    if (const auto separator = document.find("dimension_separator"); separator && separator->text() != ".")
+        separator->refuse("must be \".\"");
+    ZarrArray array{parse_type(document.at("dtype")), parse_extents(document.at("shape")),
+                    parse_extents(document.at("chunks"))};
+    if (array.shape.size() != array.chunks.size()) document.at("chunks").refuse("must have as many entries as 'shape'");
+    if (std::find(array.chunks.begin(), array.chunks.end(), 0U) != array.chunks.end())
+        document.at("chunks").refuse("must not hold a zero");
+    return array;
+}
+
+std::string to_text(const ZarrArray& array) {
+    nlohmann::json fill = 0;
+    if (array.type == ElementType::f4) fill = "NaN"; // a chunk that is not there reads as "no value", never as zero
+    return to_text(nlohmann::json{{"zarr_format", 2},
+                                  {"shape", array.shape},
+                                  {"chunks", array.chunks},
+                                  {"dtype", row(array.type).name},
+                                  {"compressor", nullptr},
+                                  {"fill_value", fill},
+                                  {"order", "C"},
+                                  {"filters", nullptr}});
+}
+
+std::string group_text() { return to_text(nlohmann::json{{"zarr_format", 2}}); }
+
+void check_group_text(std::string_view text, const std::filesystem::path& file) {
+    const nlohmann::json json = parse_json(text, file);
+    check_version(JsonReader(json, file));
+}
+
+} // namespace ciel::store

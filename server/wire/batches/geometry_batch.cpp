@@ -1,0 +1,296 @@
+#include "wire/batches/geometry_batch.hpp"
+
+#include "wire/batches/mesh_codec.hpp"
+#include "wire/batches/quantize.hpp"
+#include "wire/bytes.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <string_view>
+#include <xxhash.h>
+
+namespace ciel::wire {
+namespace {
+
+struct Batch {
+    const Primitives* mesh = nullptr;
+    std::size_t first = 0;       // of the mesh's triangles, lines or points
+    std::vector<Index> vertices; // of the mesh, in order of first use
+    std::vector<Index> indices;  // into `vertices`
+};
+
+// Quantized, before compression.
+struct Quantized {
+    std::uint64_t id = 0;
+    std::vector<std::uint8_t> bytes; // records, one per vertex or value
+    std::size_t stride = 4;
+    std::array<std::int64_t, 3> low{}; // grid steps; of values the first
+};
+
+std::size_t corners_of(const Primitives& mesh) { return mesh.points ? 1 : mesh.lines ? 2 : 3; }
+
+void check(const Primitives& mesh) {
+    const std::size_t vertices = mesh.positions.size();
+    const bool fits = (mesh.normals.empty() || mesh.normals.size() == vertices) &&
+                      (mesh.scalars.empty() || mesh.scalars.size() == vertices) &&
+                      (mesh.values.empty() ||
+                       (mesh.scalars.empty() && mesh.values.size() * corners_of(mesh) == mesh.indices.size())) &&
+                      mesh.indices.size() % corners_of(mesh) == 0 &&
+                      std::all_of(mesh.indices.begin(), mesh.indices.end(), [&](Index v) { return v < vertices; });
+    if (!fits) throw Error("the arrays of layer '" + mesh.layer + "' do not fit together and cannot be sent");
+}
+
+// Cuts the mesh where the next triangle or line would be one vertex too many.
+void split(const Primitives& mesh, std::size_t max_vertices, std::vector<Batch>& batches) {
+    const std::size_t corners = corners_of(mesh);
+    std::vector<Index> local(mesh.positions.size(), none); // valid when the batch's vertex there is this one
+    Batch batch{&mesh, 0, {}, {}};
+    const auto is_known = [&](Index vertex) {
+        return local[vertex] < batch.vertices.size() && batch.vertices[local[vertex]] == vertex;
+    };
+    for (std::size_t i = 0; i < mesh.indices.size(); i += corners) {
+        const auto primitive = mesh.indices.subspan(i, corners);
+        const auto added = static_cast<std::size_t>(
+            std::count_if(primitive.begin(), primitive.end(), [&](Index vertex) { return !is_known(vertex); }));
+        if (batch.vertices.size() + added > max_vertices && !batch.vertices.empty()) {
+            batches.push_back(std::move(batch));
+            batch = {&mesh, i / corners, {}, {}};
+        }
+        for (const Index vertex : primitive) {
+            if (!is_known(vertex)) {
+                local[vertex] = static_cast<Index>(batch.vertices.size());
+                batch.vertices.push_back(vertex);
+            }
+            batch.indices.push_back(local[vertex]);
+        }
+    }
+    if (!batch.indices.empty()) batches.push_back(std::move(batch));
+}
+
+void append_number(std::string& json, double value) {
+    std::array<char, 32> digits{};
+    const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
+    json.append(digits.data(), end);
+}
+
+template <typename Items, typename Append>
+void append_list(std::string& json, const Items& items, Append append_one) {
+    json += '[';
+    for (std::size_t i = 0; i < items.size(); ++i) {
+        if (i > 0) json += ", ";
+        append_one(items[i]);
+    }
+    json += ']';
+}
+
+template <typename Numbers>
+void append_array(std::string& json, const Numbers& numbers) {
+    append_list(json, numbers, [&](double number) { append_number(json, number); });
+}
+
+void append_string(std::string& json, std::string_view text) {
+    constexpr std::string_view hex = "0123456789abcdef";
+    json += '"';
+    for (const char c : text) {
+        const auto code = static_cast<unsigned char>(c);
+        if (c == '"' || c == '\\') {
+            json += '\\';
+            json += c;
+        } else if (code < 0x20) {
+            json += "\\u00";
+            json += hex[code >> 4U];
+            json += hex[code & 15U];
+        } else {
+            json += c;
+        }
+    }
+    json += '"';
+}
+
+const char* name_of(bool value) { return value ? "true" : "false"; }
+
+// Positions on the grid less `low`, then the normal: 12 or 16 bytes. The bytes that no vertex needs cost next to
+// nothing compressed.
+Quantized mesh_part(const Batch& batch, double step) {
+    const Primitives& mesh = *batch.mesh;
+    Quantized part;
+    part.stride = mesh.normals.empty() ? 12 : 16;
+    std::vector<std::array<std::int32_t, 3>> places;
+    places.reserve(batch.vertices.size());
+    std::array<std::int32_t, 3> low{INT32_MAX, INT32_MAX, INT32_MAX};
+    for (const Index vertex : batch.vertices) {
+        auto& place = places.emplace_back();
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            place[axis] = on_grid(mesh.positions[vertex][axis], 1 / step);
+            low[axis] = std::min(low[axis], place[axis]);
+        }
+    }
+    part.low = {low[0], low[1], low[2]};
+    part.bytes.resize(places.size() * part.stride);
+    std::uint8_t* at = part.bytes.data();
+    for (std::size_t i = 0; i < places.size(); ++i, at += part.stride) {
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            put(at + 4 * axis, static_cast<std::uint32_t>(places[i][axis] - low[axis]));
+        if (mesh.normals.empty()) continue;
+        const auto normal = octahedral(mesh.normals[batch.vertices[i]]);
+        std::memcpy(at + 12, normal.data(), normal.size());
+    }
+    const XXH64_hash_t vertices = XXH3_64bits(part.bytes.data(), part.bytes.size());
+    const std::array<double, 6> rest{step,           double(low[0]),      double(low[1]),
+                                     double(low[2]), double(part.stride), double(corners_of(mesh))};
+    part.id = XXH3_64bits_withSeed(rest.data(), sizeof rest,
+                                   XXH3_64bits_withSeed(batch.indices.data(), 4 * batch.indices.size(), vertices));
+    return part;
+}
+
+bool has_values(const Primitives& mesh) { return !mesh.scalars.empty() || !mesh.values.empty(); }
+
+Quantized values_part(const Batch& batch) {
+    const Primitives& mesh = *batch.mesh;
+    std::vector<float> values;
+    if (!mesh.scalars.empty()) {
+        values.reserve(batch.vertices.size());
+        for (const Index vertex : batch.vertices) values.push_back(mesh.scalars[vertex]);
+    } else if (!mesh.values.empty()) {
+        const auto own = mesh.values.subspan(batch.first, batch.indices.size() / corners_of(mesh));
+        values.assign(own.begin(), own.end());
+    }
+    Quantized part;
+    part.bytes.resize(4 * values.size());
+    if (mesh.value_step > 0) {
+        const QuantizedValues places = quantized(values, mesh.range[0], mesh.value_step);
+        part.low[0] = places.low;
+        for (std::size_t i = 0; i < values.size(); ++i) put(part.bytes.data() + 4 * i, places.places[i]);
+    } else {
+        for (std::size_t i = 0; i < values.size(); ++i) put(part.bytes.data() + 4 * i, values[i]);
+    }
+    const std::array<double, 4> rest{mesh.value_step, double(part.low[0]), mesh.range[0], double(mesh.values.empty())};
+    part.id = XXH3_64bits_withSeed(rest.data(), sizeof rest, XXH3_64bits(part.bytes.data(), part.bytes.size()));
+    return part;
+}
+
+std::string hexadecimal(std::uint64_t id) {
+    constexpr std::string_view hex = "0123456789abcdef";
+    std::string text(16, '0');
+    for (auto digit = text.rbegin(); digit != text.rend(); ++digit, id >>= 4U) *digit = hex[id & 15U];
+    return text;
+}
+
+struct Counts { // of compressed bytes; 0: the receiver has the part
+    std::size_t vertices = 0, indices = 0, values = 0;
+};
+
+void append_parts(std::string& json, const Primitives& mesh, const Quantized& shape, const Quantized& values,
+                  double step, const Counts& counts) {
+    json += ", \"mesh\": {\"id\": \"" + hexadecimal(shape.id) + "\", \"step\": ";
+    append_number(json, step);
+    json += ", \"low\": ";
+    append_array(json, shape.low);
+    if (counts.vertices > 0)
+        json += ", \"bytes\": [" + std::to_string(counts.vertices) + ", " + std::to_string(counts.indices) + "]";
+    json += "}";
+    if (!has_values(mesh)) return;
+    json += std::string(", \"values\": {\"of\": \"") + (mesh.values.empty() ? "vertices"
+                                                        : mesh.points       ? "points"
+                                                        : mesh.lines        ? "lines"
+                                                                            : "triangles");
+    json += "\", \"id\": \"" + hexadecimal(values.id) + "\"";
+    if (mesh.value_step > 0) {
+        json += ", \"step\": ";
+        append_number(json, mesh.value_step);
+        json += ", \"origin\": ";
+        append_number(json, mesh.range[0]);
+        json += ", \"low\": " + std::to_string(values.low[0]);
+    }
+    if (counts.values > 0) json += ", \"bytes\": " + std::to_string(counts.values);
+    json += "}";
+}
+
+struct Place { // of a batch in its frame
+    std::size_t number = 0, batches = 0;
+    std::uint32_t base = 0;
+};
+
+std::string description(const Batch& batch, Vec3d origin, const std::string& parts, const Place& place) {
+    const Primitives& mesh = *batch.mesh;
+    std::string json = "{\"layer\": ";
+    append_string(json, mesh.layer);
+    json += std::string(", \"kind\": \"") + (mesh.points ? "points" : mesh.lines ? "lines" : "triangles") + "\"";
+    json += ", \"vertices\": " + std::to_string(batch.vertices.size());
+    json += ", \"indices\": " + std::to_string(batch.indices.size());
+    json += std::string(", \"normals\": ") + name_of(!mesh.normals.empty());
+    json += parts + ", \"map\": ";
+    append_string(json, mesh.map);
+    json += ", \"range\": ";
+    append_array(json, mesh.range);
+    json += ", \"scale\": " + mesh.scale + ", \"color\": ";
+    append_array(json, mesh.color);
+    json += std::string(", \"lit\": ") + name_of(mesh.lit);
+    if (mesh.lines || mesh.points) {
+        json += ", \"width\": ";
+        append_number(json, mesh.line_width);
+    }
+    if (!mesh.clip.empty()) {
+        json += ", \"clip\": ";
+        append_list(json, mesh.clip, [&](const auto& plane) { append_array(json, plane); });
+    }
+    json += ", \"origin\": ";
+    append_array(json, origin);
+    json += ", \"batch\": " + std::to_string(place.number) + ", \"batches\": " + std::to_string(place.batches);
+    return json + ", \"base\": " + std::to_string(place.base) + "}";
+}
+
+std::vector<std::uint8_t> with_description(const std::string& json, const std::vector<std::uint8_t>& parts) {
+    std::vector<std::uint8_t> out(4);
+    out.reserve(4 + json.size() + parts.size());
+    put(out.data(), static_cast<std::uint32_t>(json.size()));
+    out.insert(out.end(), json.begin(), json.end());
+    out.insert(out.end(), parts.begin(), parts.end());
+    return out;
+}
+
+std::vector<std::uint8_t> encode(const Batch& batch, Vec3d origin, double step, const HeldArrays& held,
+                                 const Place& place, ArrayIds& ids) {
+    const Primitives& mesh = *batch.mesh;
+    const Quantized shape = mesh_part(batch, step);
+    const Quantized values = values_part(batch);
+    Counts counts;
+    std::vector<std::uint8_t> parts;
+    if (!held.ids.contains(shape.id)) {
+        counts.vertices = append_vertices(parts, shape.bytes, shape.stride);
+        counts.indices = mesh.lines || mesh.points ? append_sequence(parts, batch.indices, batch.vertices.size())
+                                                   : append_triangles(parts, batch.indices, batch.vertices.size());
+    }
+    ids.insert(shape.id);
+    if (has_values(mesh)) {
+        if (!held.ids.contains(values.id)) counts.values = append_vertices(parts, values.bytes, values.stride);
+        ids.insert(values.id);
+    }
+    std::string read;
+    append_parts(read, mesh, shape, values, step, counts);
+    return with_description(description(batch, origin, read, place), parts);
+}
+
+} // namespace
+
+EncodedGeometry encode_geometry(std::span<const Primitives> meshes, Vec3d origin, double step, const HeldArrays& held,
+                                std::size_t max_vertices) {
+    std::vector<Batch> batches;
+    for (const Primitives& mesh : meshes) {
+        check(mesh);
+        split(mesh, max_vertices, batches);
+    }
+    EncodedGeometry out;
+    out.payloads.reserve(batches.size());
+    for (const Batch& batch : batches)
+        out.payloads.push_back(
+            encode(batch, origin, step, held, {out.payloads.size(), batches.size(), held.base}, out.ids));
+    if (batches.empty()) {
+        const Primitives nothing;
+        out.payloads.push_back(with_description(description({&nothing, 0, {}, {}}, origin, "", {0, 0, held.base}), {}));
+    }
+    return out;
+}
+
+} // namespace ciel::wire

@@ -1,0 +1,13 @@
+// PLY, binary little-endian (G. Turk, The PLY Polygon File Format, 1994).
+#pragma once
+
+#include "wire/files/exported_surface.hpp"
+
+#include <ostream>
+
+namespace ciel::wire {
+
+// Binary little-endian, double positions. A failed stream is the caller's to check.
+ExportedCounts write_ply(const ExportSurface& surface, std::ostream& out);
+
+} // namespace ciel::wire

@@ -1,0 +1,13 @@
+// STL, binary (3D Systems, 1989): float32 triangles without connectivity.
+#pragma once
+
+#include "wire/files/exported_surface.hpp"
+
+#include <ostream>
+
+namespace ciel::wire {
+
+// Binary; float32 positions and no values. A failed stream is the caller's to check.
+ExportedCounts write_stl(const ExportSurface& surface, std::ostream& out);
+
+} // namespace ciel::wire

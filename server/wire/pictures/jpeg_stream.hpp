@@ -1,0 +1,23 @@
+// JPEG (ITU-T T.81) by libjpeg.
+#pragma once
+
+#include "wire/pictures/bands.hpp"
+#include "wire/pictures/jpeg_band.hpp"
+#include "wire/pictures/picture_stream.hpp"
+
+namespace ciel::wire {
+
+// A picture is coded in pieces of some 64 x 16 pixels with a restart marker after each (T.81, B.2.4.4), so that pieces
+// are coded side by side and one that has not changed keeps its bytes. Decoded, it is pixel for pixel what libjpeg
+// makes of the same picture in one go.
+class JpegStream final : public PictureStream {
+public:
+    explicit JpegStream(int quality = 80) : quality_(quality) {}
+    void encode(int width, int height, std::span<const std::uint8_t> rgb, std::vector<std::uint8_t>& out) override;
+
+private:
+    int quality_;
+    Bands<JpegBand> bands_;
+};
+
+} // namespace ciel::wire

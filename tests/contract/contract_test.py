@@ -1,0 +1,171 @@
+"""The contract and what is generated from it: valid, complete, up to date."""
+
+import json
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+import unittest
+
+ROOT = pathlib.Path(sys.argv.pop(1) if len(sys.argv) > 1 else __file__).resolve()
+if ROOT.is_file():
+    ROOT = ROOT.parents[2]
+sys.path.insert(0, str(ROOT / "protocol"))
+from generator import cpp, model, python, typescript  # noqa: E402
+
+DOCUMENT = json.loads((ROOT / "protocol/openrpc.json").read_text(encoding="utf-8"))
+
+
+def walk(value, path="#"):
+    yield path, value
+    items = value.items() if isinstance(value, dict) else enumerate(value) if isinstance(value, list) else ()
+    for key, inner in items:
+        yield from walk(inner, f"{path}/{key}")
+
+
+class Document(unittest.TestCase):
+    """The rules of the OpenRPC 1.2.6 specification that the document could break."""
+
+    def test_required_members(self):
+        self.assertRegex(DOCUMENT["openrpc"], r"^1\.2\.\d+$")
+        self.assertTrue({"title", "version"} <= DOCUMENT["info"].keys())
+        known = ("openrpc", "info", "servers", "methods", "components")
+        self.assertEqual([key for key in DOCUMENT if key not in known and key[:2] != "x-"], [])
+
+    def test_servers(self):
+        for server in DOCUMENT["servers"]:
+            self.assertTrue({"name", "url"} <= server.keys())
+            used = set(re.findall(r"\{(\w+)\}", server["url"] + server["summary"]))
+            self.assertEqual(used, set(server["variables"]))
+            for variable in server["variables"].values():
+                self.assertIn("default", variable)
+
+    def test_each_param_has_a_description(self):
+        for method in DOCUMENT["methods"] + DOCUMENT["x-notifications"]:
+            for param in method["params"]:
+                self.assertTrue(param.get("description"), f"{method['name']}: {param['name']}")
+
+    def test_each_method_has_an_example(self):
+        """Values are checked against the schemas, and given to a server, by tests/unit/methods."""
+        for method in DOCUMENT["methods"]:
+            with self.subTest(method["name"]):
+                self.assertTrue(method["examples"])
+                params = {param["name"]: param.get("required", False) for param in method["params"]}
+                for example in method["examples"]:
+                    given = [param["name"] for param in example["params"]]
+                    self.assertLessEqual(set(given), set(params))
+                    self.assertLessEqual({name for name, required in params.items() if required}, set(given))
+                    self.assertIn("value", example["result"])
+
+    def test_methods(self):
+        names = [method["name"] for method in DOCUMENT["methods"]]
+        self.assertEqual(len(names), len(set(names)))
+        for method in DOCUMENT["methods"]:
+            with self.subTest(method["name"]):
+                self.assertIn(method["paramStructure"], ("by-name", "by-position", "either"))
+                self.assertTrue({"name", "schema"} <= method["result"].keys())
+                params = [param["name"] for param in method["params"]]
+                self.assertEqual(len(params), len(set(params)))
+                required = [param.get("required", False) for param in method["params"]]
+                self.assertEqual(required, sorted(required, reverse=True), "required params come first")
+
+    def test_references_resolve(self):
+        for path, value in walk(DOCUMENT):
+            if isinstance(value, dict) and "$ref" in value:
+                with self.subTest(path):
+                    target = DOCUMENT
+                    for step in value["$ref"].removeprefix("#/").split("/"):
+                        target = target[step]
+
+    def test_schemas_are_well_formed(self):
+        for path, value in walk(DOCUMENT):
+            if not isinstance(value, dict) or value.get("type") != "object" or path.endswith("/properties"):
+                continue
+            with self.subTest(path):
+                self.assertLessEqual(set(value.get("required", [])), set(value.get("properties", {})))
+
+    def test_patterns_are_bounded(self):
+        """std::regex recurses once per character of an unbounded repetition."""
+        for path, value in walk(DOCUMENT):
+            if isinstance(value, dict) and isinstance(value.get("pattern"), str):
+                self.assertNotRegex(value["pattern"], r"[*+]|,\}", path)
+
+    def test_error_codes(self):
+        codes = [error["code"] for error in DOCUMENT["components"]["errors"].values()]
+        self.assertEqual(len(codes), len(set(codes)))
+        for code in codes:
+            self.assertTrue(-32099 <= code <= -32000, "the range that JSON-RPC leaves to servers")
+
+    def test_defaults_are_among_the_choices(self):
+        for path, value in walk(DOCUMENT):
+            if isinstance(value, dict) and "default" in value and "enum" in value:
+                self.assertIn(value["default"], value["enum"], path)
+
+
+class Generated(unittest.TestCase):
+    def setUp(self):
+        self.contract = model.load(ROOT / "protocol/openrpc.json")
+
+    def test_each_method_is_a_file(self):
+        for method in self.contract.methods:
+            source = ROOT / "server/methods" / f"{method.identifier}.cpp"
+            self.assertTrue(source.exists(), source)
+            self.assertIn(f"{method.type_prefix}Result {method.identifier}(", source.read_text(encoding="utf-8"))
+
+    def test_each_method_is_in_every_language(self):
+        outputs = {
+            "C++": cpp.emit_table(self.contract),
+            "TypeScript": typescript.emit(self.contract),
+        }
+        for method in self.contract.methods:
+            for language, text in outputs.items():
+                self.assertIn(f'"{method.name}"', text, language)
+            self.assertIn(f"class {method.type_prefix}Params(TypedDict)", python.emit(self.contract))
+
+    def test_what_draws_extracts_or_exports_is_slow(self):
+        """Such a method in the way of quick ones stops every viewer."""
+        table = cpp.emit_table(self.contract)
+        for method in self.contract.methods:
+            source = (ROOT / "server/methods" / f"{method.identifier}.cpp").read_text(encoding="utf-8")
+            works = any(word in source for word in ("picture_workers()", ".geometry()", "scalar_values(", "uploads().commit("))
+            self.assertEqual(method.slow, works, method.name)
+            self.assertIn(f'{{"{method.name}", {"true" if works else "false"}, ', table)
+
+    def test_each_error_is_in_every_language(self):
+        for name, (code, _) in self.contract.errors.items():
+            self.assertIn(f"{name} = {code}", cpp.emit_types(self.contract))
+            self.assertIn(f"{name}: {code}", typescript.emit(self.contract))
+            self.assertIn(f'"{name}": {code}', python.emit(self.contract))
+
+    def test_again_is_the_same(self):
+        again = model.load(ROOT / "protocol/openrpc.json")
+        for emit in [*cpp.FILES.values(), typescript.emit, python.emit]:
+            self.assertEqual(emit(self.contract), emit(again))
+
+    def test_python_types_are_up_to_date_and_load(self):
+        committed = (ROOT / "protocol/python/ciel_client/types.py").read_text(encoding="utf-8")
+        self.assertEqual(committed, python.emit(self.contract), "run protocol/generate.py --python")
+        names: dict = {}
+        exec(compile(committed, "types.py", "exec"), names)
+        for schema in self.contract.schemas:
+            self.assertIn(schema, names)
+
+    def test_the_embedded_document_is_the_document(self):
+        text = cpp.emit_document(self.contract)
+        embedded = re.search(r'R"openrpc\((.*)\)openrpc"', text, re.S).group(1)
+        self.assertEqual(json.loads(embedded), DOCUMENT)
+
+    def test_unchanged_files_are_left_alone(self):
+        with tempfile.TemporaryDirectory() as folder:
+            command = [sys.executable, str(ROOT / "protocol/generate.py"), "--cpp", folder]
+            subprocess.run(command, check=True)
+            before = {file.name: file.stat().st_mtime_ns for file in pathlib.Path(folder).iterdir()}
+            subprocess.run(command, check=True)
+            after = {file.name: file.stat().st_mtime_ns for file in pathlib.Path(folder).iterdir()}
+            self.assertEqual(before, after)
+            self.assertEqual(set(before), set(cpp.FILES))
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,69 @@
+"""An outside CMake project, and pkg-config, against the installed kernel."""
+
+import os
+import re
+import subprocess
+
+import pytest
+from conftest import EXAMPLES, run
+
+EXPECTED = {
+    "contour": r"(\d+) polygons, (\d+) points, (\d+) triangles",
+    "polyhedra": r"1 cell left out, the first is cell 1\n1 polygon in cell 0",
+    "time_steps": r"(step \d, level +-?\d\.\d: \d+ polygons\n){9}",
+}
+
+
+@pytest.fixture(scope="module")
+def programs(prefix, tmp_path_factory):
+    build = tmp_path_factory.mktemp("examples")
+    run("cmake", "-G", "Ninja", "-S", EXAMPLES, "-B", build, f"-DCMAKE_PREFIX_PATH={prefix}")
+    run("cmake", "--build", build)
+    return build
+
+
+@pytest.mark.parametrize("name", EXPECTED)
+def test_examples_run(programs, name):
+    assert re.fullmatch(EXPECTED[name], run(programs / name).strip() + ("\n" if name == "time_steps" else ""))
+
+
+def test_the_sphere_is_closed(programs):
+    """Euler: a closed surface of triangles like a sphere's has two points more than half of its triangles."""
+    _, points, triangles = map(int, re.findall(r"\d+", run(programs / "contour")))
+    assert points - triangles / 2 == 2
+
+
+def test_pkg_config_finds_it(prefix, tmp_path):
+    folder = next(prefix.rglob("ciel.pc")).parent
+    environment = {**os.environ, "PKG_CONFIG_PATH": str(folder)}
+    flags = run("pkg-config", "--static", "--cflags", "--libs", "ciel", env=environment).split()
+    run("g++", "-std=c++20", EXAMPLES / "contour.cpp", "-o", tmp_path / "contour", *flags, "-pthread")
+    assert "polygons" in run(tmp_path / "contour")
+
+
+def test_only_public_headers_are_installed(prefix):
+    headers = {path.relative_to(prefix / "include").parts[0] for path in (prefix / "include").rglob("*.hpp")}
+    assert headers == {"ciel"}
+
+
+def test_each_public_header_compiles_alone(prefix, tmp_path):
+    for header in sorted((prefix / "include/ciel").glob("*.hpp")):
+        source = tmp_path / "alone.cpp"
+        source.write_text(f"#include <ciel/{header.name}>\n")
+        done = subprocess.run(
+            ["g++", "-std=c++20", "-fsyntax-only", "-Wall", "-Wextra", "-Werror", "-Wno-psabi",
+             f"-I{prefix / 'include'}", source],
+            capture_output=True, text=True, check=False,
+        )  # fmt: skip
+        assert done.returncode == 0, f"{header.name}: {done.stderr}"
+
+
+def test_another_minor_version_is_refused(prefix, tmp_path):
+    (tmp_path / "CMakeLists.txt").write_text(
+        "cmake_minimum_required(VERSION 3.25)\nproject(x LANGUAGES CXX)\nfind_package(ciel 0.9 REQUIRED)\n"
+    )
+    done = subprocess.run(
+        ["cmake", "-S", tmp_path, "-B", tmp_path / "build", f"-DCMAKE_PREFIX_PATH={prefix}"],
+        capture_output=True, text=True, check=False,
+    )  # fmt: skip
+    assert done.returncode != 0 and "0.9" in done.stderr

@@ -1,0 +1,134 @@
+#include "engine/schedule/slow_calls.hpp"
+
+#include "limits/errors.hpp"
+
+#include <gmock/gmock.h>
+#include <latch>
+#include <optional>
+
+namespace ciel::engine {
+namespace {
+
+using testing::HasSubstr;
+
+// One call under way that does not end until it is let go: what is posted meanwhile waits together.
+class BusyCalls {
+    std::latch started_{1}, go_{1};
+    std::mutex mutex_;
+    limits::Limits limits_;
+    std::optional<engine::SlowCalls> calls_; // last: its threads use the others
+
+public:
+    std::string order; // of the calls that came; a star before those that were given up
+
+    explicit BusyCalls(limits::Limits limits = {}) : limits_(limits) {
+        limits_.slow_calls = 1;
+        calls_.emplace(limits_);
+        calls_->post(0, [this](SlowCalls::Turn) {
+            started_.count_down();
+            go_.wait();
+        });
+        started_.wait();
+    }
+    ~BusyCalls() {
+        let_go();
+        calls_.reset();
+    }
+    SlowCalls& operator*() { return *calls_; }
+    SlowCalls* operator->() { return &*calls_; }
+    void post(std::uint64_t connection, char letter) { calls_->post(connection, note(letter)); }
+    SlowCalls::Job note(char letter) {
+        return [this, letter](SlowCalls::Turn turn) {
+            const std::scoped_lock lock(mutex_);
+            if (turn == SlowCalls::Turn::given_up) order += '*';
+            order += letter;
+        };
+    }
+    void let_go() {
+        if (!go_.try_wait()) go_.count_down();
+    }
+    void let_go_and_wait() {
+        let_go();
+        while (calls_->waiting() + calls_->running() > 0) std::this_thread::yield();
+    }
+};
+
+std::string refusal(BusyCalls& calls, std::uint64_t connection) {
+    try {
+        calls.post(connection, 'x');
+        return "";
+    } catch (const limits::LimitReached& limit) {
+        return limit.what();
+    }
+}
+
+TEST(slow_calls, connections_take_turns) {
+    BusyCalls calls;
+    for (const char letter : {'a', 'b', 'c'}) calls.post(1, letter);
+    calls.post(2, 'd');
+    calls.post(3, 'e');
+    calls.post(2, 'f');
+    EXPECT_EQ(calls->running(), 1U);
+    EXPECT_EQ(calls->waiting(), 6U);
+    calls.let_go_and_wait();
+    EXPECT_EQ(calls.order, "adebfc") << "one each before the second of any";
+}
+
+TEST(slow_calls, beyond_the_limit_of_all_they_are_refused) {
+    limits::Limits limits;
+    limits.slow_calls_waiting = 2;
+    BusyCalls calls(limits);
+    EXPECT_EQ(refusal(calls, 1), "");
+    EXPECT_EQ(refusal(calls, 2), "");
+    EXPECT_THAT(refusal(calls, 3), HasSubstr("has 2 pictures, exports and the like to make already; try again"));
+    calls->drop(1);
+    EXPECT_EQ(refusal(calls, 3), "") << "what was given up makes room";
+}
+
+TEST(slow_calls, beyond_the_limit_of_one_connection_they_are_refused) {
+    limits::Limits limits;
+    limits.slow_calls_of_connection = 2;
+    BusyCalls calls(limits);
+    EXPECT_EQ(refusal(calls, 1), "");
+    EXPECT_EQ(refusal(calls, 1), "");
+    EXPECT_THAT(refusal(calls, 1), HasSubstr("this connection waits for 2"));
+    EXPECT_EQ(refusal(calls, 2), "") << "others are none the worse";
+}
+
+TEST(slow_calls, the_next_of_a_batch_has_its_place) {
+    limits::Limits limits;
+    limits.slow_calls_waiting = 1;
+    BusyCalls calls(limits);
+    calls.post(1, 'a');
+    EXPECT_NO_THROW(calls->post_next(1, calls.note('b')));
+}
+
+TEST(slow_calls, what_an_ended_connection_waits_for_is_given_up_at_once) {
+    BusyCalls calls;
+    calls.post(1, 'a');
+    calls.post(2, 'b');
+    calls.post(1, 'c');
+    calls->drop(1);
+    EXPECT_EQ(calls.order, "*a*c");
+    EXPECT_EQ(calls->waiting(), 1U);
+    calls->drop(7);
+    calls.let_go_and_wait();
+    EXPECT_EQ(calls.order, "*a*cb");
+}
+
+TEST(slow_calls, drain_gives_up_what_waits_and_finishes_what_runs) {
+    BusyCalls calls;
+    calls.post(1, 'a');
+    std::jthread draining([&] { calls->drain(); });
+    while (calls->waiting() > 0) std::this_thread::yield();
+    EXPECT_EQ(calls->running(), 1U);
+    calls.let_go();
+    draining.join();
+    EXPECT_EQ(calls->running(), 0U);
+    EXPECT_EQ(calls.order, "*a");
+    EXPECT_THROW(calls.post(1, 'b'), Error);
+    EXPECT_THROW(calls->post_next(1, calls.note('b')), Error);
+}
+
+} // namespace
+} // namespace ciel::engine

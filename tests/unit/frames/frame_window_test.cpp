@@ -1,0 +1,183 @@
+// The window of frames on a line that is made of numbers: it takes time, lets so many bytes a second through, and may
+// swallow any number of them before.
+#include "frames/frame_window.hpp"
+
+#include <cmath>
+#include <gtest/gtest.h>
+#include <map>
+#include <random>
+
+namespace ciel::frames {
+namespace {
+
+struct Line {
+    double round_trip = 0; // seconds
+    double rate = 1e9;     // bytes a second
+    double present = 0.01; // seconds that the client takes to show a frame
+    double jitter = 0;     // seconds that it takes longer, now and then
+    double busy = 0;       // at most so many seconds longer, each time others
+    double swing = 0;      // seconds in which frames go from their whole size to a quarter of it and back
+    bool acknowledges = true;
+};
+
+struct Outcome {
+    std::size_t frames = 0;          // sent after the first three seconds, in which the line is found out
+    std::size_t most_on_the_way = 0; // frames
+    std::size_t most_queued = 0;     // bytes in the line before a frame's own, likewise
+    double rate = 0;                 // as the window has it
+};
+
+constexpr double settled = 3;
+
+// A server that needs `making` seconds and `bytes` for each frame, with a scene that always has changed.
+Outcome run(const Line& line, double making, std::size_t bytes, double seconds = 9) {
+    FrameWindow window(2);
+    Outcome result;
+    const auto at = [](double time) {
+        return FrameWindow::Time(std::chrono::duration_cast<FrameWindow::Time::duration>(FrameWindow::Seconds(time)));
+    };
+    std::map<double, std::uint32_t> acknowledgements;
+    double now = 0, free = 0, shown = 0;
+    std::uint32_t frame = 0;
+    std::minstd_rand random;
+    const auto go_on_until = [&](double time) {
+        now = std::max(now, time);
+        for (; !acknowledgements.empty() && acknowledgements.begin()->first <= now;
+             acknowledgements.erase(acknowledgements.begin()))
+            window.acknowledged(acknowledgements.begin()->second, at(acknowledgements.begin()->first));
+    };
+    while (now < settled + seconds) {
+        if (!window.has_room()) {
+            window.held_back();
+            if (acknowledgements.empty()) break;
+            go_on_until(acknowledgements.begin()->first);
+            continue;
+        }
+        go_on_until(now + making);
+        if (now > settled) {
+            const auto queued = static_cast<std::size_t>(std::max(0.0, free - now) * line.rate);
+            result.most_queued = std::max(result.most_queued, queued);
+            ++result.frames;
+        }
+        const double part = line.swing > 0 ? std::abs(2 * std::fmod(now / line.swing, 1) - 1) : 1;
+        const auto size = static_cast<std::size_t>((0.25 + 0.75 * part) * static_cast<double>(bytes));
+        window.sent(++frame, size, false, at(now));
+        result.most_on_the_way = std::max(result.most_on_the_way, window.frames_on_the_way());
+        free = std::max(free, now) + static_cast<double>(size) / line.rate;
+        shown = std::max(shown, free + line.round_trip / 2 + line.present + (frame % 7 == 0 ? line.jitter : 0) +
+                                    line.busy * static_cast<double>(random()) / std::minstd_rand::max());
+        if (line.acknowledges) acknowledgements[shown + line.round_trip / 2] = frame;
+    }
+    result.rate = window.rate();
+    return result;
+}
+
+constexpr double mbit = 1e6 / 8;
+
+TEST(FrameWindow, ALongLineShowsAsManyFramesAsAShortOne) {
+    for (const double round_trip : {0.0, 0.05, 0.2, 0.5}) {
+        const Outcome far = run({round_trip, 10 * mbit}, 0.066, 40'000);
+        EXPECT_GE(static_cast<double>(far.frames), 0.9 * 9 / 0.066) << round_trip;
+        EXPECT_LE(far.most_queued, 0U) << round_trip << ": the server is slower than the line";
+    }
+}
+
+TEST(FrameWindow, AShortLineHasFewOnTheWay) {
+    EXPECT_LE(run({0, 100 * mbit}, 0.05, 40'000).most_on_the_way, 2U);
+    EXPECT_LE(run({0.2, 10 * mbit}, 0.066, 40'000).most_on_the_way, 6U);
+}
+
+TEST(FrameWindow, AFullLineDoesNotQueueAndIsMeasured) {
+    for (const double round_trip : {0.02, 0.05, 0.2})
+        for (const std::size_t bytes : {40'000U, 200'000U}) {
+            const Line line{round_trip, 10 * mbit};
+            const Outcome full = run(line, 0.02, bytes);
+            EXPECT_GE(static_cast<double>(full.frames * bytes), 0.75 * 9 * line.rate) << round_trip << ' ' << bytes;
+            EXPECT_LE(full.most_queued, 0.05 * line.rate + static_cast<double>(bytes)) << round_trip << ' ' << bytes;
+            EXPECT_NEAR(full.rate / line.rate, 1, 0.25) << round_trip << ' ' << bytes;
+        }
+}
+
+TEST(FrameWindow, ABrowserThatStumblesCostsFewFrames) {
+    const Outcome far = run({0.2, 10 * mbit, 0.01, 0.04}, 0.066, 40'000);
+    EXPECT_GE(static_cast<double>(far.frames), 0.9 * 9 / 0.066);
+}
+
+TEST(FrameWindow, ABusyBrowserIsNoFullLine) {
+    const struct { double round_trip, busy; } cases[]{{0.05, 0.06}, {0.05, 0.12}, {0.2, 0.06}};
+    for (const auto& [round_trip, busy] : cases) {
+        const Outcome far = run({round_trip, 100 * mbit, 0.01, 0, busy}, 0.066, 30'000, 30);
+        EXPECT_GE(static_cast<double>(far.frames), 0.85 * 30 / 0.066) << round_trip << ' ' << busy;
+        if (far.rate > 0) {
+            EXPECT_GE(far.rate, 0.9 * 30'000 / 0.066) << round_trip << ' ' << busy << ": quality would go";
+        }
+    }
+}
+
+TEST(FrameWindow, FramesThatGrowForABusyBrowserAreNoFullLine) {
+    for (const double round_trip : {0.05, 0.2})
+        for (const double busy : {0.03, 0.06, 0.09}) {
+            const Outcome far = run({round_trip, 10 * mbit, 0.01, 0, busy, 4}, 0.05, 45'000, 60);
+            EXPECT_GE(static_cast<double>(far.frames), 0.85 * 60 / 0.05) << round_trip << ' ' << busy;
+        }
+}
+
+TEST(FrameWindow, FramesThatNeedSecondsGoOneByOne) {
+    const Outcome polygons = run({0.2, 10 * mbit}, 0.1, 4'000'000, 60);
+    EXPECT_LE(polygons.most_queued, 4'000'000U);
+    EXPECT_GE(polygons.frames, 12U);
+}
+
+TEST(FrameWindow, WithoutAcknowledgementsTwoFramesAreMade) {
+    Line dead{0.05};
+    dead.acknowledges = false;
+    EXPECT_EQ(run(dead, 0.05, 40'000).most_on_the_way, 2U);
+}
+
+TEST(FrameWindow, AClientThatStopsReadingCostsNoMoreThanALineful) {
+    FrameWindow window(2);
+    FrameWindow::Time now{};
+    std::uint32_t frame = 0;
+    for (int i = 0; i < 100; ++i) { // on a line of 100 ms, which has ten on the way
+        while (window.has_room() && window.frames_on_the_way() < 10) window.sent(++frame, 1000, false, now);
+        window.held_back();
+        now += std::chrono::milliseconds(10);
+        if (frame > 9) window.acknowledged(frame - 9, now);
+    }
+    std::size_t more = 0;
+    for (; window.has_room(); ++more) window.sent(++frame, 1000, false, now);
+    EXPECT_LE(window.frames_on_the_way(), 64U);
+    EXPECT_FALSE(window.has_room());
+}
+
+TEST(FrameWindow, AStillDoesNotKeepTheHandWaiting) {
+    FrameWindow window(2);
+    FrameWindow::Time now{};
+    window.sent(1, 40'000, false, now);
+    window.acknowledged(1, now += std::chrono::milliseconds(200));
+    window.sent(2, 800'000, true, now);
+    EXPECT_TRUE(window.has_room());
+    window.sent(3, 40'000, false, now);
+    window.sent(4, 40'000, false, now);
+    window.held_back();
+    for (const std::uint32_t frame : {2U, 3U, 4U}) window.acknowledged(frame, now += std::chrono::milliseconds(800));
+    EXPECT_EQ(window.rate(), 0) << "what is late behind a still is no sign of a queue";
+    EXPECT_EQ(window.bytes_on_the_way(), 0U);
+}
+
+TEST(FrameWindow, AcknowledgesAllBeforeAndIgnoresWhatWasNotSent) {
+    FrameWindow window(2);
+    const FrameWindow::Time start{};
+    window.sent(1, 10, false, start);
+    window.sent(2, 20, false, start);
+    EXPECT_FALSE(window.has_room());
+    EXPECT_FALSE(window.acknowledged(0, start + std::chrono::milliseconds(5)));
+    EXPECT_EQ(window.bytes_on_the_way(), 30U);
+    EXPECT_TRUE(window.acknowledged(2, start + std::chrono::milliseconds(20)));
+    EXPECT_EQ(window.bytes_on_the_way(), 0U);
+    EXPECT_TRUE(window.has_room());
+    EXPECT_FALSE(window.acknowledged(1, start + std::chrono::milliseconds(30)));
+}
+
+} // namespace
+} // namespace ciel::frames

@@ -1,0 +1,67 @@
+#include "frames/picture_detail.hpp"
+
+#include <gtest/gtest.h>
+
+namespace ciel::frames {
+namespace {
+
+using wire::MovingCodec;
+using Detail = PictureDetail::Detail;
+constexpr double mbit = 1e6 / 8, making = 0.066;
+
+// Pictures of `bytes` at the finest; quality counts in proportion.
+std::size_t bytes_of(Detail detail, double bytes) {
+    return static_cast<std::size_t>(bytes * detail.scale * detail.scale * detail.quality / 80);
+}
+
+void send(PictureDetail& detail, wire::MovingCodec codec, int pictures, double bytes, double rate) {
+    for (int i = 0; i < pictures; ++i) detail.sent(codec, bytes_of(detail.of(codec), bytes), making, rate);
+}
+
+TEST(PictureDetail, IsAllOfItWhereNothingSaysThatTheLineIsSlow) {
+    PictureDetail detail;
+    send(detail, wire::MovingCodec::jpeg, 100, 1e6, 0);
+    EXPECT_EQ(detail.of(wire::MovingCodec::jpeg), (Detail{80, 1}));
+    EXPECT_EQ(detail.of(wire::MovingCodec::png), (Detail{80, 1}));
+}
+
+TEST(PictureDetail, QualityGoesBeforeSizeAndNoFurtherThanTheLineNeeds) {
+    PictureDetail detail;
+    send(detail, wire::MovingCodec::jpeg, 100, 60'000, 10 * mbit);
+    EXPECT_EQ(detail.of(wire::MovingCodec::jpeg), (Detail{80, 1})) << "60 kB fit into 66 ms";
+    send(detail, wire::MovingCodec::jpeg, 100, 100'000, 10 * mbit);
+    EXPECT_EQ(detail.of(wire::MovingCodec::jpeg), (Detail{60, 1}));
+    send(detail, wire::MovingCodec::jpeg, 100, 400'000, 10 * mbit);
+    EXPECT_EQ(detail.of(wire::MovingCodec::jpeg).quality, 40);
+    EXPECT_LT(detail.of(wire::MovingCodec::jpeg).scale, 1);
+}
+
+TEST(PictureDetail, PicturesWithoutLossBecomeSmaller) {
+    PictureDetail detail;
+    send(detail, wire::MovingCodec::png, 100, 250'000, 10 * mbit);
+    EXPECT_EQ(detail.of(wire::MovingCodec::png), (Detail{80, 0.5}));
+    EXPECT_LE(bytes_of(detail.of(wire::MovingCodec::png), 250'000), 10 * mbit * making);
+}
+
+TEST(PictureDetail, StaysWhereItIsWhereTheNextFinerWouldNotFit) {
+    PictureDetail detail;
+    send(detail, wire::MovingCodec::png, 20, 250'000, 10 * mbit);
+    for (int i = 0; i < 100; ++i) {
+        EXPECT_EQ(detail.of(wire::MovingCodec::png), (Detail{80, 0.5})) << i;
+        send(detail, wire::MovingCodec::png, 1, 250'000, 10 * mbit);
+    }
+}
+
+TEST(PictureDetail, ComesBackOnAFasterLine) {
+    PictureDetail detail;
+    send(detail, wire::MovingCodec::jpeg, 100, 400'000, 2 * mbit);
+    EXPECT_LT(detail.of(wire::MovingCodec::jpeg).scale, 0.5);
+    send(detail, wire::MovingCodec::jpeg, 100, 400'000, 100 * mbit);
+    EXPECT_EQ(detail.of(wire::MovingCodec::jpeg), (Detail{80, 1}));
+    send(detail, wire::MovingCodec::jpeg, 100, 400'000, 2 * mbit);
+    send(detail, wire::MovingCodec::jpeg, 100, 400'000, 0);
+    EXPECT_EQ(detail.of(wire::MovingCodec::jpeg), (Detail{80, 1}));
+}
+
+} // namespace
+} // namespace ciel::frames

@@ -1,0 +1,140 @@
+// SIGTERM while a call is under way or a client does not read: what is waited for, and in which order clients are told.
+// Each test runs in a process of its own, for a server that gives up waiting ends the process with 0.
+#include "hand_made.hpp"
+#include "support/small_dataset/small_dataset.hpp"
+
+#include <gmock/gmock.h>
+#include <optional>
+
+namespace ciel::gateway {
+namespace {
+
+using testing::HasSubstr;
+
+constexpr unsigned never = 100'000;
+constexpr int as_expected = 7;
+
+// Drawn to its end in software, this picture takes minutes.
+const std::string heavy_picture =
+    R"({"jsonrpc":"2.0","id":1,"method":"picture.render","params":{"width":1500,"height":1500,"scene":{"dataset":"box",)"
+    R"("layers":{"lines":{"type":"edges","width":32,"opacity":0.3}}}}})";
+
+class Stopping {
+public:
+    explicit Stopping(unsigned drain_seconds) {
+        limits::Limits limits;
+        limits.drain_seconds = drain_seconds;
+        test::write_small_dataset(folder_.path() / "box.ciel");
+        server.emplace(limits, std::vector{folder_.path()});
+    }
+    void wait_until_drawing() const {
+        std::string metrics;
+        do {
+            Socket socket(*server);
+            socket.send("GET /metrics HTTP/1.1\r\nHost: localhost\r\nConnection: close\r\n\r\n");
+            metrics = socket.receive_all();
+        } while (metrics.find("\nciel_slow_calls 1\n") == std::string::npos ||
+                 metrics.find("\nciel_frame_workers_busy 1\n") == std::string::npos);
+    }
+    static void signal() { kill(getpid(), SIGTERM); }
+
+private:
+    test::Folder folder_;
+
+public:
+    std::optional<RunningServer> server;
+};
+
+// "text" for a text, "close 1001" for a close, "end".
+std::string next(HandMade& client, std::string* payload = nullptr) {
+    auto [opcode, bytes] = client.receive_frame();
+    if (payload != nullptr) *payload = bytes;
+    if (opcode == text) return "text";
+    if (opcode == close_frame && bytes.size() >= 2)
+        return "close " +
+               std::to_string(static_cast<unsigned char>(bytes[0]) << 8 | static_cast<unsigned char>(bytes[1]));
+    return opcode < 0 ? "end" : "another";
+}
+
+void expect_order(HandMade& client, const std::vector<std::string>& wanted) {
+    for (const std::string& each : wanted)
+        if (const std::string got = next(client); got != each) {
+            std::fprintf(stderr, "%s instead of %s\n", got.c_str(), each.c_str());
+            std::_Exit(1);
+        }
+}
+
+void idle_client_beside_a_slow_call() {
+    Stopping stopping(never);
+    std::optional<HandMade> idle(*stopping.server);
+    std::optional<HandMade> busy(*stopping.server);
+    busy->send_frame(text, heavy_picture);
+    stopping.wait_until_drawing();
+    Stopping::signal();
+    expect_order(*idle, {"text", "close 1001"}); // while the picture is being drawn
+    idle->send_frame(close_frame, "\x03\xE9");
+    idle.reset();
+    busy.reset(); // which nobody waits for any more
+    stopping.server->wait();
+    std::_Exit(as_expected);
+}
+
+void client_of_a_slow_call() {
+    Stopping stopping(8); // the default's second is too short for a picture to be given up on a loaded machine
+    std::optional<HandMade> busy(*stopping.server);
+    busy->send_frame(text, heavy_picture);
+    stopping.wait_until_drawing();
+    Stopping::signal();
+    expect_order(*busy, {"text"}); // server.draining
+    std::string last;
+    for (std::string got; (got = next(*busy, &last)) != "close 1001";)
+        if (got != "text" || last.find("about to stop") == std::string::npos) std::_Exit(1);
+    busy.reset();
+    stopping.server->wait();
+    std::_Exit(as_expected);
+}
+
+void client_that_does_not_read() {
+    Stopping stopping(1);
+    HandMade stuck(*stopping.server, 4096);
+    const std::string discover = R"({"jsonrpc":"2.0","id":1,"method":"rpc.discover"})";
+    for (int i = 0; i < 150; ++i) stuck.send_frame(text, discover); // more than the system's buffers take
+    stopping.server.reset();
+    std::_Exit(as_expected);
+}
+
+// Its answers fit into the system's buffers, so that the server writes its close, and waits for the client's.
+void client_that_does_not_close() {
+    Stopping stopping(4);
+    HandMade stuck(*stopping.server);
+    stuck.send_frame(text, heavy_picture);
+    stopping.wait_until_drawing();
+    stopping.server.reset();
+    std::_Exit(as_expected);
+}
+
+class Drain : public testing::Test {
+protected:
+    void SetUp() override { GTEST_FLAG_SET(death_test_style, "threadsafe"); }
+};
+
+TEST_F(Drain, AClientAtRestIsToldThoughAnothersCallIsUnderWay) {
+    EXPECT_EXIT(idle_client_beside_a_slow_call(), testing::ExitedWithCode(as_expected), "");
+}
+
+TEST_F(Drain, ASlowCallIsGivenUpAndItsClientGets1001) {
+    EXPECT_EXIT(client_of_a_slow_call(), testing::ExitedWithCode(as_expected), "");
+}
+
+TEST_F(Drain, AClientThatDoesNotReadIsCut) {
+    EXPECT_EXIT(client_that_does_not_read(), testing::ExitedWithCode(as_expected), "");
+}
+
+TEST_F(Drain, AClientThatDoesNotCloseIsCut) {
+    EXPECT_EXIT(client_that_does_not_close(), testing::ExitedWithCode(as_expected), "");
+}
+
+TEST_F(Drain, TakesASecondWhereNothingElseWasSaid) { EXPECT_EQ(limits::Limits().drain_seconds, 1U); }
+
+} // namespace
+} // namespace ciel::gateway

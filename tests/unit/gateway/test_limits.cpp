@@ -1,0 +1,231 @@
+// The limits that sockets keep, each small enough to be reached. No test measures a time: a server that does not keep
+// its limit lets the client wait until the client's patience ends, and that fails.
+#include "hand_made.hpp"
+
+#include <gmock/gmock.h>
+#include <optional>
+
+namespace ciel::gateway {
+namespace {
+
+using testing::HasSubstr;
+using testing::StartsWith;
+
+// Seconds. The short time is long enough for a client that does what it should on a machine that is busy.
+constexpr unsigned never = 100'000, short_time = 2;
+
+// What is not under test does not come in between.
+limits::Limits patient() {
+    limits::Limits limits;
+    limits.head_seconds = limits.keep_alive_seconds = limits.request_seconds = limits.websocket_idle_seconds = never;
+    return limits;
+}
+limits::Limits with_request_seconds() {
+    limits::Limits limits = patient();
+    limits.request_seconds = short_time;
+    return limits;
+}
+
+const std::string healthz = "GET /healthz HTTP/1.1\r\nHost: localhost\r\n\r\n";
+const std::string half_a_header = "GET /healthz HTTP/1.1\r\nHost: local";
+const std::string half_a_body =
+    "POST /rpc HTTP/1.1\r\nHost: localhost\r\nContent-Type: application/json\r\nContent-Length: 900000\r\n"
+    "Expect: 100-continue\r\n\r\n{";
+
+const std::string go_on = "HTTP/1.1 100 Continue\r\n\r\n"; // what follows the header of half_a_body
+
+std::string post(const std::string& body) {
+    return "POST /rpc HTTP/1.1\r\nHost: localhost\r\nContent-Type: application/json\r\nContent-Length: " +
+           std::to_string(body.size()) + "\r\n\r\n" + body;
+}
+
+// One byte after the other for as long as the server listens.
+void trickle(Socket& socket, const std::string& byte) {
+    while (!socket.is_answered())
+        if (!socket.send(byte)) return;
+}
+
+// A WebSocket by hand. Clients mask with zeros, which leaves the payload as it is.
+class HandMade : public Socket {
+public:
+    explicit HandMade(const RunningServer& server, int receive_buffer = 0) : Socket(server, receive_buffer) {
+        send("GET /ws HTTP/1.1\r\nHost: localhost\r\nUpgrade: websocket\r\nConnection: Upgrade\r\n"
+             "Sec-WebSocket-Version: 13\r\nSec-WebSocket-Key: AAAAAAAAAAAAAAAAAAAAAA==\r\n"
+             "Sec-WebSocket-Protocol: ciel.v1\r\n\r\n");
+        const std::string head = receive_until("\r\n\r\n");
+        EXPECT_THAT(head, StartsWith("HTTP/1.1 101 "));
+    }
+    bool send_frame(char opcode, const std::string& payload) { // of less than 126 bytes
+        return send(
+            std::string{static_cast<char>(0x80 | opcode), static_cast<char>(0x80 | payload.size()), 0, 0, 0, 0} +
+            payload);
+    }
+    // A frame of less than 126 bytes; its opcode is -1 at the end of the connection.
+    std::pair<int, std::string> receive_frame() {
+        const std::string head = receive(2);
+        if (head.size() < 2) return {-1, {}};
+        return {head[0] & 15, receive(static_cast<unsigned char>(head[1]))};
+    }
+};
+constexpr char text = 1, ping = 9, pong = 10;
+
+TEST(RequestSeconds, EndARequestThatStops) {
+    const RunningServer server(with_request_seconds());
+    for (const std::string& begun : {half_a_header, half_a_body}) {
+        Socket socket(server);
+        socket.send(begun);
+        const std::string answer = socket.receive_all();
+        EXPECT_THAT(answer, StartsWith((begun == half_a_body ? go_on : "") + "HTTP/1.1 408 "));
+        EXPECT_THAT(answer, HasSubstr("Connection: close\r\n")) << begun;
+        EXPECT_THAT(answer, HasSubstr("within 2 s")) << begun;
+    }
+}
+
+TEST(RequestSeconds, EndARequestThatTricklesIn) {
+    const RunningServer server(with_request_seconds());
+    for (const std::string& begun : {half_a_header, half_a_body}) {
+        Socket slow(server);
+        slow.send(begun);
+        const std::string before = begun == half_a_body ? go_on : "";
+        EXPECT_EQ(slow.receive(before.size()), before);
+        trickle(slow, "x");
+        EXPECT_EQ(slow.receive(13), "HTTP/1.1 408 ") << begun;
+    }
+}
+
+TEST(RequestSeconds, AreOfEachRequestAndNotOfTheConnection) {
+    const RunningServer server(with_request_seconds());
+    Socket slow(server), steady(server);
+    slow.send(half_a_header);
+    for (std::size_t answered = 0; !slow.is_answered(); ++answered) {
+        ASSERT_TRUE(steady.send(healthz)) << "closed after " << answered;
+        ASSERT_THAT(steady.receive_until("ok\n"), StartsWith("HTTP/1.1 200 ")) << "after " << answered;
+    }
+}
+
+TEST(RequestSeconds, EndAnAnswerThatIsNotTaken) {
+    const RunningServer server(with_request_seconds());
+    Socket stuck(server, 4096);
+    const std::string discover = post(R"({"jsonrpc":"2.0","id":1,"method":"rpc.discover"})");
+    while (stuck.send(discover)) {
+    }
+}
+
+TEST(HeadSeconds, EndAHeadThatTricklesInAndAConnectionThatNeverBegins) {
+    limits::Limits limits = patient();
+    limits.head_seconds = short_time;
+    const RunningServer server(limits);
+    Socket silent(server), slow(server), body(server);
+    body.send(half_a_body);
+    EXPECT_EQ(body.receive(go_on.size()), go_on);
+    slow.send(half_a_header);
+    trickle(slow, "x");
+    EXPECT_EQ(slow.receive(13), "HTTP/1.1 408 ");
+    EXPECT_EQ(silent.receive_all(), "");
+    EXPECT_FALSE(body.is_answered()) << "a body has its own time";
+}
+
+// Idle and dripping connections keep nobody out.
+TEST(Connections, ThatSayNothingMakeRoomForNewOnes) {
+    limits::Limits limits = patient();
+    limits.connections = 4;
+    const RunningServer server(limits);
+    std::vector<std::unique_ptr<Socket>> idle;
+    for (int i = 0; i < 20; ++i) {
+        idle.push_back(std::make_unique<Socket>(server));
+        idle.back()->send(half_a_header);
+    }
+    Socket served(server);
+    served.send(healthz);
+    EXPECT_EQ(served.receive(13), "HTTP/1.1 200 ");
+    EXPECT_EQ(idle.front()->receive_all(), "") << "the oldest was closed";
+}
+
+TEST(Connections, OfWebSocketsAndRequestsUnderWayStay) {
+    limits::Limits limits = patient();
+    limits.connections = 2;
+    const RunningServer server(limits);
+    HandMade viewer(server);
+    Socket busy(server);
+    busy.send(half_a_body);
+    EXPECT_EQ(busy.receive(go_on.size()), go_on);
+    Socket refused(server);
+    refused.send(healthz);
+    const std::string answer = refused.receive_all();
+    EXPECT_THAT(answer, StartsWith("HTTP/1.1 503 "));
+    EXPECT_THAT(answer, HasSubstr("Retry-After: 1\r\n"));
+    viewer.send_frame(ping, "");
+    EXPECT_EQ(viewer.receive_frame().first, pong);
+}
+
+TEST(KeepAliveSeconds, EndAConnectionThatSaysNothing) {
+    limits::Limits limits = patient();
+    limits.keep_alive_seconds = short_time;
+    const RunningServer server(limits);
+    Socket kept(server), silent(server);
+    kept.send(healthz);
+    const std::string answer = kept.receive_all();
+    EXPECT_THAT(answer, StartsWith("HTTP/1.1 200 "));
+    EXPECT_THAT(answer, testing::EndsWith("ok\n")) << "no second answer";
+    EXPECT_EQ(silent.receive_all(), "");
+}
+
+TEST(KeepAliveSeconds, DoNotShortenARequest) {
+    limits::Limits limits = patient();
+    limits.keep_alive_seconds = short_time;
+    const RunningServer server(limits);
+    Socket silent(server), slow(server);
+    slow.send(half_a_header);
+    EXPECT_EQ(silent.receive_all(), ""); // so the time is over
+    slow.send("host\r\n\r\n");
+    EXPECT_THAT(slow.receive(13), "HTTP/1.1 200 ");
+}
+
+TEST(WebsocketIdleSeconds, EndAConnectionWithoutASignOfLife) {
+    limits::Limits limits = patient();
+    limits.websocket_idle_seconds = short_time;
+    const RunningServer server(limits);
+    HandMade silent(server);
+    int opcode = 0, pings = 0;
+    for (; (opcode = silent.receive_frame().first) >= 0; ++pings) EXPECT_EQ(opcode, ping);
+    EXPECT_GT(pings, 0) << "none was asked for";
+}
+
+TEST(WebsocketIdleSeconds, PongsAreASignOfLifeEnough) {
+    limits::Limits limits;
+    limits.keep_alive_seconds = limits.request_seconds = limits.websocket_idle_seconds = short_time; // of HTTP: no more
+    const RunningServer server(limits);
+    HandMade alive(server);
+    for (int beats = 0; beats < 4; ++beats) { // one each half of the time
+        const auto [opcode, payload] = alive.receive_frame();
+        ASSERT_EQ(opcode, ping) << "after " << beats;
+        alive.send_frame(pong, payload);
+    }
+}
+
+TEST(UnsentBytes, EndAConnectionThatDoesNotReadItsAnswers) {
+    limits::Limits limits = patient();
+    limits.unsent_bytes = 2000;
+    const RunningServer server(limits);
+    HandMade stuck(server, 4096);
+    while (stuck.send_frame(text, R"({"jsonrpc":"2.0","id":1,"method":"rpc.discover"})")) {
+    }
+}
+
+TEST(DrainSeconds, EndTheProcessThoughARequestIsUnderWay) {
+    GTEST_FLAG_SET(death_test_style, "threadsafe");
+    const auto drain_with_a_request_under_way = [] {
+        limits::Limits limits = patient();
+        limits.drain_seconds = 1;
+        std::optional<RunningServer> server(limits);
+        Socket busy(*server);
+        busy.send(half_a_body);
+        EXPECT_EQ(busy.receive(go_on.size()), go_on);
+        server.reset();
+        std::_Exit(1); // it has waited for the request
+    };
+    EXPECT_EXIT(drain_with_a_request_under_way(), testing::ExitedWithCode(0), "");
+}
+
+} // namespace
+} // namespace ciel::gateway

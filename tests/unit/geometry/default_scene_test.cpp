@@ -1,0 +1,90 @@
+#include "geometry/default_scene.hpp"
+
+#include "geometry/scene_geometry.hpp"
+#include "store/catalog.hpp"
+#include "store/writer.hpp"
+#include "support/chosen_algorithm.hpp"
+#include "support/meshes.hpp"
+#include "support/small_dataset/small_dataset.hpp"
+#include "support/views.hpp"
+
+#include <gtest/gtest.h>
+#include <limits>
+
+namespace ciel::geometry {
+namespace {
+
+class default_scene_of : public testing::Test {
+protected:
+    [[nodiscard]] DefaultScene shown() const {
+        return default_scene(*store::Catalog({folder.path()}).open("box"), "box");
+    }
+    [[nodiscard]] std::filesystem::path box() const { return folder.path() / "box.ciel"; }
+
+    const test::Folder folder;
+};
+
+TEST_F(default_scene_of, a_body_is_the_body_with_pressure_and_a_slice_with_speed) {
+    test::write_small_dataset(box());
+    store::Catalog catalog({folder.path()});
+    const auto loaded = catalog.open("box");
+    const auto [document, looked_at] = default_scene(*loaded, "box");
+    const scene::Scene scene = scene::parse(document);
+    EXPECT_EQ(scene.dataset, "box");
+    EXPECT_EQ(scene.time, 2) << "the last step";
+    EXPECT_FALSE(document["layers"].contains("iso")) << "it would hide the body";
+    const auto& surface = document["layers"]["surface"];
+    EXPECT_EQ(surface["groups"], nlohmann::json::array({"body"})); // not the outer side "left"
+    EXPECT_EQ(surface["color"]["array"], "p");
+    const auto& slice = document["layers"]["slice"];
+    EXPECT_EQ(slice["color"]["array"], "U:magnitude");
+    EXPECT_EQ(slice["axis"], "y");
+    EXPECT_NEAR(slice["value"].get<double>(), test::box_origin[1] + 3, 1e-6) << "through the middle of the body";
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        EXPECT_NEAR(looked_at.low[axis], test::box_origin[axis] + 2, 1e-6);
+        EXPECT_NEAR(looked_at.high[axis], test::box_origin[axis] + 4, 1e-6);
+    }
+    ASSERT_TRUE(scene.camera);
+    EXPECT_NEAR(scene.camera->target[2], test::box_origin[2] + 3, 1e-6) << "the camera is on the body";
+
+    SceneGeometry geometry(test::chosen_algorithm());
+    const auto drawn = geometry.update({scene, loaded});
+    EXPECT_EQ(drawn->drawables.size(), 3U);
+    EXPECT_TRUE(drawn->lacking.empty());
+    EXPECT_GT(drawn->triangles, 20U);
+}
+
+TEST_F(default_scene_of, a_run_that_blew_up_is_the_last_step_before_that) {
+    test::write_small_dataset(box());
+    const auto vertices = store::Dataset::open(box())->info().meshes[0].vertices;
+    const std::vector<float> u(3 * vertices, 1);
+    std::vector<float> p(vertices, 1);
+    p[vertices / 2] = std::numeric_limits<float>::quiet_NaN();
+    auto writer = store::Writer::append(box());
+    const std::vector<store::ArrayValues> values{{{"p", store::Association::point, 1, "Pa", "pressure"}, p},
+                                                 {{"U", store::Association::point, 3, "m/s", "velocity"}, u}};
+    writer.add_step(3, 0, 0, values);
+    writer.finish();
+    EXPECT_EQ(shown().document["time"], 2);
+}
+
+TEST_F(default_scene_of, a_mesh_without_bodies_is_an_iso_surface_of_the_whole) {
+    const test::Polyhedra input = test::zoo({{6, 6, 6}, 0, 5, 1});
+    const Assembled assembled = assemble(test::view(input));
+    store::Writer writer(box(), {"a generator", "m", input.vertex_count(), 0, input.cell_count(), {}});
+    writer.add_mesh(assembled.mesh, assembled.original_vertex, assembled.original_cell, {});
+    std::vector<float> p;
+    for (std::size_t i = 0; i < assembled.mesh.positions.size(); i += 3) p.push_back(assembled.mesh.positions[i]);
+    const std::vector<store::ArrayValues> values{{{"p", store::Association::point, 1, "Pa", "pressure"}, p}};
+    for (const double time : {0.0, 1.0}) writer.add_step(time, 0, 0, values);
+    writer.finish();
+    const auto [document, looked_at] = shown();
+    EXPECT_EQ(document["layers"]["iso"]["array"], "p");
+    EXPECT_NEAR(document["layers"]["iso"]["values"][0].get<double>(), 3, 0.6);
+    EXPECT_FALSE(document["layers"].contains("slice"));
+    EXPECT_EQ(document["time"], 0);
+    EXPECT_NEAR(looked_at.high[0] - looked_at.low[0], 6, 1);
+}
+
+} // namespace
+} // namespace ciel::geometry

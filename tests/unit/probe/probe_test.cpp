@@ -1,0 +1,129 @@
+#include "probe/probe.hpp"
+
+#include "store/writer.hpp"
+#include "support/fields.hpp"
+#include "support/meshes.hpp"
+#include "support/small_dataset/small_dataset.hpp"
+#include "support/views.hpp"
+
+#include <gtest/gtest.h>
+#include <random>
+
+namespace ciel::probe {
+namespace {
+
+class probe_points : public testing::Test {
+protected:
+    static void SetUpTestSuite() {
+        folder = std::make_unique<test::Folder>();
+        test::write_small_dataset(folder->path() / "box.ciel");
+    }
+    static void TearDownTestSuite() { folder.reset(); }
+    static std::unique_ptr<test::Folder> folder;
+    std::shared_ptr<store::Dataset> dataset = store::Dataset::open(folder->path() / "box.ciel");
+    Locator locator{dataset, 0, 0};
+};
+std::unique_ptr<test::Folder> probe_points::folder;
+
+Vec3d world(const Vec3d& offset) {
+    return {test::box_origin[0] + offset[0], test::box_origin[1] + offset[1], test::box_origin[2] + offset[2]};
+}
+
+TEST_F(probe_points, linear_fields_are_exact_and_holes_are_holes) {
+    std::mt19937 random(3);
+    std::uniform_real_distribution<double> place(0.01, test::box_edge - 0.01);
+    int inside_count = 0, hole_count = 0;
+    for (int i = 0; i < 3000; ++i) {
+        const Vec3d at{place(random), place(random), place(random)};
+        const bool in_hole = std::all_of(at.begin(), at.end(), [](double x) { return x > 2 && x < 4; });
+        const Probed probed = probe(*dataset, 1, locator, world(at));
+        ++(in_hole ? hole_count : inside_count);
+        ASSERT_EQ(probed.cell == none, in_hole) << at[0] << ' ' << at[1] << ' ' << at[2];
+        if (in_hole) continue;
+        EXPECT_NEAR(*probed.values.at("p"), test::pressure(at, 1), 1e-4);
+        EXPECT_NEAR(*probed.values.at("U:x"), test::velocity(at)[0], 1e-4);
+        EXPECT_NEAR(*probed.values.at("U:z"), test::velocity(at)[2], 1e-4);
+        EXPECT_EQ(*probed.values.at("cell:q"), probed.cell); // the imported cell's id is its value
+        EXPECT_FALSE(probed.values.at("late"));              // not written at this step
+    }
+    EXPECT_GT(hole_count, 50);
+    EXPECT_GT(inside_count, 1000);
+}
+
+TEST_F(probe_points, outside_of_the_box_is_nothing) {
+    for (const Vec3d at : {Vec3d{-0.1, 3, 3}, Vec3d{3, 6.1, 1}, Vec3d{1e30, 0, 0}}) {
+        const Probed probed = probe(*dataset, 0, locator, world(at));
+        EXPECT_EQ(probed.cell, none);
+        EXPECT_TRUE(probed.values.empty());
+    }
+}
+
+TEST_F(probe_points, a_vertex_is_its_own_nearest) {
+    const FaceMeshView mesh = dataset->mesh(0, 0);
+    for (Index vertex = 0; vertex < mesh.vertex_count(); vertex += 7) {
+        const float* at = &mesh.positions[std::size_t{3} * vertex];
+        const Probed probed = probe(*dataset, 0, locator, world({at[0], at[1], at[2]}));
+        ASSERT_NE(probed.cell, none);
+        EXPECT_EQ(probed.vertex, dataset->original_vertex(0)[vertex]);
+    }
+}
+
+TEST(probe_vectors, of_cells_are_told_like_those_of_points) {
+    const Assembled assembled = assemble(test::view(test::hexahedra({{1, 1, 1}})));
+    const test::Folder scratch;
+    store::Writer writer(scratch.path() / "m.ciel", {});
+    writer.add_mesh(assembled.mesh, assembled.original_vertex, assembled.original_cell, {});
+    const std::vector<float> velocity{3, 0, -4};
+    const store::ArrayInfo info{"cell:U", store::Association::cell, 3, "m/s", ""};
+    writer.add_step(0, 0, 0, std::vector<store::ArrayValues>{{info, velocity}});
+    writer.finish();
+    const auto dataset = store::Dataset::open(scratch.path() / "m.ciel");
+    const Probed probed = probe(*dataset, 0, Locator(dataset, 0, 0), {0.5, 0.5, 0.5});
+    EXPECT_EQ(probed.values.at("cell:U:x"), 3);
+    EXPECT_EQ(probed.values.at("cell:U:z"), -4);
+    EXPECT_EQ(probed.values.at("cell:U:magnitude"), 5);
+}
+
+// Every kind of cell there is, non-convex ones too: a point between two cells is found in one of them, and the weights
+// reproduce a linear field.
+TEST(probe_meshes, linear_fields_are_exact_in_every_mesh) {
+    const test::LinearField field{{1, -2, 0.5}, 3};
+    for (const auto& named : test::all_meshes()) {
+        const test::Polyhedra input = named.make();
+        const Assembled assembled = assemble(test::view(input));
+        if (assembled.mesh.cell_types.empty()) continue;
+        const test::Folder scratch;
+        store::Writer writer(scratch.path() / "m.ciel", {});
+        writer.add_mesh(assembled.mesh, assembled.original_vertex, assembled.original_cell, {});
+        writer.add_step(0, 0, 0, {});
+        writer.finish();
+        const auto dataset = store::Dataset::open(scratch.path() / "m.ciel");
+        const Locator locator(dataset, 0, 0);
+        const FaceMeshView mesh = dataset->mesh(0, 0);
+        std::mt19937 random(5);
+        int found = 0;
+        for (int i = 0; i < 40; ++i) { // the middles of faces
+            const Index face = random() % mesh.face_count();
+            const auto loop = mesh.loop(face);
+            Vec3d at = mesh.origin;
+            for (const Index vertex : loop)
+                for (std::size_t axis = 0; axis < 3; ++axis)
+                    at[axis] += mesh.positions[std::size_t{3} * vertex + axis] / static_cast<double>(loop.size());
+            const Index cell = locator.cell_at(at);
+            if (cell == none) continue;
+            ++found;
+            double value = 0, sum = 0;
+            for (const auto& [vertex, share] : locator.weights_in(cell, at)) {
+                const float* p = &mesh.positions[std::size_t{3} * vertex];
+                value += share * field.at({mesh.origin[0] + p[0], mesh.origin[1] + p[1], mesh.origin[2] + p[2]});
+                sum += share;
+            }
+            EXPECT_NEAR(sum, 1, 1e-9) << named.name;
+            EXPECT_NEAR(value, field.at(at), 1e-4) << named.name;
+        }
+        EXPECT_GE(found, named.planar_faces ? 40 : 30) << named.name;
+    }
+}
+
+} // namespace
+} // namespace ciel::probe

@@ -1,0 +1,211 @@
+// The rule of color_scale.hpp on the graphics card: pictures of a square whose scalar is known at every pixel, held to
+// the rule on the CPU.
+#include "backends.hpp"
+#include "color/color_map.hpp"
+#include "color/color_scale.hpp"
+#include "scenes.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <limits>
+
+namespace ciel::render {
+namespace {
+
+constexpr int width = 400, height = 40;
+
+// In the plane y = 0 over the whole picture: `left` at its left edge, `right` at its right one, linear between.
+Shape band(float left, float right, Index columns = 1) {
+    Shape shape = grid(columns, 1, [](double u, double v) {
+        return Vec3f{static_cast<float>(20 * u - 10), 0, static_cast<float>(2 * v - 1)};
+    });
+    for (const Vec3f& p : shape.positions) shape.scalars.push_back(left + (p[0] + 10) / 20 * (right - left));
+    return shape;
+}
+
+class ColorScalePicture : public testing::TestWithParam<Backend> {
+protected:
+    Renderer renderer{GetParam()};
+    Image image;
+
+    void draw(const std::vector<Primitives>& meshes) {
+        Frame frame = front_view(width, height);
+        frame.camera.parallel_height = 2; // 20 wide
+        frame.primitives = meshes;
+        renderer.draw(frame, image);
+    }
+    void draw(const Shape& shape, const color::ColorScale& scale, float opacity = 1) {
+        Primitives mesh = shape.mesh();
+        mesh.lit = false;
+        mesh.scale = scale;
+        mesh.color[3] = opacity;
+        draw({mesh});
+    }
+    [[nodiscard]] color::Rgb8 at(int x, int y = height / 2) const {
+        const std::uint8_t* p = &image.rgb[3 * static_cast<std::size_t>(y * width + x)];
+        return {p[0], p[1], p[2]};
+    }
+    // Every pixel of a row against the rule, but those nearer to an edge of the rule than the pixel's own width.
+    void expect_rule(const color::ColorScale& scale, double left, double right, int tolerance) {
+        for (int x = 0; x < width; ++x) {
+            const auto value = [&](double pixel) { return left + pixel / width * (right - left); };
+            const color::Rgb8 before = color::color_of(scale, value(x)), after = color::color_of(scale, value(x + 1));
+            const color::Rgb8 wanted = color::color_of(scale, value(x + 0.5)), seen = at(x);
+            for (std::size_t k = 0; k < 3; ++k) {
+                if (std::abs(before[k] - after[k]) > 12) continue;
+                ASSERT_NEAR(seen[k], wanted[k], tolerance) << "pixel " << x << ", channel " << k;
+            }
+        }
+    }
+};
+
+INSTANTIATE_TEST_SUITE_P(Backends, ColorScalePicture, testing::ValuesIn(available_backends()), name_of_test);
+GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(ColorScalePicture);
+
+color::ColorScale scale_of(const char* map, std::array<double, 2> range) {
+    color::ColorScale scale;
+    scale.map = map;
+    scale.range = range;
+    return scale;
+}
+
+// Absolute pressure in a slow flow: 26 floats from end to end, and as many steps as these, with sharp bounds.
+TEST_P(ColorScalePicture, OfASmallRangeBesideItsValuesIsAsSmooth) {
+    const double low = 101325 - 13.0 / 128, high = 101325 + 13.0 / 128;
+    for (const int steps : {0, 13})
+        for (const float opacity : {1.0F, 0.999F}) { // the latter is peeled
+            color::ColorScale scale = scale_of("turbo", {low, high});
+            scale.steps = steps;
+            draw(band(static_cast<float>(low), static_cast<float>(high)), scale, opacity);
+            expect_rule(scale, low, high, 4);
+        }
+}
+
+TEST_P(ColorScalePicture, EveryMapIsTheTableBothWaysRound) {
+    for (const std::string& name : color::color_map_names())
+        for (const bool reverse : {false, true}) {
+            SCOPED_TRACE(name);
+            color::ColorScale scale = scale_of(name.c_str(), {-1, 3});
+            scale.reverse = reverse;
+            draw(band(-1, 3), scale);
+            expect_rule(scale, -1, 3, 3);
+        }
+}
+
+// Two vertices, a million apart: what is interpolated and looked up is the value, not its color nor its logarithm.
+TEST_P(ColorScalePicture, LogarithmIsTakenAtEachPixel) {
+    color::ColorScale scale = scale_of("viridis", {1, 1e6F});
+    scale.log = true;
+    draw(band(1, 1e6F), scale);
+    expect_rule(scale, 1, 1e6, 3);
+    draw(band(-10, 1e6F), scale); // zero and below have the lowest color
+    expect_rule(scale, -10, 1e6, 3);
+}
+
+TEST_P(ColorScalePicture, StepsAreSharpAndHaveTheirColorsExactly) {
+    for (const int steps : {2, 3, 7, 16})
+        for (const bool log : {false, true}) {
+            color::ColorScale scale = scale_of("plasma", {1, 100});
+            scale.steps = steps;
+            scale.log = log;
+            draw(band(1, 100), scale);
+            const auto colors = color::color_row(scale, 0);
+            ASSERT_EQ(colors.size(), static_cast<std::size_t>(steps));
+            std::size_t now = 0;
+            for (int x = 0; x < width; ++x) {
+                if (now + 1 < colors.size() && at(x) == colors[now + 1]) {
+                    const double bound = color::value_at(scale, (now + 1.0) / steps);
+                    EXPECT_NEAR((bound - 1) / 99 * width, x, 1) << steps << " steps, bound " << now + 1;
+                    ++now;
+                }
+                ASSERT_EQ(at(x), colors[now]) << steps << " steps, pixel " << x << ": no color but the steps' own";
+            }
+            EXPECT_EQ(now + 1, colors.size());
+        }
+}
+
+TEST_P(ColorScalePicture, ColorsOutsideTheRangeAreExact) {
+    color::ColorScale scale = scale_of("grayscale", {-1, 1});
+    scale.below = color::Rgb8{12, 34, 250};
+    scale.above = color::Rgb8{251, 60, 7};
+    scale.nan = {3, 200, 90};
+    for (const float opacity : {1.0F, 0.999F}) { // the transparent pass has rows of its own
+        draw(band(-2, 2), scale, opacity);
+        for (const int x : {0, 50, 98}) EXPECT_EQ(at(x), *scale.below) << x;
+        for (const int x : {301, 350, 399}) EXPECT_EQ(at(x), *scale.above) << x;
+        EXPECT_NEAR(at(200)[0], 128, 2);
+        EXPECT_LT(at(102)[0], 8) << "the lowest inside is black";
+        EXPECT_GT(at(297)[0], 247);
+    }
+    Shape missing = band(0, 0);
+    for (float& value : missing.scalars) value = std::numeric_limits<float>::quiet_NaN();
+    draw(missing, scale);
+    EXPECT_EQ(at(200), scale.nan);
+    for (float& value : missing.scalars) value = std::numeric_limits<float>::infinity();
+    draw(missing, scale);
+    EXPECT_EQ(at(200), scale.nan) << "no number either";
+}
+
+// The largest value of the data, interpolated over triangles of many shapes, is never above itself.
+TEST_P(ColorScalePicture, FlatMaximumHasNoSpecks) {
+    for (const float value : {1.0F, 0.1F, 273.15F, 101325.0F, -7.3e-9F, 3.3e20F}) {
+        color::ColorScale scale = scale_of("grayscale", {value - std::abs(value) / 2, value});
+        scale.above = color::Rgb8{255, 0, 0};
+        scale.below = color::Rgb8{0, 0, 255};
+        draw(band(value, value, 37), scale);
+        for (int x = 0; x < width; ++x)
+            for (int y = 0; y < height; y += 3)
+                ASSERT_EQ(at(x, y), (color::Rgb8{255, 255, 255})) << value << ' ' << x << ' ' << y;
+    }
+}
+
+// A range that is narrow beside its values: 0.001 K at 300 K is 33 floats wide, and no more than that may be lost.
+TEST_P(ColorScalePicture, NarrowRangesKeepTheirDigits) {
+    const color::ColorScale scale = scale_of("grayscale", {300, 300.001F});
+    draw(band(300, 300.001F), scale);
+    for (const int x : {20, 100, 200, 300, 380}) EXPECT_NEAR(at(x)[0], (x + 0.5) / width * 255, 12) << x;
+}
+
+TEST_P(ColorScalePicture, PointsHaveTheirColorsAndEdges) {
+    color::ColorScale scale;
+    scale.points = {{0, {255, 0, 0}}, {0.3, {0, 255, 0}}, {0.3, {0, 0, 255}}, {0.8, {10, 20, 30}}};
+    draw(band(0, 1), scale);
+    expect_rule(scale, 0, 1, 3);
+    EXPECT_GT(at(118)[1], 245);
+    EXPECT_GT(at(121)[2], 245) << "two points at one place are an edge";
+    EXPECT_EQ(at(390), (color::Rgb8{10, 20, 30}));
+}
+
+// Layers with scales of their own in one frame, opaque and transparent, and the next frame with others.
+TEST_P(ColorScalePicture, EachLayerHasItsOwnScale) {
+    std::vector<Shape> shapes;
+    std::vector<Primitives> meshes;
+    for (int i = 0; i < 8; ++i) {
+        shapes.push_back(grid(1, 1, [&](double u, double v) {
+            return Vec3f{static_cast<float>(-10 + 2.5 * (i + u)), 0, static_cast<float>(2 * v - 1)};
+        }));
+        shapes.back().scalars.assign(4, 5.0F);
+    }
+    for (int round = 0; round < 3; ++round) {
+        meshes.clear();
+        for (int i = 0; i < 8; ++i) {
+            Primitives mesh = shapes[static_cast<std::size_t>(i)].mesh();
+            mesh.lit = false;
+            mesh.scale.map = color::color_map_names()[static_cast<std::size_t>(i + round)];
+            mesh.scale.range = {0, static_cast<float>(6 + i)};
+            mesh.scale.reverse = (i + round) % 2 == 0;
+            mesh.scale.steps = i % 3 == 0 ? 4 : 0;
+            mesh.color[3] = i % 2 == 0 ? 1.0F : 0.999F;
+            meshes.push_back(mesh);
+        }
+        draw(meshes);
+        for (int i = 0; i < 8; ++i) {
+            const color::Rgb8 wanted = color::color_of(meshes[static_cast<std::size_t>(i)].scale, 5);
+            for (std::size_t k = 0; k < 3; ++k)
+                EXPECT_NEAR(at(50 * i + 25)[k], wanted[k], 2) << round << " layer " << i << " channel " << k;
+        }
+    }
+}
+
+} // namespace
+} // namespace ciel::render

@@ -1,0 +1,183 @@
+// Whatever happens to a writer, nothing half-made is left in the dataset's place.
+#include "store/place.hpp"
+#include "support/store_box/box.hpp"
+
+#include <csignal>
+#include <fstream>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace ciel::store {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<std::string> entries(const fs::path& directory) {
+    std::vector<std::string> names;
+    for (const auto& entry : fs::directory_iterator(directory)) names.push_back(entry.path().filename().string());
+    return names;
+}
+
+// Runs `body` in a process of its own and returns its status.
+template <typename Body>
+int in_child(const Body& body) {
+    const pid_t child = ::fork();
+    if (child == 0) {
+        try {
+            body();
+        } catch (...) { // else the child would go on with the other tests
+            ::_exit(1);
+        }
+        ::_exit(0);
+    }
+    int status = 0;
+    ::waitpid(child, &status, 0);
+    return status;
+}
+
+void add_box(Writer& writer, const FaceMesh& mesh) {
+    writer.add_mesh(mesh, test::identity(mesh.positions.size() / 3), test::identity(mesh.cell_types.size()), {});
+}
+
+TEST(Crash, AnExceptionOrNoFinishLeavesNothing) {
+    const test::Folder scratch;
+    {
+        Writer writer(scratch / "a.ciel", {});
+        add_box(writer, test::box(2, 2, 2));
+        const std::vector<float> wrong(3);
+        EXPECT_THROW(writer.add_step(0, 0, 0, std::vector<ArrayValues>{{{"p", Association::point, 1, "", ""}, wrong}}),
+                     Error);
+    }
+    EXPECT_THAT(entries(scratch.path()), testing::IsEmpty());
+}
+
+TEST(Crash, AKilledWriterLeavesNoDatasetAndTheNextOneCleansUp) {
+    const test::Folder scratch;
+    const int status = in_child([&] {
+        Writer writer(scratch / "a.ciel", {});
+        add_box(writer, test::box(2, 2, 2));
+        ::kill(::getpid(), SIGKILL);
+    });
+    ASSERT_TRUE(WIFSIGNALED(status));
+    EXPECT_FALSE(fs::exists(scratch / "a.ciel"));
+    EXPECT_EQ(entries(scratch.path()).size(), 1U);
+    test::write_box(scratch / "a.ciel", test::box(2, 2, 2));
+    EXPECT_THAT(entries(scratch.path()), testing::ElementsAre("a.ciel"));
+}
+
+TEST(Crash, AWriterAtWorkIsNotCleanedUpByAnother) {
+    const test::Folder scratch;
+    Writer first(scratch / "a.ciel", {});
+    add_box(first, test::box(1, 1, 1));
+    Writer second(scratch / "a.ciel", {});
+    add_box(second, test::box(2, 1, 1));
+    first.finish();
+    EXPECT_THROW(second.finish(), Error) << "the place is taken by now";
+    EXPECT_EQ(Dataset::open(scratch / "a.ciel")->info().meshes[0].cells, 1U);
+}
+
+TEST(Crash, AFullDiskLeavesNothing) {
+    const test::Folder scratch;
+    const int status = in_child([&] {
+        ::signal(SIGXFSZ, SIG_IGN);
+        const rlimit limit{2048, 2048};
+        ::setrlimit(RLIMIT_FSIZE, &limit);
+        try {
+            Writer writer(scratch / "a.ciel", {});
+            add_box(writer, test::box(5, 5, 5));
+        } catch (const Error&) {
+            ::_exit(7);
+        }
+    });
+    EXPECT_EQ(WEXITSTATUS(status), 7);
+    EXPECT_THAT(entries(scratch.path()), testing::IsEmpty());
+}
+
+TEST(Crash, TheCommitMarkerIsWrittenAfterAllThatItNames) {
+    const test::Folder scratch;
+    test::write_box(scratch / "a.ciel", test::box(2, 2, 2));
+    const auto dataset = Dataset::open(scratch / "a.ciel");
+    Writer writer = Writer::append(scratch / "a.ciel");
+    const fs::path attributes = scratch / "a.ciel/meshes/0/.zattrs", kept = scratch / "kept";
+    fs::rename(attributes, kept);
+    fs::create_directory(attributes);
+    const auto q = test::values_of(27, 3);
+    EXPECT_THROW(
+        writer.add_step(5, 0, 0, std::vector<ArrayValues>{{{"q", Association::point, 1, "", "a new array"}, q}}),
+        Error);
+    fs::remove(attributes);
+    fs::rename(kept, attributes);
+    EXPECT_EQ(dataset->refreshed(), nullptr) << "a step whose mesh's document could not be written";
+}
+
+TEST(Crash, AnAppendThatFailsOrIsKilledLeavesTheDatasetAsItWas) {
+    const test::Folder scratch;
+    const FaceMesh mesh = test::box(9, 9, 9);
+    test::write_box(scratch / "a.ciel", mesh);
+    const auto dataset = Dataset::open(scratch / "a.ciel");
+    const auto p = test::values_of(1000, 3);
+    const std::vector<ArrayValues> step{{{"p", Association::point, 1, "Pa", ""}, p}};
+    const int full = in_child([&] {
+        ::signal(SIGXFSZ, SIG_IGN);
+        Writer writer = Writer::append(scratch / "a.ciel");
+        const rlimit limit{3000, 3000};
+        ::setrlimit(RLIMIT_FSIZE, &limit);
+        try {
+            writer.add_step(5, 0, 0, step);
+        } catch (const Error&) {
+            ::_exit(7);
+        }
+    });
+    EXPECT_EQ(WEXITSTATUS(full), 7);
+    EXPECT_EQ(dataset->refreshed(), nullptr);
+    const int killed = in_child([&] {
+        Writer writer = Writer::append(scratch / "a.ciel");
+        (void)writer.add_coordinates(0, mesh.positions);
+        ::kill(::getpid(), SIGKILL);
+    });
+    ASSERT_TRUE(WIFSIGNALED(killed));
+    EXPECT_EQ(dataset->refreshed(), nullptr);
+    EXPECT_EQ(Dataset::open(scratch / "a.ciel")->steps().size(), 3U);
+    Writer::append(scratch / "a.ciel").add_step(5, 0, 0, step); // the lock ended with the process
+    EXPECT_THAT(dataset->refreshed()->values("p", 3), testing::ElementsAreArray(p));
+}
+
+TEST(Overwrite, OnlyADatasetAndOnlyWhenAsked) {
+    const test::Folder scratch;
+    test::write_box(scratch / "a.ciel", test::box(1, 1, 1));
+    EXPECT_THROW(Writer(scratch / "a.ciel", {}), Error);
+    const auto before = Dataset::open(scratch / "a.ciel");
+    {
+        Writer writer(scratch / "a.ciel", {}, true);
+        add_box(writer, test::box(2, 1, 1));
+        EXPECT_EQ(Dataset::open(scratch / "a.ciel")->info().meshes[0].cells, 1U) << "the old one stands until the end";
+        writer.finish();
+    }
+    EXPECT_EQ(Dataset::open(scratch / "a.ciel")->info().meshes[0].cells, 2U);
+    EXPECT_EQ(before->mesh(0, 0).cell_count(), 1U) << "what was open stays";
+    EXPECT_THAT(entries(scratch.path()), testing::ElementsAre("a.ciel"));
+    fs::create_directory(scratch / "photos");
+    test::overwrite_file(scratch / "photos" / "cat.jpg", "cat");
+    EXPECT_THROW(Writer(scratch / "photos", {}, true), Error) << "never somebody's other directory";
+    test::overwrite_file(scratch / "file", "text");
+    EXPECT_THROW(Writer(scratch / "file", {}, true), Error);
+    EXPECT_EQ(test::read_file(scratch / "photos" / "cat.jpg"), "cat");
+    EXPECT_THROW(Writer(scratch / "nowhere/a.ciel", {}), Error) << "no folder";
+    EXPECT_THAT(entries(scratch.path()), testing::UnorderedElementsAre("a.ciel", "file", "photos"));
+}
+
+TEST(Overwrite, APlaceIsCheckedWithoutATrace) {
+    const test::Folder scratch;
+    test::write_box(scratch / "a.ciel", test::box(1, 1, 1));
+    check_place(scratch / "a.ciel", true);
+    check_place(scratch / "b.ciel", false);
+    EXPECT_THROW(check_place(scratch / "a.ciel", false), Error);
+    EXPECT_THROW(check_place(scratch / "nowhere/a.ciel", true), Error);
+    EXPECT_THAT(entries(scratch.path()), testing::ElementsAre("a.ciel"));
+}
+
+} // namespace
+} // namespace ciel::store

@@ -1,0 +1,344 @@
+// Datasets in memory and the catalog of names.
+#include "support/store_box/box.hpp"
+
+#include "store/cache/cache.hpp"
+#include "store/catalog.hpp"
+
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <condition_variable>
+#include <future>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <thread>
+
+namespace ciel::store {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::ElementsAre;
+using testing::ElementsAreArray;
+using testing::HasSubstr;
+
+Cache::Made number(int value, std::size_t bytes) { return {std::make_shared<int>(value), bytes}; }
+
+TEST(CacheTest, DropsTheLeastRecentlyUsedOverItsBudget) {
+    Cache cache(100);
+    int made = 0;
+    const auto get = [&](const char* key) { return *cache.get<int>(key, [&] { return ++made, number(made, 40); }); };
+    EXPECT_EQ(get("a"), 1);
+    EXPECT_EQ(get("b"), 2);
+    EXPECT_EQ(get("a"), 1);
+    EXPECT_EQ(get("c"), 3); // b goes
+    EXPECT_EQ(cache.bytes(), 80U);
+    EXPECT_EQ(get("a"), 1);
+    EXPECT_EQ(get("b"), 4);
+}
+
+TEST(CacheTest, WhatIsInUseOutlivesTheCacheAndABigOneStands) {
+    Cache cache(10);
+    const auto big = cache.get<int>("big", [] { return number(7, 1000); });
+    EXPECT_EQ(cache.bytes(), 1000U);
+    (void)cache.get<int>("other", [] { return number(8, 1); });
+    EXPECT_EQ(cache.bytes(), 1U);
+    EXPECT_EQ(*big, 7);
+}
+
+TEST(CacheTest, AFailureIsNotKept) {
+    Cache cache(10);
+    EXPECT_THROW((void)cache.get<int>("a", []() -> Cache::Made { throw Error("no"); }), Error);
+    EXPECT_EQ(*cache.get<int>("a", [] { return number(1, 1); }), 1);
+}
+
+TEST(CacheTest, ManyThreadsMakeOnce) {
+    Cache cache(1000);
+    std::atomic<int> made = 0;
+    std::vector<std::future<void>> all;
+    for (int t = 0; t < 8; ++t)
+        all.push_back(std::async(std::launch::async, [&] {
+            for (int i = 0; i < 50; ++i)
+                EXPECT_EQ(*cache.get<int>(std::to_string(i), [&] { return ++made, number(i, 1); }), i);
+        }));
+    for (auto& each : all) each.get();
+    EXPECT_EQ(made, 50);
+}
+
+class LoadedTest : public testing::Test {
+protected:
+    LoadedTest() { test::write_box(directory, test::box(2, 2, 2)); }
+
+    test::Folder scratch;
+    fs::path directory = scratch / "box.ciel";
+};
+
+TEST_F(LoadedTest, ScalarsComponentsAndMagnitudes) {
+    LoadedDataset loaded(Dataset::open(directory), 1 << 20);
+    EXPECT_THAT(loaded.scalar("p", 0).field->values(), ElementsAreArray(test::values_of(27, 0)));
+    const auto u = loaded.dataset()->values("U", 2);
+    const auto y = loaded.scalar_values("U:y", 2), magnitude = loaded.scalar_values("U:magnitude", 2);
+    ASSERT_EQ(y->size(), 27U);
+    for (std::size_t i = 0; i < 27; ++i) {
+        EXPECT_EQ((*y)[i], u[3 * i + 1]);
+        EXPECT_FLOAT_EQ((*magnitude)[i], std::hypot(u[3 * i], u[3 * i + 1], u[3 * i + 2]));
+    }
+    EXPECT_THAT(loaded.scalar("U:magnitude", 2).field->values(), ElementsAreArray(*magnitude));
+    EXPECT_EQ(loaded.cell_values("cell:p", 0)->size(), loaded.dataset()->values("cell:p", 0).size());
+    EXPECT_THROW((void)loaded.cell_values("p", 0), Error);
+    EXPECT_THROW((void)loaded.scalar_values("cell:p", 0), Error);
+    EXPECT_THAT(loaded.scalar("U:magnitude", 2).field->range(), ElementsAre(magnitude->front(), magnitude->back()));
+}
+
+TEST_F(LoadedTest, OneTopologyAndOneFieldForAll) {
+    LoadedDataset loaded(Dataset::open(directory), 1 << 20);
+    const ScalarField a = loaded.scalar("p", 0), b = loaded.scalar("p", 0), c = loaded.scalar("p", 2);
+    EXPECT_EQ(a.field, b.field);
+    EXPECT_NE(a.field, c.field);
+    EXPECT_EQ(a.topology, c.topology);
+    EXPECT_EQ(a.topology->counts().cells, 8U);
+    EXPECT_GE(loaded.memory_bytes(), a.topology->memory_bytes());
+}
+
+TEST_F(LoadedTest, AFieldOutlivesItsDataset) {
+    ScalarField kept;
+    {
+        LoadedDataset loaded(Dataset::open(directory), 0);
+        kept = loaded.scalar("U:x", 1);
+    }
+    fs::remove_all(directory);
+    EXPECT_EQ(kept.field->values()[1], 1003);
+    EXPECT_EQ(kept.mesh.vertex_count(), 27U);
+}
+
+TEST_F(LoadedTest, PlanesAreDistances) {
+    LoadedDataset loaded(Dataset::open(directory), 1 << 20);
+    const ScalarField plane = loaded.plane(0, {1, 0, 0}, {1, 0, 0});
+    EXPECT_THAT(plane.field->range(), ElementsAre(-1, 1));
+    EXPECT_EQ(plane.field, loaded.plane(1, {1, 0, 0}, {1, 0, 0}).field) << "the same mesh at another time";
+    EXPECT_NE(plane.field, loaded.plane(0, {1, 0, 0}, {0, 1, 0}).field);
+}
+
+TEST_F(LoadedTest, WhatCannotBeContouredSaysWhy) {
+    LoadedDataset loaded(Dataset::open(directory), 1 << 20);
+    const auto error = [&](const char* name, std::size_t step) -> std::string {
+        try {
+            (void)loaded.scalar(name, step);
+        } catch (const Error& e) {
+            return e.what();
+        }
+        return "";
+    };
+    EXPECT_THAT(error("q", 0), HasSubstr("U:magnitude"));
+    EXPECT_THAT(error("cell:p", 0), HasSubstr("on cells"));
+    EXPECT_THAT(error("p", 1), HasSubstr("not written at time 0.5; it was at 0, 1"));
+    EXPECT_THAT(error("p", 9), HasSubstr("no step 9"));
+}
+
+TEST_F(LoadedTest, RefreshKeepsWhatIsThere) {
+    LoadedDataset loaded(Dataset::open(directory), 1 << 20);
+    const auto before = loaded.scalar("p", 0);
+    EXPECT_FALSE(loaded.refresh());
+    const auto p = test::values_of(27, 5);
+    Writer::append(directory).add_step(2, 0, 0, std::vector<ArrayValues>{{{"p", Association::point, 1, "Pa", ""}, p}});
+    EXPECT_TRUE(loaded.refresh());
+    EXPECT_EQ(loaded.scalar("p", 0).field, before.field);
+    EXPECT_THAT(loaded.scalar("p", 3).field->values(), ElementsAreArray(p));
+}
+
+TEST_F(LoadedTest, AFileTruncatedUnderAReaderIsNamedAndTheProcessLives) {
+    auto loaded = std::make_unique<LoadedDataset>(Dataset::open(directory), 1U << 20);
+    const auto dataset = loaded->dataset();
+    const auto before = dataset->values("p", 0);
+    EXPECT_NO_THROW(dataset->check_intact());
+    const fs::path chunk = directory / "meshes/0/arrays/p/0.0";
+    ASSERT_TRUE(fs::exists(chunk));
+    fs::resize_file(chunk, 0);
+    EXPECT_EQ(std::accumulate(before.begin(), before.end(), 0.0F), 0.0F);
+    try {
+        dataset->check_intact();
+        ADD_FAILURE() << "zeros taken for values";
+    } catch (const Error& error) {
+        EXPECT_THAT(error.what(), AllOf(HasSubstr(chunk.string()), HasSubstr("shrunk")));
+    }
+    EXPECT_THROW((void)loaded->scalar("p", 0), Error);
+    EXPECT_THROW((void)loaded->scalar_values("p", 0), Error);
+}
+
+class CatalogTest : public LoadedTest {
+protected:
+    static std::vector<std::string> names(const Catalog& catalog) {
+        std::vector<std::string> result;
+        for (const CatalogEntry& entry : catalog.list()) result.push_back(entry.name);
+        return result;
+    }
+};
+
+TEST_F(CatalogTest, NamesAreLookedUpAndNeverPaths) {
+    Catalog catalog({directory});
+    EXPECT_EQ(catalog.open("box")->dataset()->info().name, "box");
+    EXPECT_EQ(catalog.open("box"), catalog.open("box"));
+    for (const std::string& name :
+         std::vector<std::string>{"box.ciel", "../box", directory.string(), "", ".", "./box", "box/"})
+        EXPECT_THROW((void)catalog.open(name), Error) << name;
+    try {
+        (void)catalog.open("../../etc");
+        FAIL() << "a path was taken for a name";
+    } catch (const Error& error) {
+        EXPECT_THAT(error.what(), HasSubstr("there are: box"));
+    }
+}
+
+TEST_F(CatalogTest, AFolderIsScannedAgainAndDuplicatesAreNumbered) {
+    fs::create_directories(scratch / "folder");
+    test::write_box(scratch / "folder/box.ciel", test::box(1, 1, 1));
+    Catalog catalog({directory, scratch / "folder"});
+    EXPECT_THAT(names(catalog), ElementsAre("box", "box-2"));
+    EXPECT_EQ(catalog.open("box-2")->dataset()->info().meshes[0].cells, 1U);
+    test::write_box(scratch / "folder/new.ciel", test::box(1, 1, 1));
+    EXPECT_NO_THROW((void)catalog.open("new")) << "found without a list()";
+    EXPECT_THAT(names(catalog), ElementsAre("box", "box-2", "new"));
+    fs::remove_all(directory);
+    EXPECT_THAT(names(catalog), ElementsAre("box-2", "new")) << "names stay with their directories";
+}
+
+TEST_F(CatalogTest, AHiddenFolderIsOneThatIsStillBeingWritten) {
+    fs::create_directory(scratch / "folder");
+    test::write_box(scratch / "folder/box.ciel", test::box(1, 1, 1));
+    fs::rename(scratch / "folder/box.ciel", scratch / "folder/.half.ciel");
+    const Catalog catalog({scratch / "folder"});
+    EXPECT_THAT(names(catalog), ElementsAre());
+}
+
+TEST_F(CatalogTest, ADamagedOneIsListedWithItsProblem) {
+    test::write_box(scratch / "bad.ciel", test::box(1, 1, 1));
+    test::overwrite_file(scratch / "bad.ciel/steps.json", "{");
+    Catalog catalog({scratch.path()});
+    const auto entries = catalog.list();
+    ASSERT_EQ(entries.size(), 2U);
+    EXPECT_THAT(entries[0].problem, HasSubstr("steps.json"));
+    EXPECT_EQ(entries[1].problem, "");
+    EXPECT_THROW((void)catalog.open("bad"), Error);
+    fs::resize_file(directory / "meshes/0/owner/0", 8); // what list() does not look at, open() does
+    EXPECT_THROW((void)catalog.open("box"), Error);
+    EXPECT_THAT(catalog.list()[1].problem, HasSubstr("owner"));
+}
+
+TEST_F(CatalogTest, OneThatCouldNotBeMadeIsListedUntilItIs) {
+    Catalog catalog({directory});
+    catalog.add_failed(scratch / "cache/late.ciel", "late.vtu: is empty");
+    catalog.add_failed(directory, "box.vtu: is empty");
+    auto entries = catalog.list();
+    ASSERT_THAT(names(catalog), ElementsAre("box", "late"));
+    EXPECT_EQ(entries[0].problem, "box.vtu: is empty") << "the older one that stands there is not served";
+    EXPECT_EQ(entries[1].problem, "late.vtu: is empty");
+    EXPECT_THROW((void)catalog.open("box"), Error);
+    EXPECT_THROW((void)catalog.open("late"), Error);
+    fs::create_directory(scratch / "cache");
+    test::write_box(scratch / "cache/late.ciel", test::box(1, 1, 1));
+    EXPECT_EQ(catalog.list()[1].problem, "");
+    EXPECT_NO_THROW((void)catalog.open("late"));
+}
+
+TEST_F(CatalogTest, PathsThatAreNoDatasetsAreRefused) {
+    EXPECT_THROW(Catalog({scratch / "nothing"}), Error);
+    test::overwrite_file(scratch / "file.vtu", "<VTKFile>");
+    EXPECT_THROW(Catalog({scratch / "file.vtu"}), Error);
+}
+
+TEST_F(CatalogTest, ManyOpenersShareOne) {
+    Catalog catalog({directory});
+    std::vector<std::future<std::shared_ptr<LoadedDataset>>> all;
+    for (int t = 0; t < 8; ++t) all.push_back(std::async(std::launch::async, [&] { return catalog.open("box"); }));
+    const auto one = catalog.open("box");
+    for (auto& each : all) EXPECT_EQ(each.get(), one);
+}
+
+// The box three times: "a", "b" and "c".
+class GiveBackTest : public CatalogTest {
+protected:
+    GiveBackTest() {
+        fs::create_directory(scratch / "all");
+        for (const char* name : {"all/a.ciel", "all/b.ciel", "all/c.ciel"})
+            fs::copy(directory, scratch / name, fs::copy_options::recursive);
+    }
+    static std::size_t use(Catalog& catalog, const std::string& name) {
+        const auto loaded = catalog.open(name);
+        (void)loaded->scalar("p", 0);
+        return loaded->memory_bytes();
+    }
+    static constexpr std::size_t enough = 1 << 30;
+};
+
+TEST_F(GiveBackTest, WhatNobodyHasUsedSince) {
+    Catalog catalog({scratch / "all"}, enough);
+    use(catalog, "a");
+    const auto held = catalog.open("b");
+    EXPECT_EQ(catalog.give_back({}), 0U);
+    const auto later = Catalog::Clock::now();
+    use(catalog, "c");
+    EXPECT_EQ(catalog.give_back(later), 1U);
+    EXPECT_EQ(catalog.loaded().size(), 2U);
+    EXPECT_EQ(catalog.open("b"), held);
+    EXPECT_GT(use(catalog, "a"), 0U) << "it is opened anew";
+    EXPECT_EQ(catalog.give_back(Catalog::Clock::now() + std::chrono::hours(1)), 2U);
+    EXPECT_EQ(catalog.open("b"), held);
+}
+
+TEST_F(GiveBackTest, TheLongestUnusedWhenAllTogetherAreTooLarge) {
+    const std::size_t of_one = [&] {
+        Catalog catalog({scratch / "all"}, enough);
+        return use(catalog, "a");
+    }();
+    Catalog catalog({scratch / "all"}, enough, 2 * of_one);
+    for (const char* name : {"a", "b", "a", "c"}) use(catalog, name);
+    EXPECT_EQ(catalog.give_back({}), 1U);
+    const auto a = catalog.open("a");
+    EXPECT_GT(a->memory_bytes(), 0U) << "b was longer unused";
+    EXPECT_EQ(use(catalog, "b"), of_one);
+    EXPECT_EQ(catalog.give_back({}), 1U);
+    EXPECT_EQ(catalog.loaded().size(), 2U);
+    EXPECT_EQ(catalog.open("a"), a);
+}
+
+TEST_F(GiveBackTest, NeverTheLastOneUsedForItsSizeAlone) {
+    Catalog catalog({scratch / "all"}, enough, 1);
+    use(catalog, "a");
+    EXPECT_EQ(catalog.give_back({}), 0U);
+    use(catalog, "b");
+    EXPECT_EQ(catalog.give_back({}), 1U);
+    EXPECT_EQ(catalog.loaded().size(), 1U);
+}
+
+TEST_F(CatalogTest, WatchTellsOfStepsAndOfAReplacement) {
+    Catalog catalog({directory});
+    const auto loaded = catalog.open("box");
+    std::mutex mutex;
+    std::condition_variable changed;
+    std::vector<std::string> heard;
+    const auto handle = catalog.watch([&](const std::string& name) {
+        const std::lock_guard lock(mutex);
+        heard.push_back(name);
+        changed.notify_all();
+    });
+    const auto wait_for = [&](std::size_t count) {
+        std::unique_lock lock(mutex);
+        return changed.wait_for(lock, std::chrono::seconds(60), [&] { return heard.size() >= count; });
+    };
+    const auto p = test::values_of(27, 5);
+    Writer::append(directory).add_step(2, 0, 0, std::vector<ArrayValues>{{{"p", Association::point, 1, "Pa", ""}, p}});
+    ASSERT_TRUE(wait_for(1));
+    EXPECT_EQ(loaded->dataset()->steps().size(), 4U);
+    {
+        Writer writer(directory, {}, true);
+        writer.add_mesh(test::box(3, 1, 1), test::identity(16), test::identity(3), {});
+        writer.finish();
+    }
+    ASSERT_TRUE(wait_for(2));
+    EXPECT_EQ(loaded->dataset()->info().meshes[0].cells, 8U) << "who has the old one open keeps it";
+    EXPECT_EQ(catalog.open("box")->dataset()->info().meshes[0].cells, 3U);
+    const std::lock_guard lock(mutex);
+    EXPECT_THAT(heard, ElementsAre("box", "box"));
+}
+
+} // namespace
+} // namespace ciel::store
