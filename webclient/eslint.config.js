@@ -14,6 +14,23 @@ export default tseslint.config(
       "@typescript-eslint/no-confusing-void-expression": ["error", { ignoreArrowShorthand: true }],
     },
   },
+  ...["model", "server", "view", "commands", "panels"].map((folder, level, folders) => ({
+    // One direction: a folder imports those before it. Panels get the model and the commands, and nothing else.
+    files: [`webclient/src/${folder}/**`],
+    rules: {
+      "no-restricted-imports": [
+        "error",
+        {
+          patterns: [
+            {
+              regex: `^(\\.\\./)+(${[...folders.slice(level + 1), ...(folder === "panels" ? ["server", "view"] : []), "main"].join("|")})(/|$)`,
+              message: "The folders of src/ import those before them only: model, server, view, commands, panels.",
+            },
+          ],
+        },
+      ],
+    },
+  })),
   {
     files: ["**/*.test.ts"],
     rules: {

@@ -23,7 +23,7 @@ describe("the arrangement of layers and legends", { skip }, () => {
     return { dataset: nameOf(data[0] ?? ""), array };
   }
 
-  /** Three slices of one array, each with colours of its own, and all that can be written. */
+  /** Three slices of one array, each with colors of its own, and all that can be written. */
   async function crowded(width: number, height: number): Promise<Client> {
     const first = await stage.fresh();
     const { dataset, array } = await scene(first);

@@ -83,7 +83,7 @@ describe("values of cells", { skip }, () => {
     const client = await open("p");
     const smooth = await greys(client);
     assert.ok((smooth[1] ?? 0) - (smooth[0] ?? 0) > 40, "values at points change within a cell");
-    await client.page.getByLabel("Colour by", { exact: true }).first().selectOption("cell:q");
+    await client.page.getByLabel("Color by", { exact: true }).first().selectOption("cell:q");
     await client.settled();
     const flat = await greys(client);
     assert.ok(Math.abs((flat[1] ?? 0) - (flat[0] ?? 0)) <= 2);

@@ -90,7 +90,7 @@ describe("defaults", { skip }, () => {
     await rpc("scene.patch", { patch: { layers: { iso: { color: { map: "magma", range: [1, 9] } } } } });
     await client.settled();
     const card = await sliceCard();
-    await card.getByLabel("Colour by").selectOption("U:magnitude");
+    await card.getByLabel("Color by").selectOption("U:magnitude");
     assert.deepEqual((await layers()).slice?.color, { array: "U:magnitude", map: "magma", range: [1, 9] });
     assert.equal(await client.page.locator(".legend").count(), 1);
     await undo();
@@ -98,7 +98,7 @@ describe("defaults", { skip }, () => {
   });
 
   test("a legend's name is one line with its units in brackets, as in a picture; its range says of what it is", async () => {
-    const legend = client.page.getByLabel("Colours of U:magnitude");
+    const legend = client.page.getByLabel("Colors of U:magnitude");
     const title = legend.locator(".legend-title");
     assert.equal(await title.textContent(), "U:magnitude [R/T]");
     const { height, line } = await title.evaluate((element) => ({
@@ -126,12 +126,12 @@ describe("defaults", { skip }, () => {
 
   test("a range of most values leaves single points out", async () => {
     const card = await sliceCard();
-    await card.getByRole("button", { name: /^Colour scale of/ }).click();
+    await card.getByRole("button", { name: /^Color scale of/ }).click();
     client.patches.length = 0;
     await card.getByRole("button", { name: "1–99 %" }).click();
     await client.patched();
     const [low, high] = (await layers()).slice?.color?.range ?? [NaN, NaN];
-    const legend = client.page.getByLabel("Colours of vorticity");
+    const legend = client.page.getByLabel("Colors of vorticity");
     assert.equal(await legend.locator(".range-of").textContent(), "held");
     assert.ok(low > -49.3 && low < 0 && high < 49.3 && high > 0, `${low} to ${high}`);
     await client.keep("percentiles");

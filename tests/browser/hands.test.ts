@@ -182,7 +182,7 @@ describe("hands", { skip }, () => {
     assert.deepEqual(await on(), state);
   });
 
-  test("the range of the colours: held over time, symmetric, the data's again", async () => {
+  test("the range of the colors: held over time, symmetric, the data's again", async () => {
     const legend = client.page.locator(".legend").first();
     const ends = async (): Promise<string[]> => [
       await legend.getByLabel(/^Lowest/).inputValue(),

@@ -133,7 +133,7 @@ describe("nothing", { skip }, () => {
     const layers = { slice: { type: "slice", axis: "z", value: 0.5, color: { array: "c" } } };
     const client = await stage.open(cube.address + fragmentOf({ dataset: "cube", layers }));
     await client.settled();
-    const legend = client.page.getByLabel("Colours of c");
+    const legend = client.page.getByLabel("Colors of c");
     await legend.getByText("everywhere").waitFor();
     assert.equal((await legend.locator(".legend-scale").textContent())?.trim(), "3everywhere");
     await client.keep("one-value");
@@ -175,7 +175,7 @@ describe("nothing", { skip }, () => {
     const surface = { type: "surface", color, threshold: { array: "x", range: [5, 6], enabled: false } };
     const client = await stage.open(cube.address + fragmentOf({ dataset: "cube", layers: { surface } }));
     await client.settled();
-    const legend = client.page.getByLabel("Colours of x");
+    const legend = client.page.getByLabel("Colors of x");
     const notice = client.page.locator(".lacking");
     await client.page.getByRole("button", { name: "Layers", exact: true }).click();
     const row = client.page.locator("[data-layer=surface]");

@@ -36,23 +36,23 @@ describe("parts of layers", { skip }, () => {
   const legends = (client: Client): Promise<string[]> =>
     client.page.locator(".legend").evaluateAll((all) => all.map((one) => one.getAttribute("aria-label") ?? ""));
 
-  test("contour lines in the colours of their values have a legend, a scale and a range of their own", async () => {
+  test("contour lines in the colors of their values have a legend, a scale and a range of their own", async () => {
     const client = await opened({
       a: { ...slice, axis: "z", value: 2.4, contours: { array: "vorticity", width: 3 } },
     });
-    assert.deepEqual(await legends(client), ["Colours of U:magnitude"]);
+    assert.deepEqual(await legends(client), ["Colors of U:magnitude"]);
     const plain = await client.picture();
-    await client.page.getByLabel("Lines in the colours of their values").check();
+    await client.page.getByLabel("Lines in the colors of their values").check();
     await client.settled();
-    assert.deepEqual(await legends(client), ["Colours of U:magnitude", "Colours of vorticity"]);
-    assert.ok(difference(plain, await client.picture()) > 0.001, "lines of other colours");
-    await client.button("Colour scale of the lines of vorticity").click();
+    assert.deepEqual(await legends(client), ["Colors of U:magnitude", "Colors of vorticity"]);
+    assert.ok(difference(plain, await client.picture()) > 0.001, "lines of other colors");
+    await client.button("Color scale of the lines of vorticity").click();
     await client.button("In view").click();
     await client.patched(2);
     await client.settled();
     const { a } = await layers(client);
     const [low, high] = a?.contours?.coloring?.range ?? [];
-    const highest = Number(await client.page.getByLabel("Highest value of the U:magnitude colours").inputValue());
+    const highest = Number(await client.page.getByLabel("Highest value of the U:magnitude colors").inputValue());
     assert.ok(low !== undefined && high !== undefined && low < high);
     assert.notEqual(high.toFixed(1), highest.toFixed(1), "of the lines, not of the slice");
     await client.keep("contours_scale");
@@ -87,32 +87,32 @@ describe("parts of layers", { skip }, () => {
     await client.close();
   });
 
-  test("a volume whose colours name their array can be of another one", async () => {
+  test("a volume whose colors name their array can be of another one", async () => {
     const client = await opened({
       v: { type: "volume", array: "vorticity", slices: 20, color: { array: "vorticity", map: "vik" } },
     });
     await client.page.getByLabel("Array of the volume").selectOption("U:magnitude");
     await client.settled();
     assert.equal(await client.page.locator(".toast").count(), 0);
-    assert.deepEqual(await legends(client), ["Colours of U:magnitude"]);
+    assert.deepEqual(await legends(client), ["Colors of U:magnitude"]);
     await client.close();
   });
 
-  test("colours of one's own stand where they are seen, also the other way round", async () => {
+  test("colors of one's own stand where they are seen, also the other way round", async () => {
     const points = ["#ff0000", "#00ff00", "#0000ff"].map((color, i) => ({ at: i / 2, color }));
     const client = await opened({
       a: { ...slice, axis: "z", value: 2.4, color: { array: "vorticity", range: [-1, 1], reverse: true, points } },
     });
-    await client.button("Colour scale of vorticity").click();
+    await client.button("Color scale of vorticity").click();
     const value = (index: number): Promise<string> =>
-      client.page.getByLabel(`Value of colour ${index}`, { exact: true }).inputValue();
+      client.page.getByLabel(`Value of color ${index}`, { exact: true }).inputValue();
     assert.deepEqual([await value(1), await value(3)], ["1", "\u22121"], "red is that of the highest values");
-    await client.page.getByLabel("Place of colour 2").focus();
+    await client.page.getByLabel("Place of color 2").focus();
     await client.page.keyboard.press("PageUp");
     await client.settled();
     assert.equal(await value(2), "0.2", "up is towards the high values");
-    await type(client, "Value of colour 2", "-0.5");
-    assert.equal(await client.page.getByLabel("Place of colour 2").getAttribute("aria-valuenow"), "25");
+    await type(client, "Value of color 2", "-0.5");
+    assert.equal(await client.page.getByLabel("Place of color 2").getAttribute("aria-valuenow"), "25");
     assert.deepEqual(await layers(client), {
       a: {
         ...slice,
@@ -147,10 +147,10 @@ describe("parts of layers", { skip }, () => {
     await client.close();
   });
 
-  test("the outline in another colour, and fewer points", async () => {
+  test("the outline in another color, and fewer points", async () => {
     const client = await opened({ outline: { type: "outline" }, points: { type: "points" } });
     const before = await client.picture();
-    await client.page.getByLabel("Colour of the outline").fill("#ff0000");
+    await client.page.getByLabel("Color of the outline").fill("#ff0000");
     await client.settled();
     const red = await client.picture();
     assert.ok(difference(before, red) > 0.0005);

@@ -56,7 +56,7 @@ describe("patches", { skip }, () => {
     const client = await open();
     const box = await list(client).boundingBox();
     assert.ok((box?.height ?? Infinity) <= 240, `${box?.height} pixels`);
-    const looks = await section(client).getByLabel("Colour by").boundingBox();
+    const looks = await section(client).getByLabel("Color by").boundingBox();
     assert.ok((looks?.y ?? Infinity) < (box?.y ?? 0), "the looks are above the list");
     assert.deepEqual(await list(client).locator(".check span").allTextContents(), [
       "inlet",

@@ -1,4 +1,4 @@
-// Slices as a hand has them: several across one axis and free ones, each with a plane, colours and lines of its own.
+// Slices as a hand has them: several across one axis and free ones, each with a plane, colors and lines of its own.
 import assert from "node:assert/strict";
 import { describe, test } from "node:test";
 import type { Locator } from "./chromium.ts";
@@ -94,13 +94,13 @@ describe("slices", { skip }, () => {
     await done(client);
   });
 
-  test("two across one axis have colours, contour lines, edges and opacity each for itself", async () => {
+  test("two across one axis have colors, contour lines, edges and opacity each for itself", async () => {
     const client = await opened({ a: at("x", 2), b: at("x", 8) });
     const plain = await client.picture();
     const a = card(client, "Slice at x = 2");
     const b = card(client, "Slice at x = 8");
     await unfold(b);
-    await b.getByLabel("Colour by").selectOption("U:magnitude");
+    await b.getByLabel("Color by").selectOption("U:magnitude");
     await b.getByLabel("Map").selectOption("magma");
     await b.getByLabel("Contour lines").check();
     await b.getByLabel("Lines of", { exact: true }).selectOption("vorticity");
@@ -113,8 +113,8 @@ describe("slices", { skip }, () => {
     assert.deepEqual(first.b?.color, { array: "U:magnitude", map: "magma" });
     assert.deepEqual([first.b.contours?.array, first.b.contours?.count], ["vorticity", 4]);
     assert.deepEqual([first.b.edges?.visible, first.b.opacity], [true, 0.5]);
-    assert.equal(await client.page.getByLabel("Colours of tracer").count(), 1);
-    assert.equal(await client.page.getByLabel("Colours of U:magnitude").count(), 1);
+    assert.equal(await client.page.getByLabel("Colors of tracer").count(), 1);
+    assert.equal(await client.page.getByLabel("Colors of U:magnitude").count(), 1);
     assert.ok(difference(plain, await client.picture()) > 0.01);
     await a.getByLabel("Contour lines").check();
     const second = await slices(client);
@@ -215,8 +215,8 @@ describe("slices", { skip }, () => {
     await rpc(client, "scene.patch", { patch: { layers: { b: at("x", 8, { order: -1 }) } } });
     await card(client, "Slice at x = 8").waitFor();
     await client.settled();
-    assert.ok(await card(client, "Slice at x = 2").getByLabel("Colour by").isVisible());
-    assert.equal(await card(client, "Slice at x = 8").getByLabel("Colour by").count(), 0);
+    assert.ok(await card(client, "Slice at x = 2").getByLabel("Color by").isVisible());
+    assert.equal(await card(client, "Slice at x = 8").getByLabel("Color by").count(), 0);
     await done(client);
   });
 

@@ -9,8 +9,8 @@ try {
   const client = await Client.open(browser, address, { width: 1280, height: 720, selfSigned: true });
   await client.settled();
   await client.connected();
-  const coloured = share(decodePng(await client.page.screenshot({ path })), (color) => hue(color) !== null);
-  if (coloured < 0.05) throw new Error(`only ${(100 * coloured).toFixed(1)} % of the page has a colour: no surface`);
+  const colored = share(decodePng(await client.page.screenshot({ path })), (color) => hue(color) !== null);
+  if (colored < 0.05) throw new Error(`only ${(100 * colored).toFixed(1)} % of the page has a color: no surface`);
   if (client.problems.length > 0) throw new Error(client.problems.join("; "));
 } finally {
   await browser.close();

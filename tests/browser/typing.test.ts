@@ -23,7 +23,7 @@ describe("typing", { skip }, () => {
   let client: Client;
   before(async () => {
     client = await stage.fresh({ width: 1280, height: 900 }, fragmentOf(scene));
-    await client.button("Colour scale of U:magnitude").click();
+    await client.button("Color scale of U:magnitude").click();
   });
 
   const field = (name: string): ReturnType<Client["page"]["getByLabel"]> =>
@@ -37,9 +37,9 @@ describe("typing", { skip }, () => {
     client.page.getByLabel(name, { exact: true });
 
   for (const [what, from, to] of [
-    ["colours", "Range from", "Range to"],
+    ["colors", "Range from", "Range to"],
     ["contour lines", "Contour lines from", "Contour lines to"],
-    ["the legend", "Lowest value of the U:magnitude colours", "Highest value of the U:magnitude colours"],
+    ["the legend", "Lowest value of the U:magnitude colors", "Highest value of the U:magnitude colors"],
   ] as const)
     test(`an end of the range of ${what} pushes the other before it`, async () => {
       await type(to, "4.98");
@@ -123,21 +123,21 @@ describe("typing", { skip }, () => {
     await type("Number of slices", "20");
   });
 
-  test("a point of one's own colours stays between its neighbours, which is said", async () => {
-    await check("Colours of my own").first().check();
-    const before = await values("Value of colour 1", "Value of colour 2");
-    await type("Value of colour 1", String(Number(before[1]) + 1));
-    await client.toast(/^Value of colour 1 goes from .* became/).waitFor();
-    assert.deepEqual(await values("Value of colour 1"), [before[1]]);
-    await check("Colours of my own").first().uncheck();
+  test("a point of one's own colors stays between its neighbours, which is said", async () => {
+    await check("Colors of my own").first().check();
+    const before = await values("Value of color 1", "Value of color 2");
+    await type("Value of color 1", String(Number(before[1]) + 1));
+    await client.toast(/^Value of color 1 goes from .* became/).waitFor();
+    assert.deepEqual(await values("Value of color 1"), [before[1]]);
+    await check("Colors of my own").first().uncheck();
   });
 
   test("a logarithm over values below zero says what becomes of them", async () => {
     const hint = client.page.getByText(
-      /^U:x goes down to \u2212\d.*: what is not above zero has the colour of the lower end/,
+      /^U:x goes down to \u2212\d.*: what is not above zero has the color of the lower end/,
     );
     const section = client.page.locator(".section").filter({ has: client.button("Slices", true) });
-    await section.getByLabel("Colour by").selectOption("U:x");
+    await section.getByLabel("Color by").selectOption("U:x");
     await check("Logarithmic").first().check();
     await hint.waitFor();
     await check("Logarithmic").first().uncheck();

@@ -7,10 +7,10 @@ import { difference, distance, find, hue, share, type Color, type Picture } from
 import { nameOf } from "./server.ts";
 import { data, skip, Stage } from "./stage.ts";
 
-/** Background differs from row to row only; its colour stands at the left edge of every row. */
+/** Background differs from row to row only; its color stands at the left edge of every row. */
 const foreground = (picture: Picture): number =>
   share(picture, (color, _x, y) => distance(color, picture.at(1, y)) > 10);
-const isColoured = (color: Color): boolean => hue(color) !== null;
+const isColored = (color: Color): boolean => hue(color) !== null;
 
 describe("view", { skip }, () => {
   const stage = new Stage({ width: 1280, height: 720 }, { large: true }); // polygons in many batches and pieces
@@ -25,7 +25,7 @@ describe("view", { skip }, () => {
     const part = foreground(picture);
     assert.ok(part > 0.02 && part < 0.9, `${part} of the picture is not background`);
     assert.ok(distance(picture.at(4, 4), [26, 31, 41]) < 12, `the top left is ${picture.at(4, 4).join()}`);
-    assert.ok(share(picture, isColoured) > 0.01, "no colour of a map is seen");
+    assert.ok(share(picture, isColored) > 0.01, "no color of a map is seen");
   });
 
   test("a drag over the canvas turns the view and is one step of undo", async () => {
@@ -168,14 +168,14 @@ describe("view", { skip }, () => {
     assert.ok(difference(before, await client.picture()) < 0.005);
   });
 
-  test("another colour map changes hues, not the silhouette", async () => {
+  test("another color map changes hues, not the silhouette", async () => {
     const before = await client.picture();
     const map = client.page.getByLabel("Map", { exact: true }).first();
     const old = await map.inputValue();
     await map.selectOption("grayscale");
     await client.settled();
     const grey = await client.picture();
-    assert.ok(share(grey, isColoured) < share(before, isColoured) / 2, "grey takes the hues away");
+    assert.ok(share(grey, isColored) < share(before, isColored) / 2, "grey takes the hues away");
     assert.ok(Math.abs(foreground(grey) - foreground(before)) < 0.03);
     await map.selectOption(old);
     await client.settled();
@@ -222,7 +222,7 @@ describe("view", { skip }, () => {
     const picture = await client.picture();
     const [x, y] = find(
       picture,
-      (color, px, py) => isColoured(color) && px > picture.width * 0.4 && py > picture.height * 0.4,
+      (color, px, py) => isColored(color) && px > picture.width * 0.4 && py > picture.height * 0.4,
     );
     await client.canvas.click({ position: { x: x + 2, y: y + 2 } });
     const card = client.page.getByLabel("Values at the clicked point");

@@ -166,7 +166,7 @@ describe("writing", { skip }, () => {
     assert.equal(await client.page.getByText("None of the surfaces").count(), 0);
     const plain = await client.picture();
     const volume = client.page.getByRole("article", { name: /^Volume of/ });
-    await volume.getByRole("button", { name: /^Colour scale of/ }).click();
+    await volume.getByRole("button", { name: /^Color scale of/ }).click();
     await volume.getByRole("checkbox", { name: "Reverse" }).check();
     await client.settled();
     assert.ok(difference(plain, await client.picture()) > 0.01);

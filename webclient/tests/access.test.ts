@@ -1,5 +1,5 @@
 import { describe, expect, test } from "vitest";
-import { askRefusal, offerToken, tokenIn, type Fetch } from "../src/session/access";
+import { askRefusal, offerToken, tokenIn, type Fetch } from "../src/server/access";
 
 const BASE = "https://example.org/some/where/";
 

@@ -1,7 +1,7 @@
 import { describe, expect, test } from "vitest";
-import { complete, project, type Bounds } from "../src/camera/camera";
+import { complete, project, type Bounds } from "../src/model/camera";
 import type { Camera, Layer, Scene } from "../src/generated/protocol";
-import { ahead, planeOutline } from "../src/scene/ahead";
+import { ahead, planeOutline } from "../src/model/ahead";
 
 const bounds: Bounds = [0, 2, 0, 2, 0, 2];
 const size = { width: 400, height: 300 };

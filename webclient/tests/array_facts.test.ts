@@ -1,7 +1,7 @@
 import { expect, test } from "vitest";
 import type { ArrayInfo } from "../src/generated/protocol";
-import { arrayFacts } from "../src/scene/array_facts";
-import { cellsText, extremesText } from "../src/scene/cell_extremes";
+import { arrayFacts } from "../src/model/array_facts";
+import { cellsText, extremesText } from "../src/model/cell_extremes";
 
 const array: ArrayInfo = {
   name: "p",

@@ -1,8 +1,8 @@
 import { describe, expect, test } from "vitest";
-import { complete, project, type Bounds, type FullCamera } from "../src/camera/camera";
-import type { Vec3 } from "../src/camera/vector";
-import { overlaps } from "../src/display/overlay_room";
-import { boxAxes, boxOf, keptClear, numberPlace, placeNames, type BoxAxis } from "../src/scene/box_axes";
+import { complete, project, type Bounds, type FullCamera } from "../src/model/camera";
+import type { Vec3 } from "../src/model/vector";
+import { overlaps } from "../src/model/overlay_room";
+import { boxAxes, boxOf, keptClear, numberPlace, placeNames, type BoxAxis } from "../src/model/box_axes";
 
 const size = { width: 800, height: 600 };
 const bounds: Bounds = [-1, 1, -1, 1, -1, 1];

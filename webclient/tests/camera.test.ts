@@ -22,10 +22,10 @@ import {
   zoom,
   type Bounds,
   type FullCamera,
-} from "../src/camera/camera";
-import { dragOf, wheelFactor } from "../src/camera/gestures";
-import { depthRange, projectionMatrix, viewMatrix } from "../src/camera/matrices";
-import { add, dot, length, multiply, scale, subtract, type Vec3 } from "../src/camera/vector";
+} from "../src/model/camera";
+import { dragOf, wheelFactor } from "../src/view/gestures";
+import { depthRange, projectionMatrix, viewMatrix } from "../src/view/matrices";
+import { add, dot, length, multiply, scale, subtract, type Vec3 } from "../src/model/vector";
 
 const size = { width: 800, height: 500 };
 const bounds: Bounds = [10, 14, -3, 5, 100, 101];

@@ -1,6 +1,6 @@
 import { describe, expect, test } from "vitest";
-import { chooseStream, type StreamFacts } from "../src/session/choose_stream";
-import { DrawPace } from "../src/session/draw_pace";
+import { chooseStream, type StreamFacts } from "../src/server/choose_stream";
+import { DrawPace } from "../src/server/draw_pace";
 
 const MBIT = 1e6 / 8;
 

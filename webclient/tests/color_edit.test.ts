@@ -1,5 +1,5 @@
 import { describe, expect, test } from "vitest";
-import { colorOf, hexOf } from "../src/display/color_scale";
+import { colorOf, hexOf } from "../src/model/color_scale";
 import type { ColorPoint } from "../src/generated/protocol";
 import {
   addedPoint,
@@ -11,10 +11,10 @@ import {
   withRangeEnd,
   withSymmetric,
   type ColoringChange,
-} from "../src/scene/color_edit";
-import { scaleOf } from "../src/scene/color_range";
+} from "../src/model/color_edit";
+import { scaleOf } from "../src/model/color_range";
 
-describe("a hand on the colouring", () => {
+describe("a hand on the coloring", () => {
   test.each<[string, ColoringChange | string, ColoringChange | string]>([
     ["log takes symmetric away", withLog({ symmetric: true }, true), { log: true, symmetric: undefined }],
     ["log keeps a range above zero", withLog({ range: [1, 2] }, true), { log: true, symmetric: undefined }],

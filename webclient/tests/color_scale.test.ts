@@ -1,10 +1,10 @@
 import { describe, expect, test } from "vitest";
 import cases from "../../tests/support/color_cases.json";
-import { colorOf, colorRow, hexOf } from "../src/display/color_scale";
+import { colorOf, colorRow, hexOf } from "../src/model/color_scale";
 import type { Coloring, Range } from "../src/generated/protocol";
-import { scaleUniforms } from "../src/display/scale_textures";
-import { isShownBy, scaleOf } from "../src/scene/color_range";
-import { colorTicks, labelOn } from "../src/scene/color_ticks";
+import { scaleUniforms } from "../src/view/scale_textures";
+import { isShownBy, scaleOf } from "../src/model/color_range";
+import { colorTicks, labelOn } from "../src/model/color_ticks";
 
 interface Case {
   name: string;
@@ -15,7 +15,7 @@ interface Case {
   ticks?: [number, number, string][];
 }
 
-describe("the colour scale", () => {
+describe("the color scale", () => {
   test.each([
     [-1e308, 1e308],
     [-3.4e38, 3.4e38],
@@ -68,7 +68,7 @@ describe("the colour scale", () => {
     expect([...ends, ...colorTicks(scale).map(({ label }) => label)]).toEqual(labels);
   });
 
-  test("a row has a colour for each step, or as many as are asked for", () => {
+  test("a row has a color for each step, or as many as are asked for", () => {
     expect(colorRow(scaleOf({ steps: 7 }, [0, 1]), 256)).toHaveLength(7);
     expect(colorRow(scaleOf({}, [0, 1]), 256)).toHaveLength(256);
   });

@@ -1,6 +1,7 @@
 import { beforeEach, describe, expect, test } from "vitest";
-import { Connection, HEARTBEAT_MS, LAST_RETRY_MS, retryDelay, type ConnectionState } from "../src/protocol/connection";
-import { Disconnected, Rpc, RpcError } from "../src/protocol/rpc";
+import { Connection, HEARTBEAT_MS, LAST_RETRY_MS, retryDelay } from "../src/server/connection";
+import type { ConnectionState } from "../src/model/state";
+import { Disconnected, Rpc, RpcError } from "../src/server/rpc";
 import { FakeClock, FakeNetwork, settled } from "./fake_socket";
 
 const noPost = (): Promise<string> => Promise.reject(new Error("nothing goes by POST here"));

@@ -1,6 +1,6 @@
 import { describe, expect, test } from "vitest";
-import { applyPatch } from "../src/protocol/merge_patch";
-import { evenValues, mapBeside, ofArray } from "../src/scene/contours";
+import { applyPatch } from "../src/model/merge_patch";
+import { evenValues, mapBeside, ofArray } from "../src/model/contours";
 
 describe("contour lines", () => {
   test("values to begin with are those that even ones had", () => {
@@ -15,7 +15,7 @@ describe("contour lines", () => {
     ).toEqual(["viridis", "viridis", "inferno", "inferno", "viridis"]);
   });
 
-  test("another array has other values, and what colours the lines follows it", () => {
+  test("another array has other values, and what colors the lines follows it", () => {
     const lines = { array: "p", values: [1], coloring: { array: "p", map: "vik", range: [0, 1] as [number, number] } };
     expect(applyPatch(lines, ofArray(lines, "q") as never)).toEqual({ array: "q", coloring: { map: "vik" } });
     expect(applyPatch({ array: "p", count: 3 }, ofArray({ array: "p" }, "q") as never)).toEqual({

@@ -1,6 +1,6 @@
 import { expect, test } from "vitest";
 import type { DatasetDescription } from "../src/generated/protocol";
-import { datasetFacts } from "../src/scene/dataset_facts";
+import { datasetFacts } from "../src/model/dataset_facts";
 
 test("cells, steps, arrays and size, with the right plurals", () => {
   const mesh = { cells: { hexahedra: 350_000, polyhedra: 3 } };

@@ -1,8 +1,8 @@
 import { describe, expect, test } from "vitest";
-import { GeometryDecoder, type GeometryBatch } from "../src/decoders/geometry";
-import { pictureOf } from "../src/decoders/image";
-import { lineEnds } from "../src/display/lines";
-import { decodeHeader } from "../src/protocol/frame_header";
+import { GeometryDecoder, type GeometryBatch } from "../src/server/geometry";
+import { pictureOf } from "../src/server/image";
+import { lineEnds } from "../src/view/lines";
+import { decodeHeader } from "../src/server/frame_header";
 import { frameBytes, geometryPayload, PNG_SIGNATURE } from "./frames";
 import { sequenceStream, triangleStream, vertexStream } from "./geometry_frames";
 

@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import { answerToDrop } from "../src/app/dropped";
+import { answerToDrop } from "../src/commands/dropped";
 
 test("a dropped file is answered with what to do", () => {
   expect(answerToDrop("wing.vtu")).toContain("ciel import wing.vtu -o wing.ciel");

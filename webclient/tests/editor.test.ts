@@ -1,7 +1,7 @@
 import { beforeEach, describe, expect, test } from "vitest";
 import type { Layer, Revision, Scene } from "../src/generated/protocol";
-import { Disconnected, RpcError } from "../src/protocol/rpc";
-import { SceneEditor } from "../src/scene/editor";
+import { Disconnected, RpcError } from "../src/server/rpc";
+import { SceneEditor } from "../src/server/editor";
 import { settled } from "./fake_socket";
 import { state } from "./session_state";
 

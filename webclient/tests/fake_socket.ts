@@ -1,5 +1,5 @@
 // A socket and a clock that a test holds in its hand.
-import type { Clock, SocketLike } from "../src/protocol/connection";
+import type { Clock, SocketLike } from "../src/server/connection";
 
 export class FakeSocket implements SocketLike {
   binaryType = "";

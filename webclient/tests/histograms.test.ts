@@ -1,7 +1,8 @@
+import { effect } from "@preact/signals";
 import { beforeEach, describe, expect, test } from "vitest";
-import { Histograms } from "../src/app/histograms";
-import type { Histogram } from "../src/app/state";
-import { RpcError } from "../src/protocol/rpc";
+import { Histograms } from "../src/server/histograms";
+import type { Histogram } from "../src/model/state";
+import { RpcError } from "../src/server/rpc";
 import { settled } from "./fake_socket";
 
 interface Asked {
@@ -14,16 +15,14 @@ const histogram: Histogram = { range: [0, 1], counts: [1], invalid: 0 };
 
 let asked: Asked[] = [];
 let waiting: { callback: () => void; milliseconds: number }[] = [];
-let arrivals = 0;
 let histograms: Histograms;
 const arrays = (): string[] => asked.map(({ array }) => array);
 const runLater = (): void => waiting.splice(0).forEach(({ callback }) => callback());
 
 beforeEach(() => {
-  [asked, waiting, arrivals] = [[], [], 0];
+  [asked, waiting] = [[], []];
   histograms = new Histograms(
     (_dataset, array) => new Promise((answer, refuse) => asked.push({ array, answer, refuse })),
-    () => void (arrivals += 1),
     (callback, milliseconds) => void waiting.push({ callback, milliseconds }),
   );
 });
@@ -38,9 +37,24 @@ describe("histograms", () => {
     expect(arrays()).toEqual(["p"]);
     asked[0]?.answer(histogram);
     await settled();
-    expect(arrivals).toBe(1);
     expect(histograms.get("d", "p", 0)).toBe(histogram);
     expect(waiting.length).toBe(0);
+  });
+
+  test("who has read one is run again when it arrives, and by no other", async () => {
+    const seen: (Histogram | null)[] = [];
+    const end = effect(() => void seen.push(histograms.get("d", "p", 0)));
+    histograms.get("d", "q", 0);
+    runLater();
+    asked[1]?.answer({ ...histogram, counts: [2] });
+    await settled();
+    expect(seen).toEqual([null]);
+    asked[0]?.answer(histogram);
+    await settled();
+    expect(seen).toEqual([null, histogram]);
+    histograms.clear();
+    expect(seen).toEqual([null, histogram, null]);
+    end();
   });
 
   test("two at a time are asked for", async () => {

@@ -1,5 +1,5 @@
 import { describe, expect, test } from "vitest";
-import { Latency } from "../src/session/latency";
+import { Latency } from "../src/server/latency";
 
 describe("latency", () => {
   test("from the hand's move to its picture", () => {

@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import { LayerCount, MOST_LAYERS, MOST_MOVING_LAYERS } from "../src/display/layer_count";
+import { LayerCount, MOST_LAYERS, MOST_MOVING_LAYERS } from "../src/view/layer_count";
 
 const layers = (filled: number, asked: number): boolean[] => Array.from({ length: asked }, (_, i) => i < filled);
 

@@ -1,6 +1,6 @@
 import { describe, expect, test } from "vitest";
 import type { Layer } from "../src/generated/protocol";
-import { layerName, layerNames } from "../src/scene/layer_names";
+import { layerName, layerNames } from "../src/model/layer_names";
 
 describe("what a layer is called", () => {
   test.each<[Layer, string]>([

@@ -1,7 +1,7 @@
 import { describe, expect, test } from "vitest";
 import type { Layer, Scene } from "../src/generated/protocol";
-import { applyPatch, type Json } from "../src/protocol/merge_patch";
-import { layersInOrder, movedTo } from "../src/scene/layer_order";
+import { applyPatch, type Json } from "../src/model/merge_patch";
+import { layersInOrder, movedTo } from "../src/model/layer_order";
 
 const outline = (order?: number): Layer => ({ type: "outline", ...(order !== undefined && { order }) });
 const scene: Scene = { dataset: "d", layers: { c: outline(), b: outline(), a: outline(7), d: outline(-1) } };

@@ -1,7 +1,7 @@
 import { describe, expect, test } from "vitest";
 import cases from "../../tests/support/legend_cases.json";
 import type { ArrayInfo, Layer } from "../src/generated/protocol";
-import { legendsOf } from "../src/scene/scalars";
+import { legendsOf } from "../src/model/scalars";
 
 describe("legends, as the server writes them", () => {
   for (const { what, layers, legends } of cases.cases)

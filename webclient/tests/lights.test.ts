@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import { lightsOf } from "../src/display/lights";
+import { lightsOf } from "../src/model/lights";
 
 test("a scene without lighting has all lights at their full strength", () => {
   expect(lightsOf(undefined)).toEqual({ on: true, strengths: [1, 1, 1] });

@@ -1,6 +1,6 @@
 import { describe, expect, test } from "vitest";
-import { decodeHeader } from "../src/protocol/frame_header";
-import { LineRate } from "../src/session/line_rate";
+import { decodeHeader } from "../src/server/frame_header";
+import { LineRate } from "../src/server/line_rate";
 import { frameBytes } from "./frames";
 
 const FIRST = 4;

@@ -1,6 +1,6 @@
 import { describe, expect, test } from "vitest";
 import type { Scene } from "../src/generated/protocol";
-import { decodeScene, decodeSession, encodeScene, encodeSession, fromBase64, toBase64Url } from "../src/scene/link";
+import { decodeScene, decodeSession, encodeScene, encodeSession, fromBase64, toBase64Url } from "../src/model/link";
 
 const scene: Scene = {
   dataset: "Zylinder \u00e4\u6f22 & #=?",

@@ -1,5 +1,5 @@
 import { describe, expect, test } from "vitest";
-import { applyPatch, composePatches, diff, equal, type Json, type JsonObject } from "../src/protocol/merge_patch";
+import { applyPatch, composePatches, diff, equal, type Json, type JsonObject } from "../src/model/merge_patch";
 
 // The examples of RFC 7396, appendix A.
 const EXAMPLES: [Json, Json, Json][] = [

@@ -1,6 +1,6 @@
 import { describe, expect, test } from "vitest";
 import type { DatasetDescription, Layer, Scene } from "../src/generated/protocol";
-import { capColoring, coloredBy, freshArray, freshSolid, keepsFarHalf } from "../src/scene/new_looks";
+import { capColoring, coloredBy, freshArray, freshSolid, keepsFarHalf } from "../src/model/new_looks";
 
 const description = {
   arrays: [
@@ -42,7 +42,7 @@ test("equal arrays share one scale, whatever else a layer is like", () => {
   expect(coloredBy(shown, description, "p")).toEqual({ array: "p" });
 });
 
-test("a further surface in one colour has one that no other of its kind has", () => {
+test("a further surface in one color has one that no other of its kind has", () => {
   const iso = (solid?: string): Layer => ({
     type: "iso",
     array: "p",
@@ -56,7 +56,7 @@ test("a further surface in one colour has one that no other of its kind has", ()
 });
 
 describe("a clip", () => {
-  test("has caps in the colours of the data, unless the surface that it closes has them", () => {
+  test("has caps in the colors of the data, unless the surface that it closes has them", () => {
     expect(capColoring(scene({}), description)).toEqual({ color: { array: "p" } });
     expect(capColoring(scene({ a: { type: "surface", color: { array: "U:x" } } }), description)).toEqual({});
     const patches: Layer = { type: "surface", groups: ["wall"], color: { array: "U:x" } };

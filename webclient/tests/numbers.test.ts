@@ -1,5 +1,5 @@
 import { describe, expect, test } from "vitest";
-import { keyed } from "../src/panels/histogram_slider";
+import { keyed } from "../src/panels/controls/histogram_slider";
 import {
   barHeights,
   formatCount,
@@ -12,7 +12,7 @@ import {
   valueAt,
   whyNoNumber,
   widestGap,
-} from "../src/scene/numbers";
+} from "../src/model/numbers";
 
 describe("writing numbers", () => {
   test.each([

@@ -8,7 +8,7 @@ import {
   moved,
   removed,
   type OpacityPoint,
-} from "../src/scene/opacity";
+} from "../src/model/opacity";
 
 const points: OpacityPoint[] = [
   [0.2, 0.1],

@@ -1,10 +1,10 @@
 import { expect, test } from "vitest";
-import { forgottenWith, openingDataset } from "../src/app/opening";
-import { initialState, type AppState } from "../src/app/state";
+import { forgottenWith, openingDataset } from "../src/model/opening";
+import { initialState, type PageState } from "../src/model/state";
 import type { DatasetDescription } from "../src/generated/protocol";
 
 const described = (name: string): DatasetDescription => ({ name }) as DatasetDescription;
-const shown: AppState = {
+const shown: PageState = {
   ...initialState,
   scene: { dataset: "old" },
   description: described("old"),

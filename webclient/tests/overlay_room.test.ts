@@ -1,5 +1,5 @@
 import { describe, expect, test } from "vitest";
-import { barHeight, legendText, roomFor, type Box } from "../src/display/overlay_room";
+import { barHeight, legendText, roomFor, type Box } from "../src/model/overlay_room";
 
 const stage = { width: 320, height: 300 };
 const box = (left: number, top: number, width: number, height: number): Box => ({

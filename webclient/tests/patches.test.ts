@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import { families, inverted, searched, withAll, withNone, withoutPrefix, type Patch } from "../src/scene/patches";
+import { families, inverted, searched, withAll, withNone, withoutPrefix, type Patch } from "../src/model/patches";
 
 const patches = (...names: string[]): Patch[] => names.map((name) => ({ name, facts: "", count: 1 }));
 const bike = patches("inlet", "lower_wall", "motorBike_frame:016%16", "motorBike_seat%24", "outlet", "motorBike_rim%3");

@@ -1,5 +1,5 @@
 import { describe, expect, test } from "vitest";
-import { PatchesAtOnce } from "../src/scene/patches_at_once";
+import { PatchesAtOnce } from "../src/server/patches_at_once";
 
 const after = (...answers: number[]): number => {
   const patches = new PatchesAtOnce();

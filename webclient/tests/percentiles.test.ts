@@ -1,6 +1,6 @@
 import { expect, test } from "vitest";
 import type { Range } from "../src/generated/protocol";
-import { percentiles, type Counts } from "../src/scene/percentiles";
+import { percentiles, type Counts } from "../src/model/percentiles";
 
 /** As the server counts: inside the range, and beside it. */
 const counter =

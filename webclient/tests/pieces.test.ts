@@ -1,6 +1,6 @@
 import { describe, expect, test } from "vitest";
-import { decodeHeader, HEADER_BYTES } from "../src/protocol/frame_header";
-import { Pieces } from "../src/protocol/pieces";
+import { decodeHeader, HEADER_BYTES } from "../src/server/frame_header";
+import { Pieces } from "../src/server/pieces";
 import { frameBytes } from "./frames";
 
 const FIRST = 4;

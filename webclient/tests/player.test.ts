@@ -1,5 +1,5 @@
 import { afterEach, beforeEach, describe, expect, test, vi } from "vitest";
-import { Player } from "../src/session/player";
+import { Player } from "../src/commands/player";
 
 const times = [0, 0.5, 1];
 let shown: number[] = [];

@@ -1,6 +1,6 @@
 import { beforeEach, describe, expect, test } from "vitest";
-import { GeometryDecoder, type GeometryBatch } from "../src/decoders/geometry";
-import { Presenter } from "../src/display/presenter";
+import { GeometryDecoder, type GeometryBatch } from "../src/server/geometry";
+import { Presenter } from "../src/view/presenter";
 import { frameBytes, geometryPayload, PNG_SIGNATURE } from "./frames";
 import { settled } from "./fake_socket";
 import { linePayload } from "./geometry_frames";

@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import { probeText } from "../src/scene/probe_text";
+import { probeText } from "../src/model/probe_text";
 
 test("a line each with all digits; what is not written is empty", () => {
   const result = {

@@ -1,6 +1,6 @@
 import { expect, test } from "vitest";
-import type { GeometryBatch } from "../src/decoders/geometry";
-import { placesOf } from "../src/display/same_places";
+import type { GeometryBatch } from "../src/server/geometry";
+import { placesOf } from "../src/view/same_places";
 
 type Described = Parameters<typeof placesOf>[0][number];
 

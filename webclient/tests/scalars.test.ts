@@ -12,7 +12,7 @@ import {
   allScalarsOf,
   topOrder,
   unitsOf,
-} from "../src/scene/scalars";
+} from "../src/model/scalars";
 
 const array = (name: string, components: number, scalars: string[]): ArrayInfo => ({
   name,
@@ -48,7 +48,7 @@ const scene: Scene = {
   },
 };
 
-test("surfaces can be coloured by what belongs to cells, and cells chosen by it", () => {
+test("surfaces can be colored by what belongs to cells, and cells chosen by it", () => {
   const names = allScalarsOf(description).map(({ name }) => name);
   expect(names).toEqual(["p", "U:x", "U:y", "U:z", "U:magnitude", "cell:p", "cell:U:magnitude"]);
   expect(allScalarsOf(null)).toEqual([]);
@@ -84,7 +84,7 @@ describe("scalars", () => {
     expect(topOrder(scene)).toBe(6);
   });
 
-  test("one legend for layers that share their colours, in their order, none for what is hidden or of one colour", () => {
+  test("one legend for layers that share their colors, in their order, none for what is hidden or of one color", () => {
     expect(legendsOf(scene, null).map(({ coloring, of }) => [coloring.array, coloring.range, of.layers])).toEqual([
       ["p", [0, 1], ["c"]],
       ["p", undefined, ["b", "a"]],
@@ -92,7 +92,7 @@ describe("scalars", () => {
     expect(legendsOf(null, null)).toEqual([]);
   });
 
-  test("contour lines in the colours of their values have a legend, with a layer's where the scales are the same", () => {
+  test("contour lines in the colors of their values have a legend, with a layer's where the scales are the same", () => {
     const slice = (color: Coloring, contours: Contours): Layer => ({
       type: "slice",
       axis: "x",
@@ -105,7 +105,7 @@ describe("scalars", () => {
       b: slice({ array: "p" }, { array: "U:x", coloring: { map: "vik" } }),
       c: slice({}, { array: "U:x", coloring: { map: "vik" } }),
       d: slice({}, { array: "U:y", coloring: {}, visible: false }),
-      e: slice({}, { array: "U:z" }), // in one colour
+      e: slice({}, { array: "U:z" }), // in one color
     };
     expect(legendsOf({ dataset: "d", layers }, null).map(({ coloring, of }) => [coloring.array, of])).toEqual([
       ["p", { layers: ["a", "b"], contours: ["a"] }],

@@ -1,7 +1,7 @@
 import { beforeEach, describe, expect, test } from "vitest";
 import type { Scene } from "../src/generated/protocol";
-import { applyPatch, type Json } from "../src/protocol/merge_patch";
-import { SceneHistory } from "../src/scene/scene_history";
+import { applyPatch, type Json } from "../src/model/merge_patch";
+import { SceneHistory } from "../src/server/scene_history";
 
 const at = (time: number): Scene => ({ dataset: "d", time });
 let history: SceneHistory;

@@ -1,8 +1,8 @@
 import { beforeEach, describe, expect, test } from "vitest";
 import type { Scene } from "../src/generated/protocol";
-import { RpcError } from "../src/protocol/rpc";
-import { SceneEditor } from "../src/scene/editor";
-import { Session, wordsFor, type StreamWish } from "../src/session/session";
+import { RpcError } from "../src/server/rpc";
+import { SceneEditor } from "../src/server/editor";
+import { Session, wordsFor, type StreamWish } from "../src/server/session";
 import { FakeClock, FakeNetwork, settled } from "./fake_socket";
 import { state } from "./session_state";
 

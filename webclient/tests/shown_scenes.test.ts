@@ -1,6 +1,6 @@
 import { expect, test } from "vitest";
 import type { Scene } from "../src/generated/protocol";
-import { ShownScenes } from "../src/scene/shown_scenes";
+import { ShownScenes } from "../src/model/shown_scenes";
 
 const seenFrom = (x: number | null, dataset = "a"): Scene => ({
   dataset,

@@ -1,9 +1,9 @@
 import { describe, expect, test } from "vitest";
-import type { Bounds } from "../src/camera/camera";
+import type { Bounds } from "../src/model/camera";
 import type { SliceLayer } from "../src/generated/protocol";
-import { applyPatch, type Json } from "../src/protocol/merge_patch";
-import { AXES } from "../src/scene/axes";
-import { furtherSlice, likeThis, looksInWords, planeChange, type Slices } from "../src/scene/slices";
+import { applyPatch, type Json } from "../src/model/merge_patch";
+import { AXES } from "../src/model/axes";
+import { furtherSlice, likeThis, looksInWords, planeChange, type Slices } from "../src/model/slices";
 
 const bounds: Bounds = [0, 10, -4, 4, 1, 3];
 const across = (axis: "x" | "y" | "z", value: number, looks: Partial<SliceLayer> = {}): SliceLayer => ({
@@ -45,7 +45,7 @@ describe("a further slice", () => {
     expect(furtherSlice(slices, "free", bounds, { array: "p" }).normal).toEqual([1, 1, 0]);
   });
 
-  test("has the lines and the opacity of the last one in the colours that are given, and is seen", () => {
+  test("has the lines and the opacity of the last one in the colors that are given, and is seen", () => {
     const slices: Slices = [
       ["a", across("x", 1, { color: { array: "q" } })],
       ["b", across("z", 2, { ...looks, visible: false, order: 7 })],
@@ -108,7 +108,7 @@ describe("looks", () => {
   test("in a few words", () => {
     expect(looksInWords(across("x", 1, looks))).toBe("p, lines of q, cell edges");
     expect(looksInWords(across("x", 1, { contours: { array: "q", visible: false }, edges: { visible: false } }))).toBe(
-      "one colour",
+      "one color",
     );
   });
 });

@@ -1,8 +1,8 @@
 import { expect, test } from "vitest";
-import { emptyReadout, initialState, type AppState } from "../src/app/state";
-import { stillDue } from "../src/app/still_due";
+import { emptyReadout, initialState, type PageState } from "../src/model/state";
+import { stillDue } from "../src/model/still_due";
 
-const preview: AppState = {
+const preview: PageState = {
   ...initialState,
   connection: { kind: "open" },
   revision: 7,
@@ -11,7 +11,7 @@ const preview: AppState = {
 
 test("after the preview of the newest scene a still is due", () => expect(stillDue(preview)).toBe(true));
 
-test.each<[string, Partial<AppState>]>([
+test.each<[string, Partial<PageState>]>([
   ["when it is there", { readout: { ...preview.readout, still: true } }],
   ["of polygons", { readout: { ...preview.readout, stream: "geometry" } }],
   ["before there is a picture", { readout: emptyReadout }],

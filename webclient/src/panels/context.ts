@@ -1,24 +1,33 @@
+// What panels work with: what the page knows, and what a person can do.
+import { useComputed } from "@preact/signals";
 import { createContext } from "preact";
 import { useContext } from "preact/hooks";
-import type { FullCamera } from "../camera/camera";
-import type { App } from "../app/app";
-import type { AppState } from "../app/state";
-import { useStore } from "../app/store";
+import type { Commands } from "../commands/commands";
+import type { FullCamera } from "../model/camera";
+import { cameraOf, type Model } from "../model/model";
 
-export const AppContext = createContext<App | null>(null);
-
-export function useApp(): App {
-  const app = useContext(AppContext);
-  if (app === null) throw new Error("A panel stands outside the page");
-  return app;
+export interface Page {
+  model: Model;
+  commands: Commands;
 }
 
-export const useAppState = <V>(select: (state: Readonly<AppState>) => V): V => useStore(useApp().store, select);
+export const PageContext = createContext<Page | null>(null);
+
+function usePage(): Page {
+  const page = useContext(PageContext);
+  if (page === null) throw new Error("A panel stands outside the page");
+  return page;
+}
+
+export const useCommands = (): Commands => usePage().commands;
+
+/** Draws the panel again when what `select` returns is another value. */
+export function useModel<V>(select: (model: Model) => V): V {
+  const { model } = usePage();
+  return useComputed(() => select(model)).value;
+}
 
 /** The camera of what is seen, which is not always the newest. */
 export function useCamera(): FullCamera | null {
-  const { actions } = useApp();
-  useAppState((state) => state.scene?.camera);
-  useAppState((state) => state.seenFrom);
-  return useAppState((state) => state.shownFrom) ?? actions.camera();
+  return useModel((model) => model.shownFrom.value ?? cameraOf(model));
 }

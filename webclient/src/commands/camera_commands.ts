@@ -1,0 +1,116 @@
+// How the scene is looked at.
+import {
+  axisView,
+  centre,
+  defaultView,
+  orbit,
+  pan,
+  withinReach,
+  withParallel,
+  zoom,
+  type AxisView,
+  type Bounds,
+  type FullCamera,
+} from "../model/camera";
+import { cameraOf } from "../model/model";
+import type { Vec3 } from "../generated/protocol";
+import type { Deps } from "./deps";
+
+const NOTHING_THERE =
+  "Nothing is drawn there: a double click on a surface centres it. R shows all that is drawn, Shift-R the whole box";
+
+export class CameraCommands {
+  constructor(
+    private readonly deps: Deps,
+    private readonly probe: (x: number, y: number) => Promise<Vec3 | null | undefined>,
+  ) {}
+
+  /** What is wanted, which the picture may be behind. */
+  get(): FullCamera | null {
+    return cameraOf(this.deps.model);
+  }
+
+  set(camera: FullCamera, gesture?: string): void {
+    this.deps.server.editor.change({ camera }, gesture);
+  }
+
+  change(change: (camera: FullCamera) => FullCamera, gesture?: string): void {
+    const camera = this.get();
+    if (camera !== null) this.set(change(camera), gesture);
+  }
+
+  /** About a place of the canvas in CSS pixels, to where a hand may come; the same camera if it is there already. */
+  zoomed(camera: FullCamera, factor: number, x: number, y: number): FullCamera {
+    const bounds = this.bounds();
+    const allowed = bounds === null ? factor : withinReach(camera, factor, bounds);
+    return allowed === 1 ? camera : zoom(camera, allowed, x, y, this.deps.server.size.css);
+  }
+
+  zoomBy(factor: number): void {
+    const camera = this.get();
+    const { css } = this.deps.server.size;
+    if (camera === null) return;
+    const next = this.zoomed(camera, factor, css.width / 2, css.height / 2);
+    if (next !== camera) this.set(next);
+  }
+
+  panBy(dx: number, dy: number, gesture: string): void {
+    this.change((camera) => pan(camera, dx, dy, this.deps.server.size.css), gesture);
+  }
+
+  /** `anew`: a turn begins, about what is in the middle of the canvas. */
+  turnBy(dx: number, dy: number, gesture: string, anew: boolean): void {
+    const { css } = this.deps.server.size;
+    if (anew && this.get() !== null) this.turnsAbout(css.width / 2, css.height / 2);
+    this.change((camera) => orbit(camera, dx, dy, css, this.pivotOf(camera)), gesture);
+  }
+
+  /** A hand takes hold of the view there, in CSS pixels of the canvas. */
+  turnsAbout(x: number, y: number): void {
+    this.deps.view.pivot.seek(x, y);
+  }
+
+  pivotOf(camera: FullCamera): Vec3 {
+    return this.deps.view.pivot.of(camera);
+  }
+
+  /** Of what is drawn, or of the whole box. */
+  reset(wholeBox = false): void {
+    const { size } = this.deps.server;
+    void this.framed(wholeBox, (bounds, now) => defaultView(bounds, size.aspect, now.fov, now.parallel));
+  }
+
+  lookFrom(side: AxisView): void {
+    const { size } = this.deps.server;
+    void this.framed(false, (bounds, now) => axisView(side, bounds, size.aspect, now.fov, now.parallel));
+  }
+
+  toggleParallel(): void {
+    this.change((camera) => withParallel(camera, !camera.parallel));
+  }
+
+  async centreOn(x: number, y: number): Promise<void> {
+    const point = await this.probe(x, y);
+    const camera = this.get();
+    if (point === null) this.deps.tell(NOTHING_THERE);
+    else if (point !== undefined && camera !== null) this.set(centre(camera, point));
+  }
+
+  private async framed(wholeBox: boolean, view: (bounds: Bounds, now: FullCamera) => FullCamera): Promise<void> {
+    const { server } = this.deps;
+    let bounds = this.bounds();
+    if (!wholeBox && server.editor.isConnected) {
+      try {
+        bounds = (await server.session.call("scene.bounds", { session: server.tab.id, of: "drawn" })).bounds;
+      } catch (error) {
+        server.fail(error);
+      }
+    }
+    const now = this.get();
+    if (bounds !== null && now !== null) this.set(server.size.clearOfCorner(view(bounds, now), bounds));
+  }
+
+  private bounds(): Bounds | null {
+    return this.deps.model.description.peek()?.bounds ?? null;
+  }
+}

@@ -1,0 +1,75 @@
+// What the colors of layers and contour lines stand for.
+import type { ColoringChange } from "../model/color_edit";
+import type { Json, JsonObject } from "../model/merge_patch";
+import { percentiles } from "../model/percentiles";
+import { coloredBy } from "../model/new_looks";
+import { shownTime, type Colored } from "../model/scalars";
+import type { Coloring, Range } from "../generated/protocol";
+import type { Deps } from "./deps";
+
+const USUAL_SHARES = [0.01, 0.99] as const;
+const USUAL_BINS = 1024;
+
+export class ColorCommands {
+  /** What colorings were before they became logarithmic, by what they color. */
+  readonly beforeLog = new Map<string, Coloring>();
+
+  constructor(private readonly deps: Deps) {}
+
+  /** One coloring for several layers, as one step. undefined members are taken away. */
+  set({ layers, contours = [] }: Colored, change: ColoringChange, gesture?: string): void {
+    const color: JsonObject = {};
+    for (const [key, value] of Object.entries(change)) color[key] = (value ?? null) as unknown as Json;
+    const patch: JsonObject = Object.fromEntries(layers.map((id) => [id, { color }]));
+    this.deps.model.touched.value = layers.at(-1) ?? contours.at(-1) ?? null;
+    for (const id of contours) patch[id] = { ...(patch[id] as JsonObject | undefined), contours: { coloring: color } };
+    this.deps.server.editor.change({ layers: patch }, gesture);
+  }
+
+  /** null: in one color. What the scale was like belonged to the array before. */
+  by(of: Colored, array: string | null): void {
+    const { description, scene } = this.deps.model;
+    if (array === null) this.set(of, { array: undefined, range: undefined });
+    else this.set(of, { range: undefined, ...coloredBy(scene.peek(), description.peek(), array) });
+  }
+
+  /** Without the values that lie far away from all others; null where there is none, or no answer. */
+  async usualRange(array: string): Promise<Range | null> {
+    const { model, server } = this.deps;
+    const description = model.description.peek();
+    if (description === null) return null;
+    const time = shownTime(description, model.scene.peek());
+    const asked = { dataset: description.name, array, time, bins: USUAL_BINS };
+    try {
+      return await percentiles(
+        (range) => server.session.call("dataset.histogram", { ...asked, ...(range !== null && { range }) }),
+        USUAL_SHARES,
+      );
+    } catch (error) {
+      this.deps.unanswered(error, "The range of most values cannot be told");
+      return null;
+    }
+  }
+
+  /** Of the values that are shown in the view; null where there is none, which is said. */
+  async rangeInView(colored: Colored): Promise<Range | null> {
+    const { server } = this.deps;
+    const of = async (part: keyof Colored): Promise<Range[]> => {
+      const layers = colored[part] ?? [];
+      if (layers.length === 0) return [];
+      const asked = { session: server.tab.id, layers, aspect: server.size.aspect, of: part };
+      const { range } = await server.session.call("color.range", asked);
+      return range === null ? [] : [range];
+    };
+    try {
+      const ranges = [...(await of("layers")), ...(await of("contours"))];
+      if (ranges.length > 0)
+        return [Math.min(...ranges.map(([low]) => low)), Math.max(...ranges.map(([, high]) => high))];
+      this.deps.tell("No value of these layers is in view; the range stays as it is", "error");
+      return null;
+    } catch (error) {
+      this.deps.unanswered(error, "The range in view cannot be told");
+      return null;
+    }
+  }
+}

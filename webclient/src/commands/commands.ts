@@ -1,0 +1,137 @@
+// What a person can do. Panels, keys and buttons all come here; each group is a file.
+import { openingScene } from "../server/first_scene";
+import { Disconnected } from "../server/rpc";
+import type { Server } from "../server/server";
+import { update, type Model } from "../model/model";
+import type { Histogram } from "../model/state";
+import { dismissToast, showToast } from "../model/toasts";
+import { listenToGestures } from "../view/gestures";
+import type { View } from "../view/view";
+import { CameraCommands } from "./camera_commands";
+import { ColorCommands } from "./color_commands";
+import type { Deps } from "./deps";
+import { FileCommands } from "./file_commands";
+import { LayerCommands } from "./layer_commands";
+import type { Links } from "./links";
+import { PageCommands } from "./page_commands";
+import { ProbeCommands } from "./probe_commands";
+import { TimeCommands } from "./time_commands";
+
+export class Commands {
+  readonly camera: CameraCommands;
+  readonly layers: LayerCommands;
+  readonly colors: ColorCommands;
+  readonly time: TimeCommands;
+  readonly probe: ProbeCommands;
+  readonly files: FileCommands;
+  readonly page: PageCommands;
+
+  constructor(
+    private readonly model: Model,
+    private readonly server: Server,
+    view: View,
+    links: Links,
+  ) {
+    const deps: Deps = {
+      model,
+      server,
+      view,
+      tell: (text, kind) => this.tell(text, kind),
+      unanswered: (error, failed) => this.unanswered(error, failed),
+    };
+    this.probe = new ProbeCommands(deps);
+    this.camera = new CameraCommands(deps, (x, y) => this.probe.at(x, y));
+    this.layers = new LayerCommands(deps);
+    this.colors = new ColorCommands(deps);
+    this.time = new TimeCommands(deps);
+    this.files = new FileCommands(deps, links);
+    this.page = new PageCommands(deps, links);
+  }
+
+  /** The hand on the canvas: what it does to the element is done to the scene. */
+  listenTo(element: HTMLElement): void {
+    const { camera, probe } = this;
+    listenToGestures(element, {
+      camera: () => camera.get(),
+      size: () => this.server.size.css,
+      zoomed: (now, factor, x, y) => camera.zoomed(now, factor, x, y),
+      move: (next, gesture) => camera.set(next, gesture),
+      newGesture: () => this.newGesture(),
+      turns: (x, y) => camera.turnsAbout(x, y),
+      pivot: (now) => camera.pivotOf(now),
+      click: (x, y) => void probe.at(x, y),
+      doubleClick: (x, y) => void camera.centreOn(x, y),
+    });
+  }
+
+  /** Of the scene: a merge patch. Changes of one gesture are one step of the undo. */
+  change(patch: object, gesture?: string): void {
+    this.server.editor.change(patch, gesture);
+  }
+
+  newGesture(): string {
+    return this.server.editor.newGesture();
+  }
+
+  undo(): void {
+    this.time.stop();
+    void this.server.editor.undo();
+  }
+
+  redo(): void {
+    this.time.stop();
+    void this.server.editor.redo();
+  }
+
+  async openDataset(name: string): Promise<void> {
+    const { model, server } = this;
+    this.time.stop();
+    model.chosen.value = name;
+    try {
+      const upcoming = await server.session.call("dataset.describe", { dataset: name });
+      if (model.chosen.peek() !== name) return; // another was chosen meanwhile
+      update(model, { upcoming });
+      const scene = openingScene(upcoming, server.size, this.page.background());
+      if (server.editor.isConnected) server.editor.replace(scene);
+      else await server.session.begin(scene);
+    } catch (error) {
+      this.unanswered(error, `${name} cannot be opened`);
+    } finally {
+      if (model.chosen.peek() === name) model.chosen.value = null;
+    }
+  }
+
+  /** null until it has arrived, and where there is none; a panel that reads it is drawn again then. */
+  histogram(dataset: string, array: string, time: number): Histogram | null {
+    return this.server.histograms.get(dataset, array, time);
+  }
+
+  /** The socket, without waiting for the next try. */
+  retry(): void {
+    this.server.session.retryNow();
+  }
+
+  /** The session again, after the server has refused it. */
+  async reopen(): Promise<void> {
+    await this.server.session.open();
+  }
+
+  /** A sentence where the token opens nothing. */
+  enterToken(typed: string): Promise<string | null> {
+    return this.server.entry.enter(typed);
+  }
+
+  tell(text: string, kind: "error" | "info" = "info"): void {
+    showToast(this.model, text, kind);
+  }
+
+  dismiss(toast: number): void {
+    dismissToast(this.model, toast);
+  }
+
+  private unanswered(error: unknown, failed: string): void {
+    if (error instanceof Disconnected)
+      this.tell(`${failed}: the server is not connected. Try again when it is back`, "error");
+    else this.server.fail(error);
+  }
+}

@@ -1,0 +1,81 @@
+// The address bar always holds the scene, and a link that is followed becomes the scene.
+import { effect } from "@preact/signals";
+import type { Scene } from "../generated/protocol";
+import { decodeScene, decodeSession, encodeScene, encodeSession } from "../model/link";
+import { equal, type Json } from "../model/merge_patch";
+import type { Model } from "../model/model";
+import type { Server } from "../server/server";
+
+const PAUSE_MS = 400;
+
+export class Links {
+  private timer: ReturnType<typeof setTimeout> | null = null;
+  /** What the address held when the page was opened. */
+  first: Scene | null = null;
+  private written = "";
+
+  constructor(
+    private readonly model: Model,
+    private readonly server: () => Server,
+  ) {}
+
+  /** Reads the address, then follows it and keeps it. */
+  async start(): Promise<void> {
+    this.first = await this.decoded();
+    window.addEventListener("hashchange", () => void this.follow());
+    effect(() => {
+      if (this.model.scene.value !== null) this.writeSoon();
+    });
+  }
+
+  async address(): Promise<string> {
+    const scene = this.model.scene.peek();
+    const url = new URL(location.href);
+    if (scene !== null) url.hash = await encodeScene(scene);
+    return url.href;
+  }
+
+  sessionAddress(): string {
+    const url = new URL(location.href);
+    url.hash = encodeSession(this.server().tab.id);
+    return url.href;
+  }
+
+  /** After a link was pasted into this page. */
+  private async follow(): Promise<void> {
+    if (location.hash === this.written) return;
+    if (decodeSession(location.hash) !== null) {
+      location.reload(); // a page has one session for its life
+      return;
+    }
+    const scene = await this.decoded();
+    if (scene === null) return;
+    // Proposed only: it may be of another server, or made by hand.
+    const { editor, session } = this.server();
+    if (this.model.fatal.peek() === null) await editor.propose(scene);
+    else await session.begin(scene);
+  }
+
+  private writeSoon(): void {
+    if (this.timer !== null) clearTimeout(this.timer);
+    this.timer = setTimeout(() => void this.write(), PAUSE_MS);
+  }
+
+  private async write(): Promise<void> {
+    const scene = this.model.scene.peek();
+    if (scene === null) return;
+    const fragment = await encodeScene(scene);
+    if (!equal(scene as unknown as Json, this.model.scene.peek() as unknown as Json)) return; // a newer one follows
+    this.written = fragment;
+    history.replaceState(null, "", fragment);
+  }
+
+  private async decoded(): Promise<Scene | null> {
+    try {
+      return await decodeScene(location.hash);
+    } catch (error) {
+      this.server().fail(error);
+      return null;
+    }
+  }
+}

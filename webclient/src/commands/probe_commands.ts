@@ -1,0 +1,46 @@
+// The values under the cursor.
+import { probeText } from "../model/probe_text";
+import { unitsOf } from "../model/scalars";
+import type { Vec3 } from "../generated/protocol";
+import { copyText } from "./clipboard";
+import type { Deps } from "./deps";
+
+export class ProbeCommands {
+  constructor(private readonly deps: Deps) {}
+
+  /** At a canvas position in CSS pixels. Where nothing is drawn it is null, without an answer undefined. */
+  async at(x: number, y: number): Promise<Vec3 | null | undefined> {
+    const { model, server } = this.deps;
+    const { width, height } = server.size.pixels();
+    const ratio = width / server.size.css.width;
+    const asked = { session: server.tab.id, pixel: [x * ratio, y * ratio] as [number, number], width, height };
+    try {
+      const result = await server.session.call("probe.point", asked);
+      model.probe.value = result.hit ? { result, time: model.readout.peek().time } : null;
+      return result.position;
+    } catch (error) {
+      this.deps.unanswered(error, "The values there cannot be read");
+      return undefined;
+    }
+  }
+
+  close(): void {
+    this.deps.model.probe.value = null;
+  }
+
+  async copy(): Promise<void> {
+    const description = this.deps.model.description.peek();
+    const probe = this.deps.model.probe.peek();
+    if (probe === null || description === null) return;
+    const isCopied = await copyText(
+      probeText(probe.result, {
+        dataset: description.name,
+        time: probe.time,
+        lengthUnits: description.length_units,
+        unitsOf: (name) => unitsOf(description, name),
+      }),
+    );
+    if (isCopied) this.deps.tell("The values are in the clipboard");
+    else this.deps.tell("This browser lets no page write to the clipboard", "error");
+  }
+}

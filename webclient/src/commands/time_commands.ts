@@ -1,0 +1,65 @@
+// Time steps and their play.
+import { clamp } from "../model/numbers";
+import { nearestStep } from "../model/scalars";
+import type { Deps } from "./deps";
+import { Player } from "./player";
+
+export class TimeCommands {
+  private readonly player: Player;
+
+  constructor(private readonly deps: Deps) {
+    const { model, server } = deps;
+    this.player = new Player(
+      {
+        times: () => this.times(),
+        shownStep: () => nearestStep(this.times(), server.editor.scene?.time),
+        show: (step, gesture) => {
+          const time = this.times()[step];
+          if (time !== undefined) server.editor.change({ time }, gesture);
+        },
+        newGesture: () => server.editor.newGesture(),
+        rate: () => model.playRate.peek(),
+        loop: () => model.loop.peek(),
+        changed: (playing) => void (model.playing.value = playing),
+      },
+      () => performance.now(),
+    );
+  }
+
+  setStep(step: number, gesture?: string): void {
+    const time = this.times()[clamp(step, 0, this.times().length - 1)];
+    if (time !== undefined) this.deps.server.editor.change({ time }, gesture);
+  }
+
+  stepBy(steps: number): void {
+    this.player.stop();
+    this.setStep(nearestStep(this.times(), this.deps.model.scene.peek()?.time) + steps);
+  }
+
+  togglePlay(): void {
+    if (this.player.playing) this.player.stop();
+    else this.player.play();
+  }
+
+  stop(): void {
+    this.player.stop();
+  }
+
+  /** A frame of this simulation time is on the screen. */
+  presented(time: number): void {
+    this.player.presented(time);
+  }
+
+  setLoop(loop: boolean): void {
+    this.deps.model.loop.value = loop;
+  }
+
+  /** Steps per second at most. */
+  setRate(rate: number): void {
+    this.deps.model.playRate.value = rate;
+  }
+
+  private times(): readonly number[] {
+    return this.deps.model.description.peek()?.times ?? [];
+  }
+}

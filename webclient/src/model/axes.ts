@@ -1,0 +1,13 @@
+// The axes, and how far the data goes along each.
+import type { Bounds } from "./camera";
+import type { Range } from "../generated/protocol";
+
+export const AXES = ["x", "y", "z"] as const;
+export type Axis = (typeof AXES)[number];
+/** What a plane lies across; "free" has an origin and a normal. */
+export type Across = Axis | "free";
+
+export function endsOf(axis: Axis, bounds: Bounds): Range {
+  const at = 2 * AXES.indexOf(axis);
+  return [bounds[at] ?? 0, bounds[at + 1] ?? 1];
+}

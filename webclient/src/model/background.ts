@@ -1,0 +1,37 @@
+// The scene's background as the two colors of the server's gradient.
+export type Rgb = [number, number, number];
+
+const NAMED: Record<string, { top: Rgb; bottom: Rgb }> = {
+  dark: { top: [0.1, 0.12, 0.16], bottom: [0.03, 0.04, 0.05] },
+  light: { top: [1, 1, 1], bottom: [0.9, 0.92, 0.95] },
+};
+
+export function backgroundColors(background: string | undefined): { top: Rgb; bottom: Rgb } {
+  const name = background ?? "dark";
+  if (/^#[0-9a-f]{6}$/i.test(name)) {
+    const rgb = [1, 3, 5].map((at) => parseInt(name.slice(at, at + 2), 16) / 255) as Rgb;
+    return { top: rgb, bottom: rgb };
+  }
+  return NAMED[name] ?? { top: [0, 0, 0], bottom: [0, 0, 0] };
+}
+
+/** As the plates behind text in the server's pictures. */
+const PAPER_OPACITY = 0.72;
+
+/** The background's own color so far down the picture (0 to 1): behind text, and to be seen only over something else. */
+export function paperAt(background: string | undefined, share: number): string {
+  const { top, bottom } = backgroundColors(background);
+  const channels = top.map((from, i) => Math.round(255 * (from + share * ((bottom[i] ?? from) - from))));
+  return `rgb(${channels.join(" ")} / ${PAPER_OPACITY})`;
+}
+
+/** On which light and dark text are as good as each other. */
+const MIDDLE_GRAY = 0.46;
+const LUMA: Rgb = [0.2126, 0.7152, 0.0722];
+
+/** Whether what is written on it has to be dark: by the luma of its middle, as in the server's pictures. */
+export function isBright(background: string | undefined): boolean {
+  const { top, bottom } = backgroundColors(background);
+  const luma = LUMA.reduce((sum, weight, i) => sum + (weight * ((top[i] ?? 0) + (bottom[i] ?? 0))) / 2, 0);
+  return luma > MIDDLE_GRAY;
+}

@@ -1,0 +1,46 @@
+// From what a scene says of colors to the scale that is drawn: here the range of the data comes in. The twin of
+// server/geometry/color_scale_of.cpp.
+import type { ColorScale } from "./color_scale";
+import { DEFAULT_MAP, missingHex } from "./color_maps";
+import type { Coloring, Range } from "../generated/protocol";
+import { clamp } from "./numbers";
+
+/** How far a logarithmic scale reaches down from the largest value of data that hold zero. */
+const LOG_DECADES = 6;
+/** What a graphics card can still divide by the width of. */
+const LARGEST = 4e37;
+/** Smaller ones lose digits as floats. */
+const SMALLEST_OF_LOG = 1e-37;
+
+export function rangeAboveZero([low, high]: Range): Range {
+  if (!(high > 0)) return [1, 10]; // nothing is on it: isShownBy
+  const start = low > 0 ? low : high / 10 ** LOG_DECADES;
+  return [Math.max(start, SMALLEST_OF_LOG), Math.max(high, SMALLEST_OF_LOG)];
+}
+
+export function rangeOf(coloring: Coloring, data: Range): Range {
+  let range = (coloring.range ?? data).map((end) => clamp(end, -LARGEST, LARGEST)) as Range;
+  if (coloring.symmetric === true) {
+    const reach = Math.max(Math.abs(range[0]), Math.abs(range[1]));
+    range = [-reach, reach];
+  }
+  if (coloring.log === true && coloring.symmetric !== true) range = rangeAboveZero(range);
+  return range;
+}
+
+/** data: the array's range at the shown step. */
+export const scaleOf = (coloring: Coloring, data: Range): ColorScale => ({
+  map: coloring.map ?? DEFAULT_MAP,
+  points: coloring.points ?? [],
+  range: rangeOf(coloring, data),
+  reverse: coloring.reverse === true,
+  log: coloring.log === true,
+  steps: coloring.steps ?? 0,
+  nan: coloring.nan ?? missingHex,
+  below: coloring.below ?? null,
+  above: coloring.above ?? null,
+});
+
+/** False where data without a value above zero stand against a logarithmic scale that is to take their range. */
+export const isShownBy = (coloring: Coloring, data: Range): boolean =>
+  coloring.log !== true || coloring.symmetric === true || Boolean(coloring.range) || data[1] > 0;

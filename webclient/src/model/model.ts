@@ -1,0 +1,63 @@
+// What the page knows, as signals: who reads one is run again when that one changes. Changed by server/, view/ and
+// commands/; panels only read.
+import { batch, signal, type Signal } from "@preact/signals";
+import { complete, defaultView, type FullCamera } from "./camera";
+import { openingDataset } from "./opening";
+import { stillDue } from "./still_due";
+import { initialState, type PageState } from "./state";
+
+type Signals<T> = { readonly [K in keyof T]: Signal<T[K]> };
+
+export type Model = Signals<PageState>;
+
+export function makeModel(saved: Partial<PageState> = {}): Model {
+  const entries = Object.entries({ ...initialState, ...saved }).map(([name, value]) => [name, signal(value)]);
+  return Object.fromEntries(entries) as Model;
+}
+
+/** Several members at once: who reads some of them is run once. */
+export function update(model: Model, change: Partial<PageState>): void {
+  batch(() => {
+    for (const [name, value] of Object.entries(change))
+      (model[name as keyof PageState] as Signal<unknown>).value = value;
+  });
+}
+
+/** The members as they are now; reads them all, so not for a panel. */
+export function stateOf(model: Model): PageState {
+  return Object.fromEntries(Object.entries(model).map(([name, { value }]) => [name, value])) as unknown as PageState;
+}
+
+/** The scene's camera; without one that which the server takes, or until it is known the default view. */
+export function cameraOf(model: Model): FullCamera | null {
+  const scene = model.scene.value;
+  if (scene === null) return null;
+  if (scene.camera) return complete(scene.camera);
+  const bounds = model.description.value?.bounds;
+  if (model.seenFrom.value?.dataset === scene.dataset) return model.seenFrom.value.camera;
+  const { width, height } = model.canvasSize.value;
+  return bounds === undefined ? null : defaultView(bounds, width / height);
+}
+
+/** As openingDataset of the model's members. */
+export function openingIn({ chosen, scene, shownDataset, fatal, failedRevision }: Model): string | null {
+  return openingDataset({
+    chosen: chosen.value,
+    scene: scene.value,
+    shownDataset: shownDataset.value,
+    fatal: fatal.value,
+    failedRevision: failedRevision.value,
+  });
+}
+
+/** As stillDue of the model's members. */
+export function isStillDue({ connection, readout, pending, revision, playing, failedRevision }: Model): boolean {
+  return stillDue({
+    connection: connection.value,
+    readout: readout.value,
+    pending: pending.value,
+    revision: revision.value,
+    playing: playing.value,
+    failedRevision: failedRevision.value,
+  });
+}

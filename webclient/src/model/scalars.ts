@@ -1,0 +1,169 @@
+// What layers can be made from and colored by: the scalars of a dataset's arrays.
+import { scaleOf } from "./color_range";
+import { layersInOrder } from "./layer_order";
+import { legendNameOf, legendNames } from "./legend_names";
+import { prettyUnits } from "./numbers";
+import type { ArrayInfo, Coloring, DatasetDescription, EmptyLayer, Layer, Range, Scene } from "../generated/protocol";
+
+export interface Scalar {
+  name: string;
+  units: string;
+  array: ArrayInfo;
+}
+
+/** What boundaries can be colored by: scalars of points first, then those of cells, then those of patches. */
+export function boundaryScalarsOf(description: DatasetDescription | null): Scalar[] {
+  const arrays = description?.arrays ?? [];
+  return (["point", "cell", "boundary_face"] as const).flatMap((of) =>
+    arrays
+      .filter(({ association }) => association === of)
+      .flatMap((array) => array.scalars.map((name) => ({ name, units: prettyUnits(array.units), array }))),
+  );
+}
+
+/** What any surface can be colored by and cells chosen by. */
+export const allScalarsOf = (description: DatasetDescription | null): Scalar[] =>
+  boundaryScalarsOf(description).filter(({ array }) => array.association !== "boundary_face");
+
+/** What layers are made from: values at points. */
+export const scalarsOf = (description: DatasetDescription | null): Scalar[] =>
+  allScalarsOf(description).filter(({ array }) => array.association === "point");
+
+/** What a further layer begins with: what the dataset is first shown by, which has more than one value. */
+export function firstScalar(description: DatasetDescription | null): string | undefined {
+  const shown = Object.values(description?.default_scene.layers ?? {});
+  for (const layer of shown) if (layer.type === "iso" || layer.type === "volume") return layer.array;
+  for (const type of ["surface", "slice"])
+    for (const layer of shown)
+      if (
+        (layer.type === "surface" || layer.type === "slice") &&
+        layer.type === type &&
+        layer.color?.array !== undefined
+      )
+        return layer.color.array;
+  return scalarsOf(description)[0]?.name;
+}
+
+/** A vector's bare name with what it stands for, "U:magnitude"; other names as they are. */
+export function fullName(description: Pick<DatasetDescription, "arrays"> | null, scalar: string): string {
+  const magnitude = `${scalar}:magnitude`;
+  const hasMagnitude = description?.arrays.some(({ name, scalars }) => name === scalar && scalars.includes(magnitude));
+  return hasMagnitude === true ? magnitude : scalar;
+}
+
+/** The array that the scalar is made from. */
+export const arrayOf = (description: DatasetDescription | null, scalar: string): ArrayInfo | undefined =>
+  boundaryScalarsOf(description).find(({ name }) => name === scalar)?.array;
+
+/** Also of an array's own name: a probe reads whole vectors. */
+export function unitsOf(description: DatasetDescription | null, name: string): string {
+  const array =
+    arrayOf(description, name) ??
+    description?.arrays.find((other) => name === other.name || name.startsWith(`${other.name}:`));
+  return prettyUnits(array?.units ?? "");
+}
+
+/** null where it is known of single steps only: a vector's range is its magnitude's. */
+export function rangeOfAllSteps(description: DatasetDescription | null, scalar: string): Range | null {
+  const array = arrayOf(description, scalar);
+  if (array === undefined || (array.components > 1 && !scalar.endsWith(":magnitude"))) return null;
+  return array.range;
+}
+
+/** The step that a time stands for: the nearest; without a time, the first. */
+export function nearestStep(times: readonly number[], time = times[0] ?? 0): number {
+  let best = 0;
+  times.forEach((candidate, index) => {
+    if (Math.abs(candidate - time) < Math.abs((times[best] ?? 0) - time)) best = index;
+  });
+  return best;
+}
+
+export const shownTime = (description: DatasetDescription | null, scene: Scene | null): number =>
+  description?.times[nearestStep(description.times, scene?.time)] ?? 0;
+
+export type LayerOf<T extends Layer["type"]> = Extract<Layer, { type: T }>;
+
+/** Layers of one type in drawing order. */
+export function layersOf<T extends Layer["type"]>(scene: Scene | null, type: T): [string, LayerOf<T>][] {
+  return layersInOrder(scene).filter((entry): entry is [string, LayerOf<T>] => entry[1].type === type);
+}
+
+/** An id that no layer has: prefix, prefix2, prefix3 ... */
+export function freeId(scene: Scene, prefix: string): string {
+  const taken = scene.layers ?? {};
+  if (!(prefix in taken)) return prefix;
+  let n = 2;
+  while (`${prefix}${n}` in taken) n += 1;
+  return `${prefix}${n}`;
+}
+
+export const topOrder = (scene: Scene): number =>
+  Object.values(scene.layers ?? {}).reduce((top, layer) => Math.max(top, layer.order ?? 0), 0) + 1;
+
+/** What has a color scale: layers by id, and the contour lines on layers, which have one of their own. */
+export interface Colored {
+  layers: string[];
+  contours?: string[];
+}
+
+export type ScaledColoring = Coloring & { array: string };
+
+interface ScaleOf {
+  part: keyof Colored;
+  /** Which layer it is written in. */
+  id: string;
+  coloring: ScaledColoring;
+}
+
+/** Of the caps that close a surface, where they have colors of their own. */
+function scalesOfCaps(scene: Scene | null, layer: Layer): ScaleOf[] {
+  if (layer.type !== "surface" || (layer.groups ?? []).length > 0) return [];
+  return layersOf(scene, "clip").flatMap(([id, { visible, caps, color }]) =>
+    visible === false || caps === false || color?.array === undefined
+      ? []
+      : [{ part: "layers" as const, id, coloring: { ...color, array: color.array } }],
+  );
+}
+
+/** The color scales of a layer, which is seen. */
+function scalesOf(scene: Scene | null, id: string, layer: Layer): ScaleOf[] {
+  if (layer.type === "outline" || layer.type === "clip") return [];
+  const array = layer.type === "volume" ? layer.array : layer.color?.array;
+  const own = array === undefined ? [] : [{ part: "layers" as const, id, coloring: { ...layer.color, array } }];
+  const lines = layer.type === "slice" && layer.contours?.visible !== false ? layer.contours : undefined;
+  if (lines?.coloring === undefined) return [...own, ...scalesOfCaps(scene, layer)];
+  return [...own, { part: "contours", id, coloring: { ...lines.coloring, array: lines.array } }];
+}
+
+export interface LegendOf {
+  coloring: ScaledColoring;
+  of: Required<Colored>;
+  /** What tells it from others of its array; empty where there is none. */
+  name: string;
+}
+
+/** The colorings that the visible layers use, each once, in the order of the layers, with those that share it; of
+ * layers that show nothing there is none. */
+export function legendsOf(
+  scene: Scene | null,
+  description: Pick<DatasetDescription, "arrays"> | null,
+  empty: readonly EmptyLayer[] = [],
+): LegendOf[] {
+  const found = new Map<string, Omit<LegendOf, "name"> & { names: string[] }>();
+  for (const [id, layer] of layersInOrder(scene)) {
+    if (layer.visible === false || empty.some((one) => one.layer === id)) continue;
+    for (const { part, id: of, coloring: own } of scalesOf(scene, id, layer)) {
+      const coloring = { ...own, array: fullName(description, own.array) };
+      const { array, range, symmetric } = coloring;
+      const key = JSON.stringify([array, range ?? null, symmetric === true, scaleOf(coloring, [0, 1])]);
+      const legend = found.get(key) ?? { coloring, of: { layers: [], contours: [] }, names: [] };
+      if (!legend.of[part].includes(of)) legend.of[part].push(of);
+      legend.names.push(legendNameOf(layer, part));
+      found.set(key, legend);
+    }
+  }
+  const legends = [...found.values()];
+  const told = legendNames(legends.map(({ coloring, names }) => ({ array: coloring.array, names })));
+  return legends.map(({ coloring, of }, index) => ({ coloring, of, name: told[index] ?? "" }));
+}

@@ -1,0 +1,74 @@
+// Slices as a hand makes them: where a further one lies, how it looks, and how one becomes another plane.
+import { boundsCentre, type Bounds } from "./camera";
+import type { Coloring, SliceLayer, Vec3 } from "../generated/protocol";
+import { diff, equal, type JsonObject } from "./merge_patch";
+import { AXES, endsOf, type Across } from "./axes";
+import { clamp, widestGap } from "./numbers";
+
+export type Slices = readonly [string, SliceLayer][];
+
+type Looks = Pick<SliceLayer, "color" | "opacity" | "contours" | "edges">;
+type Plane = Pick<SliceLayer, "axis" | "value" | "origin" | "normal">;
+
+/** Of free planes, until each has been used. */
+const NORMALS: readonly Vec3[] = [
+  [1, 1, 0],
+  [1, -1, 0],
+  [1, 0, 1],
+  [1, 0, -1],
+  [0, 1, 1],
+  [0, 1, -1],
+];
+
+/** What parts a slice from where it lies. */
+const looksOf = ({ color, opacity, contours, edges }: SliceLayer): Looks => ({
+  ...(color && { color }),
+  ...(opacity !== undefined && { opacity }),
+  ...(contours && { contours }),
+  ...(edges && { edges }),
+});
+
+function freshPlane(slices: Slices, across: Across, bounds: Bounds): Plane {
+  if (across !== "free") {
+    const values = slices.flatMap(([, { axis, value }]) => (axis === across && value !== undefined ? [value] : []));
+    return { axis: across, value: widestGap(values, endsOf(across, bounds)) };
+  }
+  const isUsed = (normal: Vec3): boolean => slices.some(([, slice]) => equal(slice.normal, normal));
+  return { origin: boundsCentre(bounds), normal: NORMALS.find((normal) => !isUsed(normal)) ?? [1, 1, 0] };
+}
+
+/** Where none lies yet, with those colors, and otherwise like the last one. */
+export function furtherSlice(slices: Slices, across: Across, bounds: Bounds, color: Coloring): SliceLayer {
+  const last = slices.at(-1)?.[1];
+  return { type: "slice", ...freshPlane(slices, across, bounds), ...(last && looksOf(last)), color };
+}
+
+/** What changes of a slice that is to lie across something else. A free plane begins where the slice was, and leaves it
+ * where its origin is. */
+export function planeChange(slices: Slices, slice: SliceLayer, across: Across, bounds: Bounds): object {
+  const { axis, value } = slice;
+  if (across === (axis ?? "free")) return {};
+  if (across === "free") {
+    const origin = boundsCentre(bounds).map((middle, i) => (AXES[i] === axis ? (value ?? middle) : middle));
+    return { axis: null, value: null, origin, normal: AXES.map((other) => (other === axis ? 1 : 0)) };
+  }
+  if (axis !== undefined) return freshPlane(slices, across, bounds);
+  const at = slice.origin?.[AXES.indexOf(across)] ?? 0;
+  return { axis: across, value: clamp(at, ...endsOf(across, bounds)), origin: null, normal: null };
+}
+
+/** What makes all others look like that one; empty where they do. */
+export function likeThis(slices: Slices, id: string): Record<string, object> {
+  const looks = looksOf(slices.find(([other]) => other === id)?.[1] ?? { type: "slice" });
+  const changes = slices.map(
+    ([other, slice]) => [other, diff(looksOf(slice) as JsonObject, looks as JsonObject)] as const,
+  );
+  return Object.fromEntries(changes.filter(([, change]) => Object.keys(change).length > 0));
+}
+
+/** In a few words. */
+export function looksInWords({ color, contours, edges }: SliceLayer): string {
+  const lines = contours !== undefined && contours.visible !== false ? [`lines of ${contours.array}`] : [];
+  const cells = edges !== undefined && edges.visible !== false ? ["cell edges"] : [];
+  return [color?.array ?? "one color", ...lines, ...cells].join(", ");
+}

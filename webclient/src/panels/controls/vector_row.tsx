@@ -1,0 +1,30 @@
+// Three coordinates in a row.
+import type { JSX } from "preact";
+import type { Vec3 } from "../../generated/protocol";
+import { AXES } from "../../model/axes";
+import { NumberField } from "./controls";
+
+interface VectorProps {
+  label: string;
+  value: Vec3;
+  /** Of what it is among: how many digits are worth showing. */
+  span: number;
+  set: (to: Vec3) => void;
+}
+
+export function VectorRow({ label, value, span, set }: VectorProps): JSX.Element {
+  return (
+    <div class="vector-row">
+      <span>{label}</span>
+      {AXES.map((axis, at) => (
+        <NumberField
+          key={axis}
+          label={`${label} ${axis}`}
+          value={value[at] ?? 0}
+          span={span}
+          onChange={(typed) => set(value.map((old, i) => (i === at ? typed : old)) as Vec3)}
+        />
+      ))}
+    </div>
+  );
+}

@@ -1,0 +1,80 @@
+// The mesh's boundary: the whole of it, or its named patches, in one layer or in several that look different.
+import type { JSX } from "preact";
+import type { SurfaceLayer } from "../../generated/protocol";
+import { freshSolid } from "../../model/new_looks";
+import { layersOf } from "../../model/scalars";
+import { ColoringFields, OpacityField } from "../color/coloring";
+import { IconButton, Section } from "../controls/controls";
+import { useCommands, useModel } from "../context";
+import { EdgesFields } from "./line_fields";
+import { PatchList } from "./patch_list";
+import { RemoveButton } from "../controls/remove_button";
+import { ThresholdFields } from "./threshold_fields";
+
+function LookFields({ id, layer }: { id: string; layer: SurfaceLayer }): JSX.Element {
+  return (
+    <>
+      <ColoringFields of={{ layers: [id] }} coloring={layer.color ?? {}} ofPatches />
+      <OpacityField id={id} opacity={layer.opacity ?? 1} />
+      <ThresholdFields id={id} threshold={layer.threshold} color={layer.color?.array} />
+      <EdgesFields id={id} edges={layer.edges} />
+    </>
+  );
+}
+
+function FurtherCard({ id, layer, number }: { id: string; layer: SurfaceLayer; number: number }): JSX.Element {
+  const commands = useCommands();
+  const visible = layer.visible !== false;
+  return (
+    <article class={visible ? "card" : "card off"} aria-label={`Boundary ${number}`}>
+      <div class="card-head">
+        <IconButton
+          icon={visible ? "eye" : "hidden"}
+          label={`${visible ? "Hide" : "Show"} boundary ${number}`}
+          pressed={visible}
+          onClick={() => commands.layers.set(id, { visible: !visible })}
+        />
+        <span class="card-title">Boundary {number}</span>
+        <RemoveButton label={`Remove boundary ${number}`} onClick={() => commands.layers.remove(id)} />
+      </div>
+      {visible && <LookFields id={id} layer={layer} />}
+      <PatchList
+        groups={layer.groups ?? []}
+        shown={visible}
+        onChange={(groups) => commands.layers.set(id, groups === null ? { visible: false } : { visible: true, groups })}
+      />
+    </article>
+  );
+}
+
+export function BoundarySection(): JSX.Element {
+  const commands = useCommands();
+  const scene = useModel((model) => model.scene.value);
+  const description = useModel((model) => model.description.value);
+  const [entry, ...further] = layersOf(scene, "surface");
+  const shown = entry !== undefined && entry[1].visible !== false;
+  const show = (groups: string[] | null): void => {
+    if (entry !== undefined)
+      commands.layers.set(entry[0], groups === null ? { visible: false } : { visible: true, groups });
+    else if (groups !== null) commands.layers.add("surface", { type: "surface", groups });
+  };
+  // Of a patch that is not shown yet: two layers in one place would hide each other.
+  const addFurther = (): void => {
+    const taken = new Set(layersOf(scene, "surface").flatMap(([, layer]) => layer.groups ?? []));
+    const free = description?.groups.find(({ of, name }) => of === "faces" && !taken.has(name));
+    const groups = free === undefined ? [] : [free.name];
+    commands.layers.add("surface", { type: "surface", groups, color: freshSolid(scene, "surface") });
+  };
+  const button = entry && (
+    <IconButton icon="plus" label="Add another layer of the boundary" text="Add" onClick={addFurther} />
+  );
+  return (
+    <Section title="Boundary" action={button ?? null}>
+      {entry !== undefined && shown && <LookFields id={entry[0]} layer={entry[1]} />}
+      <PatchList groups={entry?.[1].groups ?? []} shown={shown} onChange={show} />
+      {further.map(([id, layer], index) => (
+        <FurtherCard key={id} id={id} layer={layer} number={index + 2} />
+      ))}
+    </Section>
+  );
+}

@@ -1,0 +1,63 @@
+// Lines of a layer: on or off, their color and width.
+import type { JSX } from "preact";
+import type { Edges } from "../../generated/protocol";
+import { Check, NumberField } from "../controls/controls";
+import { useCommands } from "../context";
+
+export const DEFAULT_COLOR = "#1a1a1a";
+
+interface LineStyleProps {
+  label: string;
+  /** null where they have those of an array. */
+  color: string | null;
+  width: number;
+  onChange: (change: { color?: string; width?: number }) => void;
+}
+
+export function LineStyleFields({ label, color, width, onChange }: LineStyleProps): JSX.Element {
+  return (
+    <div class="fields">
+      {color !== null && (
+        <label class="field">
+          <span>Color</span>
+          <input
+            type="color"
+            aria-label={`Color of ${label}`}
+            value={color}
+            onChange={(event) => onChange({ color: event.currentTarget.value })}
+          />
+        </label>
+      )}
+      <label class="field">
+        <span>Width</span>
+        <NumberField
+          label={`Width of ${label} in pixels`}
+          value={width}
+          step={0.5}
+          unit="px"
+          limits={[0.1, 32]}
+          onChange={(typed) => onChange({ width: typed })}
+        />
+      </label>
+    </div>
+  );
+}
+
+export function EdgesFields({ id, edges }: { id: string; edges: Edges | undefined }): JSX.Element {
+  const commands = useCommands();
+  const shown = edges !== undefined && edges.visible !== false;
+  const set = (change: Edges): void => commands.layers.set(id, { edges: change });
+  return (
+    <>
+      <Check label="Cell edges" checked={shown} onChange={(visible) => set({ visible })} />
+      {shown && (
+        <LineStyleFields
+          label="the edges"
+          color={edges.color ?? DEFAULT_COLOR}
+          width={edges.width ?? 1}
+          onChange={set}
+        />
+      )}
+    </>
+  );
+}

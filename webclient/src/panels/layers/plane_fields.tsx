@@ -1,0 +1,60 @@
+// A free plane: how far along its normal, and its origin and normal in numbers.
+import type { JSX } from "preact";
+import { boundsCentre, corners, frame } from "../../model/camera";
+import { add, dot, normalize, scale, subtract } from "../../model/vector";
+import type { Vec3 } from "../../generated/protocol";
+import { clamp, formatNumber, sliderTrack } from "../../model/numbers";
+import { IconButton, Slider } from "../controls/controls";
+import { useCommands, useModel } from "../context";
+import { VectorRow } from "../controls/vector_row";
+
+/** In the ranges that a dataset has, five digits of a coordinate are what a hand means. */
+const tidy = (vector: Vec3): Vec3 => vector.map((value) => Number(value.toPrecision(6))) as Vec3;
+
+interface PlaneProps {
+  id: string;
+  origin: Vec3;
+  normal: Vec3;
+}
+
+export function PlaneFields({ id, origin, normal }: PlaneProps): JSX.Element {
+  const commands = useCommands();
+  const description = useModel((model) => model.description.value);
+  const direction = normalize(normal);
+  const centre = description === null ? origin : boundsCentre(description.bounds);
+  const reach =
+    description === null
+      ? 1
+      : Math.max(...corners(description.bounds).map((at) => dot(subtract(at, centre), direction)));
+  const offset = dot(subtract(origin, centre), direction);
+  const moveTo = (to: number, gesture?: string): void =>
+    commands.layers.set(id, { origin: tidy(add(origin, scale(direction, to - offset))) }, gesture);
+  const face = (): void => {
+    const camera = commands.camera.get();
+    if (camera !== null)
+      commands.layers.set(id, { origin: tidy(centre), normal: tidy(scale(frame(camera).forward, -1)) });
+  };
+  return (
+    <>
+      <Slider
+        label="Position along the normal"
+        {...sliderTrack([-reach, reach])}
+        value={offset}
+        text={`${formatNumber(offset, reach)} ${description?.length_units ?? ""} from the middle`}
+        newGesture={() => commands.newGesture()}
+        onChange={(to, gesture) => moveTo(clamp(to, -reach, reach), gesture)}
+      />
+      <VectorRow label="Origin" value={origin} span={2 * reach} set={(to) => commands.layers.set(id, { origin: to })} />
+      <VectorRow
+        label="Normal"
+        value={normal}
+        span={10 * Math.hypot(...normal)}
+        set={(to) => {
+          if (to.some((part) => part !== 0)) commands.layers.set(id, { normal: to });
+          else commands.tell("A normal of 0, 0, 0 has no direction; type the part that is to stay first", "error");
+        }}
+      />
+      <IconButton icon="eye" label="Turn the plane to face the view" text="Face the view" onClick={face} />
+    </>
+  );
+}

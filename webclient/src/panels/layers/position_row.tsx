@@ -1,0 +1,36 @@
+// A plane across an axis: where it lies, by a slider over the dataset's bounds and in a number.
+import type { JSX } from "preact";
+import { endsOf, type Axis } from "../../model/axes";
+import { clamp, formatNumber, sliderTrack } from "../../model/numbers";
+import { NumberField, Slider } from "../controls/controls";
+import { useCommands, useModel } from "../context";
+
+interface PositionProps {
+  id: string;
+  axis: Axis;
+  /** The middle without one. */
+  value: number | undefined;
+  /** Of the slider and of the number. */
+  labels: readonly [string, string];
+}
+
+export function PositionRow({ id, axis, value, labels }: PositionProps): JSX.Element {
+  const commands = useCommands();
+  const description = useModel((model) => model.description.value);
+  const [low, high] = description === null ? [0, 1] : endsOf(axis, description.bounds);
+  const position = value ?? (low + high) / 2;
+  const set = (to: number, gesture?: string): void => commands.layers.set(id, { value: to }, gesture);
+  return (
+    <div class="clip-row">
+      <Slider
+        label={labels[0]}
+        {...sliderTrack([low, high])}
+        value={position}
+        text={`${formatNumber(position, high - low)} ${description?.length_units ?? ""}`.trim()}
+        newGesture={() => commands.newGesture()}
+        onChange={(to, gesture) => set(clamp(to, low, high), gesture)}
+      />
+      <NumberField label={labels[1]} value={position} span={high - low} onChange={set} />
+    </div>
+  );
+}

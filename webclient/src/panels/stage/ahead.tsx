@@ -1,0 +1,37 @@
+// While the picture is behind the hand: what the hand wants, over it.
+import type { JSX } from "preact";
+import { ahead } from "../../model/ahead";
+import { cameraOf } from "../../model/model";
+import { useModel } from "../context";
+import { useLasting } from "../controls/lasting";
+
+/** A picture that is so late is no longer where the hand is. */
+const BEHIND_MS = 120;
+
+export function Ahead(): JSX.Element | null {
+  const shownScene = useModel((model) => model.shownScene.value);
+  const { stream, revision, latencyMs, frame } = useModel((model) => model.readout.value);
+  const wanted = useModel((model) => model.scene.value);
+  const bounds = useModel((model) => model.description.value?.bounds);
+  const size = useModel((model) => model.canvasSize.value);
+  const newest = useModel((model) => (model.pending.value ? -1 : model.revision.value));
+  const differs = stream === "image" && revision > 0 && newest !== revision;
+  const isLate = useLasting(differs, BEHIND_MS, frame);
+  const shown = differs && (isLate || (latencyMs ?? 0) > BEHIND_MS) ? shownScene : null;
+  const camera = useModel(cameraOf);
+  if (shown === null || wanted === null || bounds === undefined || camera === null) return null;
+  const { lines, words } = ahead(shown, wanted, camera, bounds, size);
+  if (lines.length + words.length === 0) return null;
+  return (
+    <svg class="ahead" aria-hidden="true">
+      {lines.map((line, i) => (
+        <line key={i} {...line} />
+      ))}
+      {words.map((text, i) => (
+        <text key={text} x={size.width / 2} y={28 + 20 * i}>
+          {text}
+        </text>
+      ))}
+    </svg>
+  );
+}

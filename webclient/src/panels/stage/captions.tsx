@@ -1,0 +1,20 @@
+// Title, dataset and time over the canvas: frames carry no writing (Annotations in the contract).
+import type { JSX } from "preact";
+import { paperAt } from "../../model/background";
+import { shownTime } from "../../model/scalars";
+import { numberAlone } from "../../model/ticks";
+import { useModel } from "../context";
+
+export function Captions(): JSX.Element | null {
+  const scene = useModel((model) => model.scene.value);
+  const description = useModel((model) => model.description.value);
+  const { title = "", dataset = false, time = false, scale = 1 } = scene?.annotations ?? {};
+  if (scene === null || (title === "" && !dataset && !time)) return null;
+  return (
+    <div class="captions" style={{ zoom: scale, "--paper": paperAt(scene.background, 0) }}>
+      {title !== "" && <h2>{title}</h2>}
+      {dataset && <p>{scene.dataset}</p>}
+      {time && <p>Time: {numberAlone(shownTime(description, scene))}</p>}
+    </div>
+  );
+}

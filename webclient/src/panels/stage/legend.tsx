@@ -1,0 +1,273 @@
+// Color bars over the canvas, one per coloring in use; the range is edited in place.
+import type { JSX } from "preact";
+import { useEffect, useRef, useState } from "preact/hooks";
+import { colorsAlong, hasWidth, type ColorScale } from "../../model/color_scale";
+import { barHeight, legendText } from "../../model/overlay_room";
+import type { Range } from "../../generated/protocol";
+import type { Size } from "../../model/camera";
+import { withRangeEnd } from "../../model/color_edit";
+import { rangeOf, scaleOf } from "../../model/color_range";
+import { colorTicks, exponentOf, labelOn, type ColorTick } from "../../model/color_ticks";
+import { clamp, formatNumber } from "../../model/numbers";
+import { cellsText, extremesText } from "../../model/cell_extremes";
+import {
+  arrayOf,
+  legendsOf,
+  rangeOfAllSteps,
+  unitsOf,
+  type Colored,
+  type LegendOf,
+  type ScaledColoring,
+} from "../../model/scalars";
+import { legendTitle } from "../../model/legend_names";
+import { IconButton, NumberField } from "../controls/controls";
+import { useCommands, useModel } from "../context";
+import { useDataRange } from "../color/data_range";
+
+const BAR_PIXELS = 256;
+
+/** Pixels between the box and a legend. */
+const ROOM: Size = { width: 12, height: 20 };
+
+/** Triangles beyond the ends stand for colors that values outside the range have. */
+function ColorBar({ scale }: { scale: ColorScale }): JSX.Element {
+  const canvas = useRef<HTMLCanvasElement>(null);
+  const key = JSON.stringify(scale);
+  useEffect(() => {
+    const context = canvas.current?.getContext("2d");
+    const pixels = colorsAlong(scale, BAR_PIXELS).reverse(); // the highest on top
+    const rgba = Uint8ClampedArray.from(pixels.flatMap((color) => [...color, 255]));
+    context?.putImageData(new ImageData(rgba, 1, BAR_PIXELS), 0, 0);
+  }, [key]);
+  return (
+    <div class="color-bar">
+      {scale.above !== null && <span class="color-end" title="Above the range" style={{ background: scale.above }} />}
+      <canvas ref={canvas} class={scale.steps > 1 ? "stepped" : ""} width={1} height={BAR_PIXELS} aria-hidden="true" />
+      {scale.below !== null && (
+        <span class="color-end below" title="Below the range" style={{ background: scale.below }} />
+      )}
+    </div>
+  );
+}
+
+const LINE_PIXELS = 14;
+const USUAL_HEIGHT = 120;
+const LINES_APART = 1.7;
+const MOST_TICKS = 6;
+/** Closer ones look like one bar. */
+const MARKS_APART = 4;
+
+/** Of those between the two ends, the ones whose labels stand clear of the labels below and above them. */
+function spacedTicks(scale: ColorScale, height: number): ColorTick[] {
+  const gap = LINE_PIXELS / height;
+  let last = 0;
+  const most = clamp(Math.floor(height / (LINES_APART * LINE_PIXELS)), 1, MOST_TICKS);
+  return colorTicks(scale, most, 1 + Math.floor(height / MARKS_APART)).filter((tick) => {
+    if (tick.label === "") return true;
+    if (tick.at - last < gap || tick.at > 1 - gap) return false;
+    last = tick.at;
+    return true;
+  });
+}
+
+interface Entry {
+  coloring: ScaledColoring;
+  of: Colored;
+}
+
+/** Pixels of a legend's text where its numbers have lines of LINE_PIXELS. */
+const USUAL_TEXT = 12;
+/** A minus is wider than a digit. */
+const BESIDE_DIGITS = 0.5;
+
+interface ScaleProps extends Entry {
+  scale: ColorScale;
+  range: Range;
+  text: number;
+}
+
+function LegendScale({ coloring, of, scale, range, text }: ScaleProps): JSX.Element {
+  const commands = useCommands();
+  const along = useRef<HTMLDivElement>(null);
+  const [height, setHeight] = useState(USUAL_HEIGHT);
+  useEffect(() => {
+    const element = along.current;
+    if (element === null) return;
+    const observer = new ResizeObserver(() => setHeight(element.clientHeight));
+    observer.observe(element);
+    return () => observer.disconnect();
+  }, []);
+  const span = scale.log ? undefined : range[1] - range[0];
+  const shown = (value: number): string => labelOn(scale, value);
+  const setEnd = (end: 0 | 1, to: number): void => {
+    const change = withRangeEnd(coloring, range, end, to);
+    if (typeof change === "string") commands.tell(change, "error");
+    else commands.colors.set(of, change);
+  };
+  const ticks = spacedTicks(scale, (height * USUAL_TEXT) / text);
+  const digits = Math.max(...[...range.map(shown), ...ticks.map(({ label }) => label)].map(({ length }) => length));
+  return (
+    <div class="color-scale" style={{ "--digits": `${digits + BESIDE_DIGITS}ch` }}>
+      <NumberField
+        label={`Highest value of the ${coloring.array} colors`}
+        help="The upper end of the colors. Type another to hold it"
+        value={range[1]}
+        span={span}
+        shown={shown}
+        onChange={(high) => setEnd(1, high)}
+      />
+      <div class="ticks" ref={along} aria-hidden="true">
+        {ticks.map(({ value, at, label }) => (
+          <span key={value} class={label === "" ? "mark" : ""} style={{ bottom: `${at * 100}%` }}>
+            {label}
+          </span>
+        ))}
+      </div>
+      <NumberField
+        label={`Lowest value of the ${coloring.array} colors`}
+        help="The lower end of the colors. Type another to hold it"
+        value={range[0]}
+        span={span}
+        shown={shown}
+        onChange={(low) => setEnd(0, low)}
+      />
+    </div>
+  );
+}
+
+/** Of an array that has one value: a scale of it would say the same thrice. */
+function OneValue({ value }: { value: number }): JSX.Element {
+  return (
+    <p class="one-value">
+      {formatNumber(value)}
+      <small>everywhere</small>
+    </p>
+  );
+}
+
+/** Whose lowest and highest value the ends are. */
+function rangeWords({ range }: ScaledColoring, everywhere: Range | null): string {
+  if (!range) return "this step";
+  const isOfAll = everywhere !== null && everywhere[0] === range[0] && everywhere[1] === range[1];
+  return isOfAll ? "all steps" : "held";
+}
+
+function RangeButtons({ coloring, of, range }: Entry & { range: Range }): JSX.Element {
+  const commands = useCommands();
+  const description = useModel((model) => model.description.value);
+  const set = (to: Range | undefined): void => commands.colors.set(of, { range: to });
+  const reach = Math.max(-range[0], range[1]);
+  const name = coloring.array;
+  const hasSteps = (description?.times.length ?? 0) > 1;
+  const everywhere = rangeOfAllSteps(description, name);
+  return (
+    <div class="range-buttons">
+      {coloring.range && (
+        <IconButton
+          icon="reset"
+          label={`Range of the data for ${name}`}
+          help="The ends are held. Follow the lowest and the highest value of each step again"
+          onClick={() => set(undefined)}
+        />
+      )}
+      {!coloring.range && hasSteps && (
+        <IconButton
+          icon="hold"
+          label={`The same range at every step for ${name}`}
+          help={`The ends are the lowest and the highest value of this step. Hold the range of ${everywhere === null ? "this step" : "the whole dataset"} at every step`}
+          onClick={() => set(everywhere ?? range)}
+        />
+      )}
+      {range[0] < 0 && range[1] > 0 && range[0] !== -range[1] && (
+        <IconButton
+          icon="symmetric"
+          label={`Range symmetric about zero for ${name}`}
+          onClick={() => set([-reach, reach])}
+        />
+      )}
+      {(hasSteps || coloring.range) && <small class="range-of">{rangeWords(coloring, everywhere)}</small>}
+    </div>
+  );
+}
+
+function LegendEntry({ coloring, of, name, text }: LegendOf & { text: number }): JSX.Element {
+  const description = useModel((model) => model.description.value);
+  const missing = useModel((model) => model.missing.value);
+  const units = unitsOf(description, coloring.array);
+  const array = arrayOf(description, coloring.array);
+  const data = useDataRange(coloring.array);
+  const known = data?.range ?? coloring.range ?? null;
+  const range = known === null ? null : rangeOf(coloring, known);
+  const scale = scaleOf(coloring, known ?? [0, 1]);
+  const constant = range !== null && !hasWidth(scale) && !coloring.range;
+  const title = legendTitle(coloring.array, units, range === null || constant ? 0 : exponentOf(scale));
+  return (
+    <figure class="legend" aria-label={`Colors of ${coloring.array}${name === "" ? "" : `, ${name}`}`}>
+      <figcaption>
+        <span class="legend-title" title={title}>
+          {title}
+        </span>
+        {name !== "" && <small class="legend-of">{name}</small>}
+        {data?.cells !== undefined && array?.association === "point" && (
+          <small class="legend-of" title={extremesText(data.cells)}>
+            {cellsText(data.cells)}
+          </small>
+        )}
+      </figcaption>
+      <div class="legend-scale">
+        <ColorBar scale={scale} />
+        {range !== null &&
+          (constant ? (
+            <OneValue value={range[0]} />
+          ) : (
+            <LegendScale coloring={coloring} of={of} scale={scale} range={range} text={text} />
+          ))}
+      </div>
+      {of.layers.some((layer) => missing.includes(layer)) && (
+        <p class="missing">
+          <span style={{ background: scale.nan }} /> no value
+        </p>
+      )}
+      {range !== null && <RangeButtons coloring={coloring} of={of} range={range} />}
+    </figure>
+  );
+}
+
+/** From the stage's top right corner to the far ends of the legends, with room around them. */
+function cornerOf(legends: HTMLElement): Size[] {
+  const stage = legends.parentElement?.getBoundingClientRect();
+  const boxes = [...legends.children].map((child) => child.getBoundingClientRect());
+  if (stage === undefined) return [];
+  return boxes.map(({ left, bottom }) => ({
+    width: stage.right - left + ROOM.width,
+    height: bottom - stage.top + ROOM.height,
+  }));
+}
+
+export function Legends(): JSX.Element | null {
+  const commands = useCommands();
+  const scene = useModel((model) => model.scene.value);
+  const empty = useModel((model) => model.empty.value);
+  const description = useModel((model) => model.description.value);
+  const entries = scene?.annotations?.legend === false ? [] : legendsOf(scene, description, empty);
+  const stage = useModel((model) => model.canvasSize.value);
+  const zoom = scene?.annotations?.scale ?? 1;
+  const text = legendText(stage);
+  const bar = barHeight({ width: stage.width / zoom, height: stage.height / zoom }, entries.length, text);
+  const root = useRef<HTMLDivElement>(null);
+  useEffect(() => {
+    const element = root.current;
+    if (element === null) return;
+    const measure = (): void => commands.page.legendsStand(cornerOf(element));
+    const observer = new ResizeObserver(measure);
+    observer.observe(element);
+    return () => observer.disconnect();
+  }, [commands]);
+  return (
+    <div class="legends" ref={root} style={{ zoom, fontSize: `${text}px`, "--bar": `${bar}px` }}>
+      {entries.map((entry) => (
+        <LegendEntry key={JSON.stringify([entry.coloring.array, entry.of])} {...entry} text={text} />
+      ))}
+    </div>
+  );
+}

@@ -1,0 +1,80 @@
+// The canvas, what lies over it, and the hand on it.
+import type { JSX } from "preact";
+import { useEffect, useRef } from "preact/hooks";
+import { openingIn } from "../../model/model";
+import { isBright, paperAt } from "../../model/background";
+import { Ahead } from "./ahead";
+import { AxesTriad } from "./axes_triad";
+import { BoxAxes } from "./box_axes";
+import { Captions } from "./captions";
+import { useCommands, useModel } from "../context";
+import { keepApart } from "./keep_apart";
+import { Legends } from "./legend";
+import { Busy, ConnectionNotice, FatalNotice, LackingNotice, ToastList } from "../shell/notice";
+import { ProbeCard } from "./probe_card";
+
+export function Stage(): JSX.Element {
+  const commands = useCommands();
+  const root = useRef<HTMLDivElement>(null);
+  const images = useRef<HTMLCanvasElement>(null);
+  const geometry = useRef<HTMLCanvasElement>(null);
+  const live = useModel((model) => model.connection.value.kind === "open");
+  const nothing = useModel((model) => model.fatal.value !== null);
+  const opening = useModel((model) => openingIn(model) !== null);
+  const background = useModel(({ scene, fatal }) =>
+    scene.value === null || fatal.value !== null ? null : (scene.value.background ?? "dark"),
+  );
+  const under = background === null ? "" : isBright(background) ? "on-light" : "on-dark"; // without a picture as the page
+  useEffect(() => {
+    const element = root.current;
+    if (element === null || images.current === null || geometry.current === null) return;
+    const measure = (): void =>
+      commands.page.resized(element.clientWidth, element.clientHeight, window.devicePixelRatio);
+    measure();
+    const observer = new ResizeObserver(measure);
+    observer.observe(element);
+    commands.listenTo(element);
+    const stage = element.parentElement;
+    const end = stage === null ? null : keepApart(stage, (taken) => commands.page.covered(taken));
+    void commands.page.attach(images.current, geometry.current);
+    return () => {
+      observer.disconnect();
+      end?.();
+    };
+  }, [commands]);
+  return (
+    <main
+      class={`stage ${under} ${live ? "" : "stale"} ${opening ? "opening" : ""}`}
+      aria-busy={opening}
+      style={
+        background === null ? {} : { "--paper-top": paperAt(background, 0), "--paper-bottom": paperAt(background, 1) }
+      }
+    >
+      <div
+        class="canvases"
+        ref={root}
+        tabIndex={0}
+        role="application"
+        aria-label="3-D view. Drag to turn; press ? for help"
+      >
+        <canvas ref={images} hidden />
+        <canvas ref={geometry} hidden />
+      </div>
+      {!nothing && !opening && (
+        <>
+          <Ahead />
+          <BoxAxes />
+          <AxesTriad />
+          <Captions />
+          <Legends />
+          <ProbeCard />
+        </>
+      )}
+      <Busy />
+      {!opening && <LackingNotice />}
+      <FatalNotice />
+      <ConnectionNotice />
+      <ToastList />
+    </main>
+  );
+}

@@ -1,0 +1,33 @@
+// Where the server is, as seen from this page: beside it, under whatever prefix.
+import type { SocketLike } from "./connection";
+import { Disconnected, type Post } from "./rpc";
+
+/** The server has turned a token in the address into a cookie; taken out here, it does not leave in a link. */
+export function hideToken(): void {
+  const address = new URL(location.href);
+  if (!address.searchParams.has("token")) return;
+  address.searchParams.delete("token");
+  history.replaceState(null, "", address);
+}
+
+export function socketAddress(base: string): URL {
+  const address = new URL("ws", base);
+  address.protocol = address.protocol === "https:" ? "wss:" : "ws:";
+  return address;
+}
+
+export function openSocket(address: URL): SocketLike {
+  return new WebSocket(address, ["ciel.v1"]) as unknown as SocketLike;
+}
+
+export function postTo(base: string): Post {
+  const headers = { "Content-Type": "application/json" };
+  return async (body) => {
+    const answer = await fetch(new URL("rpc", base), { method: "POST", headers, body }).catch(() => {
+      throw new Disconnected();
+    });
+    const text = await answer.text();
+    if (!answer.ok) throw new Error(text);
+    return text;
+  };
+}

@@ -1,0 +1,148 @@
+// One WebSocket that comes back by itself: exponential back-off with jitter, a heartbeat, and a state to show.
+import type { ConnectionState } from "../model/state";
+import { Disconnected, Rpc, type Post } from "./rpc";
+
+export interface SocketLike {
+  binaryType: string;
+  onopen: (() => void) | null;
+  onclose: (() => void) | null;
+  onmessage: ((event: { data: unknown }) => void) | null;
+  send(data: string): void;
+  close(): void;
+}
+
+export interface ConnectionEvents {
+  state(state: ConnectionState): void;
+  /** A fresh socket: whatever the server knew of the last one is gone. */
+  opened(rpc: Rpc): void;
+  notification(name: string, params: unknown): void;
+  binary(message: ArrayBuffer): void;
+  roundTrip(milliseconds: number): void;
+}
+
+/** Time and chance, so that a test can hold them. */
+export interface Clock {
+  now(): number;
+  random(): number;
+  setTimeout(callback: () => void, milliseconds: number): number;
+  clearTimeout(timer: number): void;
+}
+
+export const FIRST_RETRY_MS = 500;
+export const LAST_RETRY_MS = 15_000;
+export const HEARTBEAT_MS = 10_000;
+export const CONNECT_TIMEOUT_MS = 10_000;
+
+/** Doubles from FIRST_RETRY_MS to LAST_RETRY_MS; a quarter is chance, so that clients do not return all at once. */
+export function retryDelay(attempt: number, random: number): number {
+  const delay = Math.min(LAST_RETRY_MS, FIRST_RETRY_MS * 2 ** Math.min(attempt, 16));
+  return delay * (0.75 + 0.25 * random);
+}
+
+export class Connection {
+  private socket: SocketLike | null = null;
+  private rpc: Rpc | null = null;
+  private attempt = 0;
+  private timer: number | null = null;
+
+  constructor(
+    private readonly open: () => SocketLike,
+    private readonly post: Post,
+    private readonly events: ConnectionEvents,
+    private readonly clock: Clock,
+  ) {}
+
+  start(): void {
+    this.connect();
+  }
+
+  stop(): void {
+    this.drop();
+    this.events.state({ kind: "closed" });
+  }
+
+  /** Now rather than at the end of the wait. Does nothing while a socket lives. */
+  retryNow(): void {
+    if (this.socket === null) this.connect();
+  }
+
+  /** The network says it is gone: do not wait for the heartbeat to find out. */
+  lost(): void {
+    if (this.socket !== null) this.ended();
+  }
+
+  private connect(): void {
+    this.drop();
+    this.events.state({ kind: "connecting", attempt: this.attempt });
+    const socket = this.open();
+    const rpc = new Rpc(
+      (text) => socket.send(text),
+      (name, params) => this.events.notification(name, params),
+      this.post,
+    );
+    socket.binaryType = "arraybuffer";
+    socket.onopen = () => {
+      this.attempt = 0;
+      this.clearTimer();
+      this.events.opened(rpc);
+      this.events.state({ kind: "open" });
+      this.heartbeat(rpc);
+    };
+    socket.onmessage = (event) => {
+      if (typeof event.data === "string") rpc.receive(event.data);
+      else this.events.binary(event.data as ArrayBuffer);
+    };
+    socket.onclose = () => this.ended();
+    this.socket = socket;
+    this.rpc = rpc;
+    this.setTimer(() => this.ended(), CONNECT_TIMEOUT_MS);
+  }
+
+  // A cable that is pulled closes no socket; an unanswered call tells.
+  private heartbeat(rpc: Rpc): void {
+    const sent = this.clock.now();
+    this.setTimer(() => this.ended(), HEARTBEAT_MS);
+    rpc.call("server.info", {}).then(
+      () => {
+        if (this.rpc !== rpc) return;
+        this.events.roundTrip(this.clock.now() - sent);
+        this.setTimer(() => this.heartbeat(rpc), HEARTBEAT_MS);
+      },
+      (error: unknown) => {
+        // An answer with an error is an answer.
+        if (this.rpc === rpc && !(error instanceof Disconnected))
+          this.setTimer(() => this.heartbeat(rpc), HEARTBEAT_MS);
+      },
+    );
+  }
+
+  private ended(): void {
+    this.drop();
+    const delay = retryDelay(this.attempt, this.clock.random());
+    this.events.state({ kind: "waiting", attempt: this.attempt, retryAt: this.clock.now() + delay });
+    this.attempt += 1;
+    this.setTimer(() => this.connect(), delay);
+  }
+
+  private drop(): void {
+    this.clearTimer();
+    const { socket, rpc } = this;
+    this.socket = null;
+    this.rpc = null;
+    if (socket !== null) {
+      socket.onopen = socket.onclose = socket.onmessage = null;
+      socket.close();
+    }
+    rpc?.close();
+  }
+
+  private setTimer(callback: () => void, milliseconds: number): void {
+    this.clearTimer();
+    this.timer = this.clock.setTimeout(callback, milliseconds);
+  }
+
+  private clearTimer(): void {
+    if (this.timer !== null) this.clock.clearTimeout(this.timer);
+    this.timer = null;
+  }
+}

@@ -1,0 +1,28 @@
+// Keeps the description of the scene's dataset at hand.
+import { update } from "../model/model";
+import type { Server } from "./server";
+
+export async function listDatasets(server: Server): Promise<void> {
+  try {
+    server.model.datasets.value = await server.session.call("dataset.list", {});
+  } catch (error) {
+    server.fail(error);
+  }
+}
+
+/** Fetches the description when the scene's dataset is another one than the described. */
+export async function describeDataset(server: Server, again = false): Promise<void> {
+  const { model } = server;
+  const name = model.scene.peek()?.dataset;
+  const known = !again && model.description.peek()?.name === name;
+  if (name === undefined || !server.editor.isConnected || model.describing.peek() === name || known) return;
+  model.describing.value = name;
+  try {
+    const description = await server.session.call("dataset.describe", { dataset: name });
+    if (model.scene.peek()?.dataset === name) update(model, { description });
+  } catch (error) {
+    server.fail(error);
+  } finally {
+    if (model.describing.peek() === name) model.describing.value = null;
+  }
+}

@@ -1,0 +1,59 @@
+// What a page shows first: the link's scene, else the tab's own session, else the first dataset that can be opened.
+import type { Camera, DatasetDescription, Scene } from "../generated/protocol";
+import { complete, defaultView, distance, fit, type Bounds, type FullCamera } from "../model/camera";
+import { subtract } from "../model/vector";
+import { RpcError } from "./rpc";
+import { legendsOf } from "../model/scalars";
+import type { Caller } from "./session";
+import type { CanvasSize } from "../model/canvas_size";
+
+export interface FirstSceneOptions {
+  session: string;
+  /** The tab has had the session before. */
+  rejoin: boolean;
+  link: Scene | null;
+  size: CanvasSize;
+  background: "dark" | "light";
+}
+
+function openingCamera(camera: Camera | null | undefined, bounds: Bounds, aspect: number): FullCamera {
+  if (!camera || distance(complete(camera)) === 0) return defaultView(bounds, aspect);
+  const { position, target, up, fov, parallel } = complete(camera);
+  return fit(bounds, subtract(target, position), up, aspect, fov, parallel);
+}
+
+/** The dataset's own first view, fitted to this canvas and theme. */
+export function openingScene(description: DatasetDescription, size: CanvasSize, background: "dark" | "light"): Scene {
+  const scene = description.default_scene;
+  const bounds = description.default_bounds;
+  const camera = size.clearOfCorner(openingCamera(scene.camera, bounds, size.aspect), bounds);
+  return { ...scene, camera, background };
+}
+
+/** What lies over the canvas is drawn by the camera, so a scene from elsewhere gets the one that it would be shown with. */
+async function withCamera(call: Caller, scene: Scene, size: CanvasSize): Promise<Scene> {
+  if (scene.camera) return scene;
+  try {
+    const description = await call("dataset.describe", { dataset: scene.dataset });
+    if (scene.annotations?.legend !== false) size.expectLegends(legendsOf(scene, description).length);
+    const { bounds } = description;
+    return { ...scene, camera: size.clearOfCorner(defaultView(bounds, size.aspect), bounds) };
+  } catch (error) {
+    if (!(error instanceof RpcError)) throw error;
+    return scene; // what is wrong with it, opening it will say
+  }
+}
+
+/** null where the server offers nothing that can be opened. */
+export async function firstScene(call: Caller, options: FirstSceneOptions): Promise<Scene | null> {
+  if (options.link !== null) return withCamera(call, options.link, options.size);
+  try {
+    if (options.rejoin) return (await call("scene.get", { session: options.session })).scene;
+  } catch (error) {
+    if (!(error instanceof RpcError)) throw error; // the server does not know the session: a new one
+  }
+  const usable = (await call("dataset.list", {})).find(({ problem }) => problem === "");
+  if (usable === undefined) return null;
+  const description = await call("dataset.describe", { dataset: usable.name });
+  return openingScene(description, options.size, options.background);
+}

@@ -1,0 +1,231 @@
+// Kind 2: one batch of polygons of one layer (protocol/frame.md).
+import { MeshoptDecoder } from "meshoptimizer/decoder";
+import { decodeHeader, HEADER_BYTES } from "./frame_header";
+import type { ColorScale } from "../model/color_scale";
+import type { Coloring, Range, Vec3 } from "../generated/protocol";
+import { scaleOf } from "../model/color_range";
+
+/** nx, ny, nz, d: shown where dot(normal, offset) + d >= 0. */
+export type ClipPlane = [number, number, number, number];
+
+export interface GeometryBatch {
+  layer: string;
+  lines: boolean;
+  points: boolean;
+  positions: Float32Array; // offsets from origin
+  normals: Float32Array | null;
+  scalars: Float32Array | null;
+  indices: Uint32Array;
+  scale: ColorScale;
+  color: [number, number, number, number];
+  lit: boolean;
+  width: number; // of lines and points, in the server's pixels
+  clip: ClipPlane[];
+  origin: Vec3;
+}
+
+interface MeshPart {
+  id: string;
+  step: number;
+  low: Vec3;
+  bytes?: [number, number]; // absent where it came before
+}
+
+interface ValuesPart {
+  id: string;
+  of: "vertices" | "triangles" | "lines" | "points";
+  step?: number; // absent: floats
+  origin?: number;
+  low?: number;
+  bytes?: number;
+}
+
+interface BatchHeader {
+  layer: string;
+  kind: "triangles" | "lines" | "points";
+  vertices: number;
+  indices: number;
+  normals: boolean;
+  mesh: MeshPart;
+  values?: ValuesPart;
+  map: string;
+  range?: Range; // absent where there are no scalars
+  scale: Coloring;
+  color: [number, number, number, number];
+  lit: boolean;
+  width?: number;
+  clip?: ClipPlane[];
+  origin: Vec3;
+  batches: number;
+  base: number;
+}
+
+interface Mesh {
+  positions: Float32Array;
+  normals: Float32Array | null;
+  indices: Uint32Array;
+}
+
+const NO_VALUE = 0xffffffff;
+const CORNERS = { triangles: 3, lines: 2, points: 1 } as const;
+
+/** Before the first batch is decoded. Rejects where the browser has no WebAssembly. */
+export const geometryReady: Promise<void> = MeshoptDecoder.ready;
+
+/** A batch names what this client has not kept: the server must send it once more. */
+export class MissingPart extends Error {}
+
+/** Takes consecutive parts of a message. Throws where it ends before they do. */
+class Rest {
+  constructor(private bytes: Uint8Array) {}
+
+  take(count: number): Uint8Array {
+    if (count > this.bytes.length) throw new Error("A geometry frame's arrays are shorter than announced");
+    const taken = this.bytes.subarray(0, count);
+    this.bytes = this.bytes.subarray(count);
+    return taken;
+  }
+
+  end(): void {
+    if (this.bytes.length > 0) throw new Error(`A geometry frame's arrays are ${this.bytes.length} bytes too long`);
+  }
+}
+
+/** Parts of batches by their ids, for batches to come that name them instead of bringing them. */
+class KeptParts {
+  private readonly parts = new Map<string, { frame: number; part: unknown }>();
+
+  /** The part is used in this frame. `decode`: null where it must have come before. */
+  use<Part>(id: string, frame: number, decode: (() => Part) | null): Part {
+    const part = decode === null ? this.parts.get(id)?.part : decode();
+    if (part === undefined) throw new MissingPart(`A geometry frame names a part ${id} that did not come before`);
+    this.parts.set(id, { frame, part });
+    return part as Part;
+  }
+
+  /** No batch names what only frames before this one have. */
+  forgetBefore(base: number): void {
+    for (const [id, { frame }] of this.parts) if (frame < base) this.parts.delete(id);
+  }
+}
+
+function octahedral(place: Int8Array, at: number, normals: Float32Array, to: number): void {
+  let x = (place[at] ?? 0) / 127;
+  let y = (place[at + 1] ?? 0) / 127;
+  const z = 1 - Math.abs(x) - Math.abs(y);
+  if (z < 0) {
+    const unfolded = (1 - Math.abs(y)) * (x < 0 ? -1 : 1);
+    y = (1 - Math.abs(x)) * (y < 0 ? -1 : 1);
+    x = unfolded;
+  }
+  const length = Math.hypot(x, y, z);
+  normals[to] = x / length;
+  normals[to + 1] = y / length;
+  normals[to + 2] = z / length;
+}
+
+function decodeMesh({ kind, vertices, indices, normals, mesh }: BatchHeader, rest: Rest): Mesh {
+  const [vertexBytes, indexBytes] = mesh.bytes ?? [0, 0];
+  const stride = normals ? 16 : 12;
+  const records = new Uint8Array(vertices * stride);
+  MeshoptDecoder.decodeVertexBuffer(records, vertices, stride, rest.take(vertexBytes));
+  const corners = new Uint32Array(indices);
+  const target = new Uint8Array(corners.buffer);
+  const source = rest.take(indexBytes);
+  if (kind === "triangles") MeshoptDecoder.decodeIndexBuffer(target, indices, 4, source);
+  else MeshoptDecoder.decodeIndexSequence(target, indices, 4, source);
+  const places = new Uint32Array(records.buffer);
+  const signed = new Int8Array(records.buffer);
+  const positions = new Float32Array(3 * vertices);
+  const directions = normals ? new Float32Array(3 * vertices) : null;
+  for (let vertex = 0; vertex < vertices; ++vertex) {
+    const at = (vertex * stride) / 4;
+    for (let axis = 0; axis < 3; ++axis)
+      positions[3 * vertex + axis] = ((mesh.low[axis] ?? 0) + (places[at + axis] ?? 0)) * mesh.step;
+    if (directions !== null) octahedral(signed, vertex * stride + 12, directions, 3 * vertex);
+  }
+  return { positions, normals: directions, indices: corners };
+}
+
+function decodeValues({ vertices, indices }: BatchHeader, part: ValuesPart, rest: Rest): Float32Array {
+  const count = part.of === "vertices" ? vertices : indices / CORNERS[part.of];
+  const values = new Float32Array(count);
+  MeshoptDecoder.decodeVertexBuffer(new Uint8Array(values.buffer), count, 4, rest.take(part.bytes ?? 0));
+  const { step, origin = 0, low = 0 } = part;
+  if (step === undefined) return values;
+  const places = new Uint32Array(values.buffer);
+  places.forEach((place, i) => (values[i] = place === NO_VALUE ? NaN : origin + step * (low + place)));
+  return values;
+}
+
+/** A vertex for each corner, so that each has the value of its triangle, line or point. */
+function apart(
+  { positions, normals, indices }: Mesh,
+  values: Float32Array,
+  corners: number,
+): Mesh & { values: Float32Array } {
+  const perCorner = (of: Float32Array): Float32Array => {
+    const out = new Float32Array(3 * indices.length);
+    indices.forEach((vertex, i) => out.set(of.subarray(3 * vertex, 3 * vertex + 3), 3 * i));
+    return out;
+  };
+  return {
+    positions: perCorner(positions),
+    normals: normals === null ? null : perCorner(normals),
+    indices: Uint32Array.from(indices.keys()),
+    values: Float32Array.from(indices, (_, i) => values[Math.floor(i / corners)] ?? NaN),
+  };
+}
+
+/** Of the frames of one view, which share what has not changed. */
+export class GeometryDecoder {
+  private kept = new KeptParts();
+
+  /** Another view follows. */
+  clear(): void {
+    this.kept = new KeptParts();
+  }
+
+  /** null for a frame without polygons. Throws where the sizes do not agree, or what it names did not come before. */
+  decode(message: ArrayBuffer): GeometryBatch | null {
+    const bytes = message.byteLength - HEADER_BYTES;
+    if (bytes < 4) throw new Error("A geometry frame is cut off");
+    const jsonBytes = new DataView(message).getUint32(HEADER_BYTES, true);
+    if (jsonBytes > bytes - 4) throw new Error("A geometry frame's description is cut off");
+    const text = new TextDecoder().decode(new Uint8Array(message, HEADER_BYTES + 4, jsonBytes));
+    const header = JSON.parse(text) as BatchHeader;
+    this.kept.forgetBefore(header.base);
+    if (header.batches === 0) return null;
+    const rest = new Rest(new Uint8Array(message, HEADER_BYTES + 4 + jsonBytes));
+    const batch = this.batchOf(header, decodeHeader(message).frame, rest);
+    rest.end();
+    return batch;
+  }
+
+  private batchOf(header: BatchHeader, frame: number, rest: Rest): GeometryBatch {
+    const { layer, kind, mesh, values, map, range = [0, 1], color, lit, origin } = header;
+    const isNew = mesh.bytes !== undefined;
+    const shape = this.kept.use(mesh.id, frame, isNew ? () => decodeMesh(header, rest) : null);
+    const scalars =
+      values === undefined
+        ? null
+        : this.kept.use(values.id, frame, values.bytes === undefined ? null : () => decodeValues(header, values, rest));
+    const isApart = scalars !== null && values?.of !== "vertices";
+    const drawn = isApart ? apart(shape, scalars, CORNERS[kind]) : { ...shape, values: scalars };
+    return {
+      layer,
+      lines: kind === "lines",
+      points: kind === "points",
+      positions: drawn.positions,
+      normals: drawn.normals,
+      scalars: drawn.values,
+      indices: drawn.indices,
+      scale: scaleOf({ ...header.scale, map, range }, range),
+      color,
+      lit,
+      width: header.width ?? 1,
+      clip: header.clip ?? [],
+      origin,
+    };
+  }
+}

@@ -1,0 +1,17 @@
+// Kind 1: one picture, decoded off the main thread.
+import { HEADER_BYTES } from "./frame_header";
+
+const SIGNATURES: Record<string, number[]> = {
+  "image/png": [0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a],
+  "image/jpeg": [0xff, 0xd8, 0xff],
+};
+
+/** The picture in an image frame; throws where the payload is something else. */
+export function pictureOf(message: ArrayBuffer): Blob {
+  const picture = new Uint8Array(message, HEADER_BYTES);
+  for (const [type, signature] of Object.entries(SIGNATURES))
+    if (signature.every((byte, index) => picture[index] === byte)) return new Blob([picture], { type });
+  throw new Error("An image frame holds neither a PNG nor a JPEG");
+}
+
+export const decodeImage = (message: ArrayBuffer): Promise<ImageBitmap> => createImageBitmap(pictureOf(message));

@@ -1,0 +1,188 @@
+// The server as the page has it: one session, its scene, and what is asked of it. Writes what it hears into the model.
+import type { CanvasSize } from "../model/canvas_size";
+import { layerName } from "../model/layer_names";
+import { update, stateOf, type Model } from "../model/model";
+import { forgottenWith } from "../model/opening";
+import { ShownScenes } from "../model/shown_scenes";
+import { showToast } from "../model/toasts";
+import type { Scene } from "../generated/protocol";
+import { openSocket, postTo, socketAddress } from "./browser_socket";
+import { describeDataset } from "./datasets";
+import { SceneEditor } from "./editor";
+import { Entry } from "./entry";
+import type { FrameHeader } from "./frame_header";
+import { Histograms } from "./histograms";
+import { Latency } from "./latency";
+import { Disconnected } from "./rpc";
+import { SeenFrom } from "./seen_from";
+import { Session, wordsFor } from "./session";
+import { sessionHost } from "./session_host";
+import { Streams } from "./streams";
+
+const now = (): number => performance.now();
+
+const clock = {
+  now: (): number => Date.now(),
+  random: (): number => Math.random(),
+  setTimeout: (callback: () => void, milliseconds: number): number => window.setTimeout(callback, milliseconds),
+  clearTimeout: (timer: number): void => window.clearTimeout(timer),
+};
+
+const HISTOGRAM_BINS = 160;
+const RATE_MS = 500;
+
+/** Where the frames of a view go. */
+export interface FrameReceiver {
+  /** Frames of a view that is not named yet may come. */
+  expect(): void;
+  show(view: number): void;
+  receive(message: ArrayBuffer): void;
+}
+
+/** What the server is told of the page around it. */
+export interface Page {
+  background(): "dark" | "light";
+  /** The scene of the link that the page was opened with. */
+  link(): Scene | null;
+  /** null before there are canvases. */
+  frames(): FrameReceiver | null;
+  clearPicture(): void;
+  /** Which canvas is seen. */
+  shown(): "none" | "image" | "geometry";
+  stopPlaying(): void;
+}
+
+export class Server {
+  readonly latency = new Latency();
+  readonly scenes = new ShownScenes();
+  readonly editor: SceneEditor;
+  readonly session: Session;
+  readonly histograms: Histograms;
+  readonly streams: Streams;
+  readonly entry: Entry;
+  readonly seenFrom: SeenFrom;
+
+  constructor(
+    readonly model: Model,
+    readonly size: CanvasSize,
+    readonly tab: { id: string; known: boolean },
+    readonly page: Page,
+  ) {
+    this.editor = new SceneEditor(
+      {
+        changed: () => this.sceneChanged(),
+        accepted: (revision, since, scene) => this.accepted(revision, since, scene),
+        refused: (error) => this.fail(error),
+        gone: (layer) =>
+          showToast(
+            model,
+            `${layerName(layer)} is gone: another window or a script has removed it. Nothing was changed`,
+            "error",
+          ),
+        stuck: (step, error) =>
+          showToast(model, `This cannot be ${step === "undo" ? "undone" : "redone"}. ${wordsFor(error)}`, "error"),
+      },
+      { now, requestFrame: (callback) => void requestAnimationFrame(callback) },
+      Math.random().toString(36).slice(2, 10), // other pages of the session name their gestures otherwise
+    );
+    const address = socketAddress(document.baseURI);
+    const post = postTo(document.baseURI);
+    this.session = new Session(tab.id, sessionHost(this), this.editor, () => openSocket(address), post, clock);
+    this.histograms = new Histograms(
+      (dataset, array, time) => this.session.call("dataset.histogram", { dataset, array, time, bins: HISTOGRAM_BINS }),
+      clock.setTimeout,
+    );
+    this.streams = new Streams(this);
+    this.entry = new Entry(model, () => this.session.retryNow());
+    this.seenFrom = new SeenFrom(this);
+  }
+
+  start(): void {
+    this.session.start();
+    window.addEventListener("online", () => this.session.retryNow());
+    window.addEventListener("offline", () => this.session.networkLost());
+    setInterval(() => this.refreshRate(), RATE_MS);
+  }
+
+  /** After the canvas has another size. */
+  resized(): void {
+    this.session.resize();
+    void this.seenFrom.reconsider();
+  }
+
+  fail(error: unknown): void {
+    // The end of a connection has a notice of its own.
+    if (!(error instanceof Disconnected)) showToast(this.model, wordsFor(error as Error), "error");
+  }
+
+  /** The server's revisions of the scene; the picture of one may be here before. */
+  taken(revision: number, scene: Scene): void {
+    this.scenes.taken(revision, scene);
+    const { readout } = this.model;
+    if (readout.peek().revision !== 0) this.showScene(readout.peek().revision); // else no picture of this session yet
+  }
+
+  /** A frame is on the screen. */
+  presented(header: FrameHeader, bytes: number): void {
+    const { model, page } = this;
+    const at = now();
+    this.latency.shown(header.revision, at);
+    this.showScene(header.revision);
+    update(model, {
+      shownFrom: page.shown() === "image" ? this.scenes.cameraOf(header.revision) : null,
+      failedRevision: null,
+      readout: {
+        ...model.readout.peek(),
+        stream: page.shown(),
+        still: header.still,
+        latencyMs: this.latency.last,
+        framesPerSecond: this.latency.framesPerSecond(at),
+        extractMs: header.extractMs,
+        drawMs: header.drawMs,
+        encodeMs: header.encodeMs,
+        triangles: header.triangles,
+        width: header.width,
+        height: header.height,
+        bytes,
+        time: header.time,
+        revision: header.revision,
+        frame: header.frame,
+      },
+    });
+    this.streams.presented(header, bytes);
+  }
+
+  private showScene(revision: number): void {
+    const shownScene = this.scenes.of(revision);
+    const shownDataset = shownScene?.dataset ?? this.model.shownDataset.peek();
+    update(this.model, { shownScene, shownDataset });
+  }
+
+  private accepted(revision: number, since: number, scene: Scene): void {
+    this.taken(revision, scene);
+    this.latency.accepted(revision, since);
+    update(this.model, { revision, pending: this.editor.isPending });
+    void this.seenFrom.reconsider();
+  }
+
+  private sceneChanged(): void {
+    const { editor, model } = this;
+    const before = model.scene.peek();
+    update(model, {
+      ...forgottenWith(stateOf(model), editor.scene),
+      scene: editor.scene,
+      canUndo: editor.canUndo,
+      canRedo: editor.canRedo,
+      pending: editor.isPending,
+    });
+    this.streams.changed(before, editor.scene);
+    if (before?.dataset !== editor.scene?.dataset) void describeDataset(this);
+    void this.seenFrom.reconsider();
+  }
+
+  private refreshRate(): void {
+    const readout = this.model.readout.peek();
+    const framesPerSecond = this.latency.framesPerSecond(now());
+    if (framesPerSecond !== readout.framesPerSecond) this.model.readout.value = { ...readout, framesPerSecond };
+  }
+}

@@ -1,0 +1,211 @@
+// One viewer's conversation with the server: opens or rejoins the session and its view after every (re)connection.
+import type { Notifications, Scene, SessionState } from "../generated/protocol";
+import type { ConnectionState } from "../model/state";
+import { Connection, type Clock, type SocketLike } from "./connection";
+import { Disconnected, RpcError, type MethodName, type Params, type Post, type Result, type Rpc } from "./rpc";
+import type { SceneEditor } from "./editor";
+
+export interface ViewSize {
+  width: number;
+  height: number;
+  pixel_ratio: number;
+}
+
+/** What a view is asked to send; a still is a PNG whatever the moving pictures are. */
+export interface StreamWish {
+  stream: "image" | "geometry";
+  moving: "png" | "jpeg";
+}
+
+export interface SessionHost {
+  /** The scene of a session that does not exist yet, or null when there is nothing to show. */
+  firstScene(call: Caller): Promise<Scene | null>;
+  viewSize(): ViewSize;
+  stream(): StreamWish;
+  /** Frames of a view that is not named yet may come from here on. */
+  viewOpening(): void;
+  /** 0: no view. */
+  viewOpened(view: number): void;
+  opened(state: SessionState): void;
+  /** The server is there, but opens no session with this scene, or no view of it. */
+  refused(error: Error): void;
+  connection(state: ConnectionState): void;
+  roundTrip(milliseconds: number): void;
+  binary(message: ArrayBuffer): void;
+  notified<N extends keyof Notifications>(name: N, params: Notifications[N]): void;
+  failed(error: Error): void;
+}
+
+export type Caller = <M extends MethodName>(method: M, params: Params<M>) => Promise<Result<M>>;
+
+export class Session {
+  private readonly connection: Connection;
+  private rpc: Rpc | null = null;
+  private joining: Promise<void> = Promise.resolve();
+  /** What is to be shown in place of the editor's scene, which the server has refused or never had. */
+  private chosen: Scene | null = null;
+  private view = 0;
+  private sentSize: ViewSize = { width: 0, height: 0, pixel_ratio: 1 };
+  private sentStream: StreamWish = { stream: "image", moving: "png" };
+
+  constructor(
+    readonly id: string,
+    private readonly host: SessionHost,
+    private readonly editor: SceneEditor,
+    open: () => SocketLike,
+    post: Post,
+    clock: Clock,
+  ) {
+    this.connection = new Connection(
+      open,
+      post,
+      {
+        state: (state) => this.stateChanged(state),
+        opened: (rpc) => void this.opened(rpc),
+        notification: (name, params) => host.notified(name as keyof Notifications, params as never),
+        binary: (message) => host.binary(message),
+        roundTrip: (milliseconds) => host.roundTrip(milliseconds),
+      },
+      clock,
+    );
+  }
+
+  start(): void {
+    this.connection.start();
+  }
+
+  retryNow(): void {
+    this.connection.retryNow();
+  }
+
+  networkLost(): void {
+    this.connection.lost();
+  }
+
+  /** Rejects with Disconnected while there is no connection. */
+  call<M extends MethodName>(method: M, params: Params<M>): Promise<Result<M>> {
+    return this.rpc === null ? Promise.reject(new Disconnected()) : this.rpc.call(method, params);
+  }
+
+  acknowledge(view: number, frame: number): void {
+    if (view === this.view) this.rpc?.notify("view.ack", { view, frame });
+  }
+
+  resize(): void {
+    const size = this.host.viewSize();
+    const sent = this.sentSize;
+    const isSame = size.width === sent.width && size.height === sent.height && size.pixel_ratio === sent.pixel_ratio;
+    if (!isSame) this.renew();
+  }
+
+  /** The view's frame is sent once more, with all of its polygons. */
+  renew(): void {
+    if (this.view === 0) return;
+    const size = this.host.viewSize();
+    this.sentSize = size;
+    this.call("view.resize", { view: this.view, ...size }).catch((error: unknown) => this.report(error));
+  }
+
+  setStream(wish: StreamWish): void {
+    if (this.view === 0 || (wish.stream === this.sentStream.stream && wish.moving === this.sentStream.moving)) return;
+    this.sentStream = wish;
+    this.call("view.stream", { view: this.view, ...wish }).catch((error: unknown) => this.report(error));
+  }
+
+  /** Opens the session with this scene where there is none: nothing to open it with until now, or refused before. */
+  async begin(scene: Scene): Promise<void> {
+    this.chosen = scene;
+    await this.joining;
+    if (this.chosen !== scene) return; // another was chosen meanwhile
+    if (!this.editor.isConnected) await this.open();
+    else {
+      this.chosen = null;
+      await this.editor.propose(scene);
+    }
+  }
+
+  /** Once more what the server has refused. */
+  async open(): Promise<void> {
+    const { rpc, joining } = this;
+    await joining;
+    if (this.joining !== joining) return; // asked for twice in a hurry
+    if (rpc !== null && rpc === this.rpc && !this.editor.isConnected) await this.joinOrSayWhy(rpc);
+  }
+
+  private stateChanged(state: ConnectionState): void {
+    if (state.kind !== "open") {
+      this.rpc = null;
+      this.setView(0);
+      this.editor.disconnected();
+    }
+    this.host.connection(state);
+  }
+
+  private async opened(rpc: Rpc): Promise<void> {
+    this.rpc = rpc;
+    await this.joinOrSayWhy(rpc);
+  }
+
+  private joinOrSayWhy(rpc: Rpc): Promise<void> {
+    const { chosen } = this;
+    this.joining = this.join(rpc, chosen).catch((error: unknown) => {
+      if (this.rpc !== rpc) return;
+      if (this.chosen === chosen) this.chosen = null; // the scene that stood before is tried again, if any
+      this.setView(0);
+      this.editor.disconnected();
+      this.host.refused(error as Error);
+    });
+    return this.joining;
+  }
+
+  private async join(rpc: Rpc, chosen: Scene | null): Promise<void> {
+    const session = this.id;
+    const call: Caller = (method, params) => rpc.call(method, params);
+    const scene = chosen ?? this.editor.scene ?? (await this.host.firstScene(call));
+    if (this.rpc !== rpc || scene === null) return;
+    const steps = this.editor.stepsAround(scene);
+    const state = await rpc.call("session.open", { session, scene, ...(chosen === null ? steps : {}) });
+    if (this.rpc !== rpc) return;
+    if (chosen !== null) this.editor.forget();
+    if (this.chosen === chosen) this.chosen = null;
+    this.editor.connected(
+      {
+        patch: (patch, gesture) => rpc.call("scene.patch", { session, patch, gesture }),
+        undo: () => rpc.call("scene.undo", { session }),
+        redo: () => rpc.call("scene.redo", { session }),
+        get: () => rpc.call("scene.get", { session }),
+      },
+      state,
+    );
+    this.host.opened(state);
+    // Another page of the session may have opened it with something else.
+    if (chosen !== null && chosen.dataset !== state.scene.dataset) void this.editor.propose(chosen);
+    this.sentSize = this.host.viewSize();
+    this.sentStream = this.host.stream();
+    this.host.viewOpening();
+    const { view } = await rpc.call("view.open", { session, ...this.sentSize, ...this.sentStream });
+    if (this.rpc !== rpc) return;
+    this.setView(view);
+    this.resize(); // both may have changed meanwhile
+    this.setStream(this.host.stream());
+  }
+
+  private setView(view: number): void {
+    this.view = view;
+    this.host.viewOpened(view);
+  }
+
+  private report(error: unknown): void {
+    if (!(error instanceof Disconnected)) this.host.failed(error as Error);
+  }
+}
+
+/** What a person is told: the server's reason, and where in the scene. */
+export function wordsFor(error: Error): string {
+  if (!(error instanceof RpcError) || typeof error.data !== "object" || error.data === null) return error.message;
+  const { reason, path } = error.data as { reason?: unknown; path?: unknown };
+  const words = typeof reason === "string" && reason !== "" ? reason : error.message;
+  const sentence = words.charAt(0).toUpperCase() + words.slice(1);
+  // A violation of the schema begins with the place itself.
+  return typeof path === "string" && !words.startsWith(path) ? `${sentence} (${path})` : sentence;
+}

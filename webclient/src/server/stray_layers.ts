@@ -1,0 +1,23 @@
+// Changes of layers that are not there: another client of the session has removed them meanwhile.
+import type { Layer, Scene } from "../generated/protocol";
+import { isObject, type JsonObject } from "../model/merge_patch";
+
+export function removedBetween(before: Scene | null, after: Scene): [string, Layer][] {
+  return Object.entries(before?.layers ?? {}).filter(([id]) => !(id in (after.layers ?? {})));
+}
+
+/** Of which layers the patch changes a part though the scene has none of that id; a new layer says its type. */
+export function strayLayers({ layers }: JsonObject, scene: Scene): string[] {
+  if (!isObject(layers)) return [];
+  return Object.keys(layers).filter((id) => {
+    const change = layers[id];
+    return isObject(change) && !("type" in change) && !(id in (scene.layers ?? {}));
+  });
+}
+
+export function withoutLayers(patch: JsonObject, ids: readonly string[]): JsonObject {
+  if (ids.length === 0) return patch;
+  const { layers, ...others } = patch;
+  const kept = Object.entries(isObject(layers) ? layers : {}).filter(([id]) => !ids.includes(id));
+  return kept.length === 0 ? others : { ...others, layers: Object.fromEntries(kept) };
+}

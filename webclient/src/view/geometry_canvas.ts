@@ -1,0 +1,143 @@
+// The stream of polygons, drawn by this machine: the camera answers without a round trip.
+import type { GeometryBatch } from "../server/geometry";
+import { DepthPeeling } from "./depth_peeling";
+import { GeometryParts, type PartPrograms, type Picture } from "./geometry_parts";
+import { buildProgram, type Program } from "./gl_program";
+import type { Look } from "./look";
+import { isSurface } from "./same_places";
+import {
+  BACKGROUND_FRAGMENT,
+  BACKGROUND_VERTEX,
+  LINE_FRAGMENT,
+  LINE_VERTEX,
+  POINT_FRAGMENT,
+  SURFACE_FRAGMENT,
+  SURFACE_VERTEX,
+} from "./shaders";
+
+const isOpaqueSurface = (batch: GeometryBatch): boolean => isSurface(batch) && batch.color[3] >= 1;
+const isTransparent = (batch: GeometryBatch): boolean => batch.color[3] > 0 && batch.color[3] < 1;
+// Lines and points too are among the layers where there are any: before them, their soft edges would hide what is behind.
+const isInLayers = (batch: GeometryBatch): boolean => isTransparent(batch) || (!isSurface(batch) && batch.color[3] > 0);
+const isJoined = (batch: GeometryBatch): boolean => batch.lines && isTransparent(batch);
+
+/** Throws where the browser has no WebGL2. */
+export class GeometryCanvas {
+  private readonly gl: WebGL2RenderingContext;
+  private programs!: PartPrograms;
+  private background!: Program;
+  private parts!: GeometryParts;
+  private peeling: DepthPeeling | null = null;
+  private batches: GeometryBatch[] = [];
+
+  constructor(
+    readonly canvas: HTMLCanvasElement,
+    restored: () => void,
+  ) {
+    const gl = canvas.getContext("webgl2", { alpha: false, antialias: true, preserveDrawingBuffer: true });
+    if (gl === null) throw new Error("This browser has no WebGL2; the stream of images works without it");
+    this.gl = gl;
+    this.prepare();
+    canvas.addEventListener("webglcontextlost", (event) => event.preventDefault());
+    canvas.addEventListener("webglcontextrestored", () => {
+      this.prepare();
+      this.setBatches(this.batches);
+      restored();
+    });
+  }
+
+  setBatches(batches: GeometryBatch[]): void {
+    this.batches = batches;
+    this.parts.set(batches);
+    if (!this.isPeeled) this.peeling?.free();
+  }
+
+  /** Whether a picture of what moves differs from that at rest. */
+  get isPeeled(): boolean {
+    return this.parts.has(isTransparent);
+  }
+
+  /** Whether a picture drawn anew would show more; null where that is not known yet. */
+  lacksLayers(): boolean | null {
+    return this.isPeeled && this.peeling !== null ? this.peeling.lacksLayers() : false;
+  }
+
+  draw(look: Look, width: number, height: number, moving: boolean): void {
+    const { gl } = this;
+    if (this.canvas.width !== width || this.canvas.height !== height) {
+      this.canvas.width = width;
+      this.canvas.height = height;
+    }
+    gl.viewport(0, 0, width, height);
+    gl.depthMask(true);
+    gl.clear(gl.DEPTH_BUFFER_BIT);
+    this.drawBackground(look);
+    gl.enable(gl.DEPTH_TEST);
+    gl.depthFunc(gl.LEQUAL);
+    const picture = { width, height, pixels: 1 };
+    this.drawOpaque(look, picture);
+    if (this.isPeeled) this.peel(look, width, height, moving);
+    else this.drawOverlays(look, picture);
+  }
+
+  private drawOpaque(look: Look, picture: Picture): void {
+    const { gl } = this;
+    this.parts.prepare(this.programs, look, picture);
+    // A little back, so that lines on them are not half buried.
+    gl.polygonOffset(this.parts.reachOfOverlays() * picture.pixels, 1);
+    gl.enable(gl.POLYGON_OFFSET_FILL);
+    this.parts.draw(this.programs, look, picture.pixels, isOpaqueSurface);
+    gl.disable(gl.POLYGON_OFFSET_FILL);
+  }
+
+  private drawOverlays(look: Look, { pixels }: Picture): void {
+    const { gl } = this;
+    gl.enable(gl.BLEND);
+    gl.blendFunc(gl.SRC_ALPHA, gl.ONE_MINUS_SRC_ALPHA);
+    this.parts.draw(this.programs, look, pixels, (batch) => batch.lines);
+    this.parts.draw(this.programs, look, pixels, (batch) => batch.points);
+    gl.disable(gl.BLEND);
+  }
+
+  private peel(look: Look, width: number, height: number, moving: boolean): void {
+    const { parts } = this;
+    this.peeling ??= new DepthPeeling(this.gl);
+    this.peeling.draw({
+      width,
+      height,
+      moving,
+      joins: parts.has(isJoined),
+      drawOpaque: (picture) => this.drawOpaque(look, picture),
+      drawLayer: (programs, picture) => {
+        parts.prepare(programs, look, picture);
+        parts.draw(programs, look, picture.pixels, isInLayers);
+      },
+      joinLines: (programs, picture) => {
+        parts.prepare(programs, look, picture);
+        parts.draw(programs, look, picture.pixels, isJoined);
+      },
+    });
+  }
+
+  private drawBackground(look: Look): void {
+    const { gl } = this;
+    gl.disable(gl.DEPTH_TEST);
+    gl.useProgram(this.background.program);
+    gl.bindVertexArray(null);
+    gl.uniform3fv(this.background.at("top"), look.backgroundTop);
+    gl.uniform3fv(this.background.at("bottom"), look.backgroundBottom);
+    gl.drawArrays(gl.TRIANGLES, 0, 3);
+  }
+
+  private prepare(): void {
+    const { gl } = this;
+    this.parts = new GeometryParts(gl);
+    this.peeling = null;
+    this.programs = {
+      surface: buildProgram(gl, SURFACE_VERTEX, SURFACE_FRAGMENT),
+      lines: buildProgram(gl, LINE_VERTEX, LINE_FRAGMENT),
+      points: buildProgram(gl, SURFACE_VERTEX, POINT_FRAGMENT),
+    };
+    this.background = buildProgram(gl, BACKGROUND_VERTEX, BACKGROUND_FRAGMENT);
+  }
+}

@@ -1,0 +1,179 @@
+// The batches of a frame in the graphics card's memory, each drawn by the program for its kind.
+import { boundsRadius } from "../model/camera";
+import { depthRange, projectionMatrix, viewMatrix } from "./matrices";
+import type { GeometryBatch } from "../server/geometry";
+import { clamp } from "../model/numbers";
+import type { ColorScale } from "../model/color_scale";
+import type { Program } from "./gl_program";
+import { uploadLines, VERTICES_PER_LINE } from "./lines";
+import type { Look } from "./look";
+import { isSurface, placesOf } from "./same_places";
+import { ScaleTextures, scaleUniforms } from "./scale_textures";
+
+/** 0 is that of the color scales, depth_peeling.ts has those between. */
+const ENDS_UNIT = 7;
+
+export interface PartPrograms {
+  surface: Program;
+  lines: Program;
+  points: Program;
+}
+
+interface Part {
+  batch: GeometryBatch;
+  place: number;
+  vertexArray: WebGLVertexArrayObject;
+  buffers: WebGLBuffer[];
+  /** Of lines, which have no buffers. */
+  ends: WebGLTexture | null;
+}
+
+/** What is drawn to: `pixels` of it to one of the picture along a side. */
+export interface Picture {
+  width: number;
+  height: number;
+  pixels: number;
+}
+
+/** The decoder gives the same arrays again where nothing has changed. */
+const isSameMesh = (a: GeometryBatch, b: GeometryBatch): boolean =>
+  a.positions === b.positions &&
+  a.normals === b.normals &&
+  a.scalars === b.scalars &&
+  a.indices === b.indices &&
+  a.lines === b.lines &&
+  a.points === b.points;
+
+export class GeometryParts {
+  private readonly textures: ScaleTextures;
+  private parts: Part[] = [];
+
+  constructor(private readonly gl: WebGL2RenderingContext) {
+    this.textures = new ScaleTextures(gl);
+  }
+
+  /** Uploads what has not been there before. */
+  set(batches: GeometryBatch[]): void {
+    const before = new Set(this.parts);
+    const places = placesOf(batches);
+    this.parts = batches.map((batch, i) => {
+      const place = places[i] ?? 0;
+      for (const part of before) {
+        if (!isSameMesh(part.batch, batch)) continue;
+        before.delete(part);
+        return { ...part, batch, place };
+      }
+      return this.upload(batch, place);
+    });
+    for (const part of before) this.free(part);
+  }
+
+  private free({ vertexArray, buffers, ends }: Part): void {
+    this.gl.deleteVertexArray(vertexArray);
+    this.gl.deleteTexture(ends);
+    for (const buffer of buffers) this.gl.deleteBuffer(buffer);
+  }
+
+  has(wanted: (batch: GeometryBatch) => boolean): boolean {
+    return this.parts.some(({ batch }) => wanted(batch));
+  }
+
+  /** As the server has it: pixels by which lines and points reach over the place where they are. */
+  reachOfOverlays(): number {
+    const widths = this.parts.map(({ batch }) => (isSurface(batch) ? 0 : batch.width / 2 + 0.5));
+    return clamp(Math.max(...widths, 1), 1, 6);
+  }
+
+  /** Once a picture for each program, before anything is drawn with it. */
+  prepare({ surface, lines, points }: PartPrograms, look: Look, { width, height, pixels }: Picture): void {
+    const { gl } = this;
+    const depths = depthRange(look.camera, look.bounds);
+    const reach = this.has((batch) => !isSurface(batch)) ? this.reachOfOverlays() : 0;
+    for (const program of [surface, lines, points]) {
+      gl.useProgram(program.program);
+      gl.uniformMatrix4fv(program.at("projection"), false, projectionMatrix(look.camera, width / height, depths));
+      gl.uniform1i(program.at("parallel"), look.camera.parallel ? 1 : 0);
+      gl.uniform1f(program.at("scale"), 1 / (boundsRadius(look.bounds) || 1));
+      gl.uniform2f(program.at("viewport"), width, height);
+      gl.uniform1f(program.at("reach"), reach * pixels);
+      gl.uniform3fv(program.at("lights"), look.lights.strengths);
+    }
+  }
+
+  draw(programs: PartPrograms, look: Look, pixels: number, wanted: (batch: GeometryBatch) => boolean): void {
+    for (const part of this.parts) if (wanted(part.batch)) this.drawPart(programs, look, pixels, part);
+  }
+
+  private drawPart(programs: PartPrograms, look: Look, pixels: number, part: Part): void {
+    const { batch, place, vertexArray, ends } = part;
+    const { gl } = this;
+    const program = batch.lines ? programs.lines : batch.points ? programs.points : programs.surface;
+    gl.useProgram(program.program);
+    gl.uniformMatrix4fv(program.at("view"), false, viewMatrix(look.camera, batch.origin));
+    gl.uniform4fv(program.at("color"), batch.color);
+    gl.uniform1i(program.at("mapped"), batch.scalars === null ? 0 : 1);
+    gl.uniform1i(program.at("clip_planes"), batch.clip.length);
+    if (batch.clip.length > 0) gl.uniform4fv(program.at("clip"), batch.clip.flat());
+    if (batch.scalars !== null) this.useScale(program, batch.scale);
+    gl.uniform1i(program.at("lit"), batch.lit && look.lights.on ? 1 : 0);
+    gl.uniform1f(program.at("place_in_order"), place);
+    gl.bindVertexArray(vertexArray);
+    if (batch.lines) {
+      gl.uniform1f(program.at("half_width"), (batch.width / 2) * pixels);
+      gl.uniform1i(program.at("ends"), ENDS_UNIT);
+      gl.activeTexture(gl.TEXTURE0 + ENDS_UNIT);
+      gl.bindTexture(gl.TEXTURE_2D, ends);
+      gl.activeTexture(gl.TEXTURE0);
+      gl.drawArrays(gl.TRIANGLES, 0, (batch.indices.length / 2) * VERTICES_PER_LINE);
+      return;
+    }
+    if (batch.points) {
+      gl.uniform1f(program.at("point_size"), batch.width * pixels);
+      gl.drawElements(gl.POINTS, batch.indices.length, gl.UNSIGNED_INT, 0);
+      return;
+    }
+    gl.uniform1i(program.at("has_normals"), batch.normals === null ? 0 : 1);
+    gl.drawElements(gl.TRIANGLES, batch.indices.length, gl.UNSIGNED_INT, 0);
+  }
+
+  private upload(batch: GeometryBatch, place: number): Part {
+    const { gl } = this;
+    const vertexArray = gl.createVertexArray();
+    if (batch.lines) return { batch, place, vertexArray, buffers: [], ends: uploadLines(gl, batch) };
+    gl.bindVertexArray(vertexArray);
+    const buffers = this.uploadVertices(batch);
+    gl.bindVertexArray(null);
+    return { batch, place, vertexArray, buffers, ends: null };
+  }
+
+  private uploadVertices(batch: GeometryBatch): WebGLBuffer[] {
+    const { gl } = this;
+    const buffers: WebGLBuffer[] = [];
+    [batch.positions, batch.normals, batch.scalars].forEach((values, location) => {
+      if (values === null) return;
+      const buffer = gl.createBuffer();
+      buffers.push(buffer);
+      gl.bindBuffer(gl.ARRAY_BUFFER, buffer);
+      gl.bufferData(gl.ARRAY_BUFFER, values, gl.STATIC_DRAW);
+      gl.enableVertexAttribArray(location);
+      gl.vertexAttribPointer(location, location === 2 ? 1 : 3, gl.FLOAT, false, 0, 0);
+    });
+    const indices = gl.createBuffer();
+    buffers.push(indices);
+    gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, indices);
+    gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, batch.indices, gl.STATIC_DRAW);
+    return buffers;
+  }
+
+  private useScale(program: Program, scale: ColorScale): void {
+    const { gl } = this;
+    const { origin, rule, inside, below, above, missing } = scaleUniforms(scale);
+    gl.uniform1f(program.at("value_origin"), origin);
+    gl.uniform4fv(program.at("rule"), rule);
+    gl.uniform2fv(program.at("inside"), inside);
+    gl.uniform3fv(program.at("below"), below);
+    gl.uniform3fv(program.at("above"), above);
+    gl.uniform3fv(program.at("missing"), missing);
+    gl.bindTexture(gl.TEXTURE_2D, this.textures.of(scale));
+  }
+}

@@ -1,0 +1,148 @@
+// Pointers, wheel and fingers on the canvas, told as camera moves. It knows no scene.
+import { orbit, pan, roll, type FullCamera, type Size } from "../model/camera";
+import type { Vec3 } from "../model/vector";
+
+export interface GestureTarget {
+  /** null while there is nothing to turn. */
+  camera(): FullCamera | null;
+  size(): Size; // CSS pixels
+  /** About a place; the same camera where there is a stop. */
+  zoomed(camera: FullCamera, factor: number, x: number, y: number): FullCamera;
+  /** `gesture` is the same from press to release. */
+  move(camera: FullCamera, gesture: string): void;
+  newGesture(): string;
+  /** A turn begins there. */
+  turns(x: number, y: number): void;
+  /** What a turn is about. */
+  pivot(camera: FullCamera): Vec3;
+  click(x: number, y: number): void;
+  doubleClick(x: number, y: number): void;
+}
+
+interface Finger {
+  x: number;
+  y: number;
+}
+
+type Drag = "orbit" | "pan" | "roll";
+
+/** Movement below this many pixels is a click. */
+const CLICK_SLOP = 4;
+/** Wheel turns closer than this are one gesture. */
+const WHEEL_PAUSE_MS = 400;
+const WHEEL_FACTOR_PER_PIXEL = 0.0015;
+const PIXELS_PER_LINE = 16;
+
+export function wheelFactor(delta: number, mode: number): number {
+  const pixels = mode === 1 ? delta * PIXELS_PER_LINE : mode === 2 ? delta * 400 : delta;
+  return Math.exp(Math.min(1, Math.max(-1, pixels * WHEEL_FACTOR_PER_PIXEL)));
+}
+
+export function dragOf(button: number, shift: boolean, control: boolean): Drag {
+  if (control && button === 0) return "roll";
+  return button === 0 && !shift ? "orbit" : "pan";
+}
+
+class Gestures {
+  private readonly fingers = new Map<number, Finger>();
+  private drag: Drag = "orbit";
+  private gesture = "";
+  private travelled = 0;
+  private wheelGesture = "";
+  private wheelAt = -Infinity;
+
+  constructor(
+    private readonly element: HTMLElement,
+    private readonly target: GestureTarget,
+  ) {
+    element.addEventListener("pointerdown", (event) => this.down(event));
+    element.addEventListener("pointermove", (event) => this.moved(event));
+    element.addEventListener("pointerup", (event) => this.up(event, true));
+    element.addEventListener("pointercancel", (event) => this.up(event, false));
+    element.addEventListener("wheel", (event) => this.wheel(event), { passive: false });
+    element.addEventListener("contextmenu", (event) => event.preventDefault());
+    element.addEventListener("dblclick", (event) => {
+      const { x, y } = this.at(event);
+      this.target.doubleClick(x, y);
+    });
+  }
+
+  private at(event: MouseEvent): Finger {
+    const box = this.element.getBoundingClientRect();
+    return { x: event.clientX - box.left, y: event.clientY - box.top };
+  }
+
+  private down(event: PointerEvent): void {
+    if (this.fingers.size === 0) {
+      this.drag = dragOf(event.button, event.shiftKey, event.ctrlKey);
+      this.gesture = this.target.newGesture();
+      this.travelled = 0;
+      const { x, y } = this.at(event);
+      if (this.drag === "orbit") this.target.turns(x, y);
+    } else {
+      this.travelled = Infinity; // two fingers never click
+    }
+    this.fingers.set(event.pointerId, this.at(event));
+    this.element.setPointerCapture(event.pointerId);
+    this.element.focus({ preventScroll: true });
+    event.preventDefault();
+  }
+
+  private moved(event: PointerEvent): void {
+    const before = this.fingers.get(event.pointerId);
+    if (before === undefined) return;
+    const now = this.at(event);
+    const others = [...this.fingers].filter(([id]) => id !== event.pointerId).map(([, finger]) => finger);
+    this.fingers.set(event.pointerId, now);
+    this.travelled += Math.hypot(now.x - before.x, now.y - before.y);
+    const camera = this.target.camera();
+    if (camera === null || this.travelled < CLICK_SLOP) return;
+    const [other] = others;
+    const next = other === undefined ? this.dragged(camera, before, now) : this.pinched(camera, before, now, other);
+    this.target.move(next, this.gesture);
+  }
+
+  private dragged(camera: FullCamera, before: Finger, now: Finger): FullCamera {
+    const size = this.target.size();
+    const dx = now.x - before.x;
+    const dy = now.y - before.y;
+    if (this.drag === "orbit") return orbit(camera, dx, dy, size, this.target.pivot(camera));
+    if (this.drag === "pan") return pan(camera, dx, dy, size);
+    const angle = ({ x, y }: Finger): number => Math.atan2(y - size.height / 2, x - size.width / 2);
+    return roll(camera, angle(before) - angle(now));
+  }
+
+  private pinched(camera: FullCamera, before: Finger, now: Finger, other: Finger): FullCamera {
+    const size = this.target.size();
+    const spread = (finger: Finger): number => Math.max(1, Math.hypot(finger.x - other.x, finger.y - other.y));
+    const moved = pan(camera, (now.x - before.x) / 2, (now.y - before.y) / 2, size);
+    const factor = spread(before) / spread(now);
+    return this.target.zoomed(moved, factor, (now.x + other.x) / 2, (now.y + other.y) / 2);
+  }
+
+  private up(event: PointerEvent, released: boolean): void {
+    if (!this.fingers.delete(event.pointerId)) return;
+    if (released && this.fingers.size === 0 && this.travelled < CLICK_SLOP && event.button === 0) {
+      const { x, y } = this.at(event);
+      this.target.click(x, y);
+    }
+  }
+
+  private wheel(event: WheelEvent): void {
+    event.preventDefault();
+    const camera = this.target.camera();
+    if (camera === null) return;
+    if (event.timeStamp - this.wheelAt > WHEEL_PAUSE_MS) this.wheelGesture = this.target.newGesture();
+    this.wheelAt = event.timeStamp;
+    const { x, y } = this.at(event);
+    // A pinch on a touch pad arrives as a wheel with the control key, in far smaller steps.
+    const factor = wheelFactor(event.ctrlKey ? event.deltaY * 6 : event.deltaY, event.deltaMode);
+    const next = this.target.zoomed(camera, factor, x, y);
+    if (next !== camera) this.target.move(next, this.wheelGesture);
+  }
+}
+
+/** For as long as the element lives. */
+export function listenToGestures(element: HTMLElement, target: GestureTarget): void {
+  new Gestures(element, target);
+}

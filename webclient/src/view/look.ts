@@ -1,0 +1,12 @@
+// How the geometry is looked at.
+import type { Bounds, FullCamera } from "../model/camera";
+import type { Rgb } from "../model/background";
+import type { Lights } from "../model/lights";
+
+export interface Look {
+  camera: FullCamera;
+  bounds: Bounds;
+  backgroundTop: Rgb;
+  backgroundBottom: Rgb;
+  lights: Lights;
+}

@@ -1,0 +1,29 @@
+// The camera as the matrices that WebGL wants.
+import { boundsCentre, boundsRadius, frame, type Bounds, type FullCamera } from "../model/camera";
+import { dot, subtract, type Matrix, type Vec3 } from "../model/vector";
+
+/** World offset by `origin` to eye coordinates: float32 positions are offsets, so large coordinates lose nothing. */
+export function viewMatrix(camera: FullCamera, origin: Vec3): Matrix {
+  const { right: r, up: u, forward: f } = frame(camera);
+  const eye = subtract(camera.position, origin);
+  return [r[0], u[0], -f[0], 0, r[1], u[1], -f[1], 0, r[2], u[2], -f[2], 0, -dot(r, eye), -dot(u, eye), dot(f, eye), 1];
+}
+
+/** Near and far planes just around the box, so that the depth buffer's bits are spent where something is. */
+export function depthRange(camera: FullCamera, bounds: Bounds): [number, number] {
+  const radius = Math.max(boundsRadius(bounds), 1e-12) * 1.01;
+  const along = dot(subtract(boundsCentre(bounds), camera.position), frame(camera).forward);
+  if (camera.parallel) return [along - radius, along + radius];
+  const far = Math.max(along + radius, radius * 1e-3);
+  return [Math.max(along - radius, far * 1e-4), far];
+}
+
+export function projectionMatrix(camera: FullCamera, aspect: number, [near, far]: [number, number]): Matrix {
+  if (camera.parallel) {
+    const y = 2 / camera.parallel_height;
+    return [y / aspect, 0, 0, 0, 0, y, 0, 0, 0, 0, -2 / (far - near), 0, 0, 0, -(far + near) / (far - near), 1];
+  }
+  const y = 1 / Math.tan((camera.fov * Math.PI) / 360);
+  const z = (near + far) / (near - far);
+  return [y / aspect, 0, 0, 0, 0, y, 0, 0, 0, 0, z, -1, 0, 0, (2 * near * far) / (near - far), 0];
+}

@@ -1,0 +1,37 @@
+// What the view turns about: the surface under the cursor, else the middle of what is seen. The server knows both; until
+// it has answered, the view turns about the target, and the turn goes on about the pivot without a jump.
+import type { FullCamera } from "../model/camera";
+import type { Vec3 } from "../generated/protocol";
+import type { Server } from "../server/server";
+
+export class Pivot {
+  private asked = 0;
+  private known: { dataset: string; at: Vec3 } | null = null;
+
+  constructor(private readonly server: Server) {}
+
+  /** A turn begins there, in CSS pixels of the canvas. */
+  seek(x: number, y: number): void {
+    const { editor, session, size, tab } = this.server;
+    const dataset = editor.scene?.dataset;
+    this.known = null;
+    this.asked += 1;
+    const turn = this.asked;
+    if (dataset === undefined || !editor.isConnected) return;
+    const { width, height } = size.pixels();
+    const ratio = width / size.css.width;
+    session.call("scene.pick", { session: tab.id, pixel: [x * ratio, y * ratio], width, height }).then(
+      ({ position, centre }) => {
+        const at = position ?? centre;
+        if (turn === this.asked && at !== null) this.known = { dataset, at };
+      },
+      () => undefined, // the view turns about its target
+    );
+  }
+
+  of(camera: FullCamera): Vec3 {
+    return this.known !== null && this.known.dataset === this.server.editor.scene?.dataset
+      ? this.known.at
+      : camera.target;
+  }
+}

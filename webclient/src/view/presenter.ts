@@ -1,0 +1,176 @@
+// From binary messages to what is seen: decode, keep the newest, draw in an animation frame, then acknowledge.
+import { MissingPart, type GeometryBatch } from "../server/geometry";
+import { EarlyFrames } from "./early_frames";
+import { decodeHeader, KIND_GEOMETRY, KIND_IMAGE, type FrameHeader } from "../server/frame_header";
+import { Pieces } from "../server/pieces";
+
+export interface Screen {
+  showImage(image: ImageBitmap): void;
+  showGeometry(batches: GeometryBatch[]): void;
+}
+
+export interface PresenterEvents {
+  /** A message of any view, which may be a piece of a frame. */
+  arrived(header: FrameHeader): void;
+  acknowledge(view: number, frame: number): void;
+  presented(header: FrameHeader, bytes: number): void;
+  failed(error: Error): void;
+  /** A frame names polygons that a damaged one before it had. */
+  incomplete(): void;
+}
+
+export interface Decoders {
+  image(message: ArrayBuffer): Promise<ImageBitmap>;
+  /** Of one view, until it is told that another follows. */
+  geometry: { decode(message: ArrayBuffer): GeometryBatch | null; clear(): void };
+}
+
+interface ReadyFrame {
+  header: FrameHeader;
+  bytes: number;
+  draw(): void;
+  release(): void;
+}
+
+export class Presenter {
+  private view = 0;
+  private readonly pieces = new Pieces();
+  private lastFrame = 0;
+  private ready: ReadyFrame | null = null;
+  private parts: { frame: number; batches: GeometryBatch[]; bytes: number; damaged: boolean } | null = null;
+  private frameRequested = false;
+  /** While a view is being opened. */
+  private early: EarlyFrames | null = null;
+
+  constructor(
+    private readonly screen: Screen,
+    private readonly decoders: Decoders,
+    private readonly events: PresenterEvents,
+    private readonly requestFrame: (callback: () => void) => void,
+  ) {}
+
+  /** A view is being opened: its frames may come before the answer that names it to `show`. */
+  expect(): void {
+    this.show(0);
+    this.early = new EarlyFrames();
+  }
+
+  /** Frames of any other view are not shown from now on. 0: none is. */
+  show(view: number): void {
+    const early = this.early?.of(view) ?? [];
+    this.early = null;
+    this.view = view;
+    this.lastFrame = 0;
+    this.parts = null;
+    this.pieces.clear();
+    this.decoders.geometry.clear();
+    this.ready?.release();
+    this.ready = null;
+    for (const message of early) this.take(decodeHeader(message), message);
+  }
+
+  receive(message: ArrayBuffer): void {
+    try {
+      const header = decodeHeader(message);
+      this.events.arrived(header);
+      if (this.early === null) this.take(header, message);
+      else this.early.keep(header, message);
+    } catch (error) {
+      this.events.failed(error as Error);
+    }
+  }
+
+  private take(header: FrameHeader, message: ArrayBuffer): void {
+    if (header.view !== this.view) return;
+    try {
+      const whole = this.pieces.add(header, message);
+      if (whole !== null) this.receiveWhole(decodeHeader(whole), whole);
+    } catch (error) {
+      this.events.failed(error as Error);
+    }
+  }
+
+  private receiveWhole(header: FrameHeader, message: ArrayBuffer): void {
+    if (header.kind === KIND_IMAGE) this.receiveImage(header, message);
+    else if (header.kind === KIND_GEOMETRY) this.receiveGeometry(header, message);
+    else throw new Error(`The server sends frames of a kind ${header.kind} that this page does not know. Reload it`);
+  }
+
+  private receiveImage(header: FrameHeader, message: ArrayBuffer): void {
+    const view = this.view;
+    this.decoders.image(message).then(
+      (image) => {
+        if (view !== this.view) image.close();
+        else {
+          const draw = (): void => this.screen.showImage(image);
+          this.offer({ header, bytes: message.byteLength, draw, release: () => image.close() });
+        }
+      },
+      (error: unknown) => {
+        // Acknowledged all the same: the server would wait for ever, and the next frame may be whole.
+        if (view === this.view) this.events.acknowledge(view, header.frame);
+        this.events.failed(error as Error);
+      },
+    );
+  }
+
+  private receiveGeometry(header: FrameHeader, message: ArrayBuffer): void {
+    if (header.first || this.parts?.frame !== header.frame)
+      this.parts = { frame: header.frame, batches: [], bytes: 0, damaged: false };
+    const { parts } = this;
+    try {
+      const batch = this.decoders.geometry.decode(message);
+      if (batch !== null) parts.batches.push(batch);
+    } catch (error) {
+      parts.damaged = true;
+      if (error instanceof MissingPart) this.events.incomplete();
+      this.events.failed(error as Error);
+    }
+    parts.bytes += message.byteLength;
+    if (!header.last) return;
+    this.parts = null;
+    if (parts.damaged) {
+      this.events.acknowledge(header.view, header.frame); // as with a damaged image
+      return;
+    }
+    const draw = (): void => this.screen.showGeometry(parts.batches);
+    this.offer({ header, bytes: parts.bytes, draw, release: () => undefined });
+  }
+
+  // A decoder may finish an older frame after a newer one: that one is never seen.
+  private offer(frame: ReadyFrame): void {
+    const stale = frame.header.frame <= this.lastFrame;
+    if (stale || (this.ready !== null && this.ready.header.frame > frame.header.frame)) {
+      this.supersede(frame);
+      return;
+    }
+    if (this.ready !== null) this.supersede(this.ready);
+    this.ready = frame;
+    if (this.frameRequested) return;
+    this.frameRequested = true;
+    this.requestFrame(() => {
+      this.frameRequested = false;
+      this.present();
+    });
+  }
+
+  private supersede(frame: ReadyFrame): void {
+    frame.release();
+    this.events.acknowledge(frame.header.view, frame.header.frame);
+  }
+
+  private present(): void {
+    const frame = this.ready;
+    if (frame === null) return;
+    this.ready = null;
+    this.lastFrame = frame.header.frame;
+    try {
+      frame.draw();
+      this.events.presented(frame.header, frame.bytes);
+    } catch (error) {
+      this.events.failed(error as Error); // a browser without WebGL2
+    }
+    frame.release();
+    this.events.acknowledge(frame.header.view, frame.header.frame);
+  }
+}

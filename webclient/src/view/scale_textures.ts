@@ -1,0 +1,102 @@
+// A color scale as the surface shader takes it: a row of colors and a few numbers (server/render/surfaces/color_scales.cpp).
+import {
+  bytesOf,
+  colorRow,
+  hasWidth,
+  limitsOf,
+  type ColorScale,
+  type Rgb8,
+  isLogOfBothSigns,
+  LINEAR_SHARE,
+} from "../model/color_scale";
+import type { Rgb } from "../model/background";
+
+/** Points may lie as close as that, and be told apart. */
+const ROW_SIZE = 1024;
+/** A hand that moves a point makes a row for each place it comes by. */
+const MOST_KEPT = 16;
+
+export interface ScaleUniforms {
+  /** What values, `rule` and `inside` are less, so that those of a small range beside them keep their digits. */
+  origin: number;
+  /** low, 1 / width, steps, way: as the server's shaders have it (server/render/surfaces/color_glsl.cpp). */
+  rule: [number, number, number, number];
+  inside: [number, number];
+  below: Rgb;
+  above: Rgb;
+  missing: Rgb;
+}
+
+const unit = (color: Rgb8): Rgb => color.map((channel) => channel / 255) as Rgb;
+
+/** Beyond it, a value less the origin may be more than a float holds. */
+const FARTHEST_ORIGIN = 1e37;
+
+const originOf = ({ log, range: [low] }: ColorScale): number =>
+  log || Math.abs(low) > FARTHEST_ORIGIN ? 0 : Math.fround(low);
+
+/** The numbers are floats' in the shader. */
+export function scaleUniforms(scale: ColorScale): ScaleUniforms {
+  const isOfBothSigns = isLogOfBothSigns(scale);
+  const linear = Math.max(LINEAR_SHARE * scale.range[1], 1e-37);
+  const measure = (value: number): number => {
+    if (isOfBothSigns) return Math.sign(value) * Math.log2(1 + Math.abs(value) / linear);
+    return scale.log ? Math.log2(value) : value;
+  };
+  const low = hasWidth(scale) ? measure(scale.range[0]) : scale.range[0];
+  const largest = 3e38; // shaders take no infinities
+  const scaling = hasWidth(scale) ? Math.min(1 / (measure(scale.range[1]) - low), largest) : 0;
+  const origin = originOf(scale);
+  const [first = [0, 0, 0], last = first] = colorRow({ ...scale, steps: 0 }, 2);
+  const [lowest, highest] = limitsOf(scale);
+  return {
+    origin,
+    rule: [low - origin, scaling, scale.steps, isOfBothSigns ? -linear : scale.log ? 1 : 0],
+    inside: [Math.max(lowest - origin, -largest), Math.min(highest - origin, largest)],
+    below: unit(scale.below === null ? first : bytesOf(scale.below)),
+    above: unit(scale.above === null ? last : bytesOf(scale.above)),
+    missing: unit(bytesOf(scale.nan)),
+  };
+}
+
+function pixels(scale: ColorScale): Uint8Array<ArrayBuffer> {
+  const row = new Uint8Array(4 * ROW_SIZE);
+  colorRow(scale, ROW_SIZE).forEach((color, i) => row.set([...color, 255], 4 * i));
+  return row;
+}
+
+/** Of one context; the newest are kept. */
+export class ScaleTextures {
+  private readonly kept = new Map<string, WebGLTexture>();
+
+  constructor(private readonly gl: WebGL2RenderingContext) {}
+
+  of(scale: ColorScale): WebGLTexture {
+    const key = JSON.stringify([scale.map, scale.points, scale.reverse, scale.steps]);
+    const texture = this.kept.get(key) ?? this.make(scale);
+    this.kept.delete(key);
+    this.kept.set(key, texture);
+    const [oldest] = this.kept;
+    if (this.kept.size > MOST_KEPT && oldest !== undefined) {
+      this.gl.deleteTexture(oldest[1]);
+      this.kept.delete(oldest[0]);
+    }
+    return texture;
+  }
+
+  private make(scale: ColorScale): WebGLTexture {
+    const { gl } = this;
+    const texture = gl.createTexture();
+    gl.bindTexture(gl.TEXTURE_2D, texture);
+    gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA, ROW_SIZE, 1, 0, gl.RGBA, gl.UNSIGNED_BYTE, pixels(scale));
+    for (const [name, value] of [
+      [gl.TEXTURE_MIN_FILTER, gl.LINEAR],
+      [gl.TEXTURE_MAG_FILTER, gl.LINEAR],
+      [gl.TEXTURE_WRAP_S, gl.CLAMP_TO_EDGE],
+      [gl.TEXTURE_WRAP_T, gl.CLAMP_TO_EDGE],
+    ] as const) {
+      gl.texParameteri(gl.TEXTURE_2D, name, value);
+    }
+    return texture;
+  }
+}

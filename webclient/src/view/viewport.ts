@@ -1,0 +1,89 @@
+// The two canvases, of which the one that the newest frame is for is seen.
+import type { GeometryBatch } from "../server/geometry";
+import { GeometryCanvas } from "./geometry_canvas";
+import { ImageCanvas } from "./image_canvas";
+import type { Look } from "./look";
+import type { Screen } from "./presenter";
+
+/** What has not changed for so long is at rest. */
+const REST_MS = 150;
+/** Between questions what the newest picture lacks. */
+const ASK_AGAIN_MS = 30;
+
+export class Viewport implements Screen {
+  private readonly images: ImageCanvas;
+  private geometry: GeometryCanvas | null = null;
+  private redrawRequested = false;
+  private settling = 0;
+  shown: "none" | "image" | "geometry" = "none";
+
+  constructor(
+    imageCanvas: HTMLCanvasElement,
+    private readonly geometryCanvas: HTMLCanvasElement,
+    /** How the geometry is looked at now; null before there is a scene. */
+    private readonly look: () => Look | null,
+    /** In device pixels. */
+    readonly size: () => { width: number; height: number },
+    /** Polygons were drawn that `redraw` asked for at that time. */
+    private readonly drawn: (requestedAt: number) => void,
+  ) {
+    this.images = new ImageCanvas(imageCanvas);
+  }
+
+  showImage(image: ImageBitmap): void {
+    const { width, height } = this.size();
+    this.images.show(image, width, height);
+    this.switchTo("image");
+  }
+
+  showGeometry(batches: GeometryBatch[]): void {
+    this.geometry ??= new GeometryCanvas(this.geometryCanvas, () => this.redraw());
+    this.geometry.setBatches(batches);
+    this.drawGeometry(true);
+    this.switchTo("geometry");
+  }
+
+  /** Nothing is shown until the next frame. */
+  clear(): void {
+    this.switchTo("none");
+  }
+
+  /** After the camera, the size or the background changed: polygons that are here already are drawn anew. */
+  redraw(): void {
+    if (this.shown !== "geometry" || this.redrawRequested) return;
+    this.redrawRequested = true;
+    const requestedAt = performance.now();
+    requestAnimationFrame(() => {
+      this.redrawRequested = false;
+      if (this.shown !== "geometry") return;
+      this.drawGeometry(true);
+      this.drawn(requestedAt);
+    });
+  }
+
+  private drawGeometry(moving: boolean): void {
+    const { geometry } = this;
+    const look = this.look();
+    const { width, height } = this.size();
+    if (look === null || geometry === null) return;
+    geometry.draw(look, width, height, moving);
+    window.clearTimeout(this.settling);
+    if (geometry.isPeeled)
+      this.settling = window.setTimeout(() => this.settle(moving), moving ? REST_MS : ASK_AGAIN_MS);
+  }
+
+  private settle(moved: boolean): void {
+    if (this.shown !== "geometry" || this.geometry === null) return;
+    const lacks = this.geometry.lacksLayers();
+    if (lacks === null) this.settling = window.setTimeout(() => this.settle(moved), ASK_AGAIN_MS);
+    else if (moved || lacks) this.drawGeometry(false);
+  }
+
+  private switchTo(kind: "none" | "image" | "geometry"): void {
+    if (this.shown === kind) return;
+    this.shown = kind;
+    this.images.canvas.hidden = kind !== "image";
+    this.geometryCanvas.hidden = kind !== "geometry";
+    if (kind !== "geometry") this.geometry?.setBatches([]);
+  }
+}
