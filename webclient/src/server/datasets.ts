@@ -1,8 +1,8 @@
 // Keeps the description of the scene's dataset at hand.
 import { update } from "../model/model";
-import type { Server } from "./server";
+import type { Core } from "./core";
 
-export async function listDatasets(server: Server): Promise<void> {
+export async function listDatasets(server: Core): Promise<void> {
   try {
     server.model.datasets.value = await server.session.call("dataset.list", {});
   } catch (error) {
@@ -11,7 +11,7 @@ export async function listDatasets(server: Server): Promise<void> {
 }
 
 /** Fetches the description when the scene's dataset is another one than the described. */
-export async function describeDataset(server: Server, again = false): Promise<void> {
+export async function describeDataset(server: Core, again = false): Promise<void> {
   const { model } = server;
   const name = model.scene.peek()?.dataset;
   const known = !again && model.description.peek()?.name === name;

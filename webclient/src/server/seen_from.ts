@@ -1,12 +1,12 @@
 // Where a scene without a camera is seen from. The server knows: it leaves room for what is written over pictures. What
 // lies over the canvas, and the first turn of a hand, begin there.
 import { complete } from "../model/camera";
-import type { Server } from "./server";
+import type { Core } from "./core";
 
 export class SeenFrom {
   private asked = "";
 
-  constructor(private readonly server: Server) {}
+  constructor(private readonly server: Core) {}
 
   /** After anything that may have another camera: the scene as the server has it, or the canvas. */
   async reconsider(): Promise<void> {

@@ -7,6 +7,7 @@ import { ShownScenes } from "../model/shown_scenes";
 import { showToast } from "../model/toasts";
 import type { Scene } from "../generated/protocol";
 import { openSocket, postTo, socketAddress } from "./browser_socket";
+import type { Core, Page } from "./core";
 import { describeDataset } from "./datasets";
 import { SceneEditor } from "./editor";
 import { Entry } from "./entry";
@@ -31,28 +32,7 @@ const clock = {
 const HISTOGRAM_BINS = 160;
 const RATE_MS = 500;
 
-/** Where the frames of a view go. */
-export interface FrameReceiver {
-  /** Frames of a view that is not named yet may come. */
-  expect(): void;
-  show(view: number): void;
-  receive(message: ArrayBuffer): void;
-}
-
-/** What the server is told of the page around it. */
-export interface Page {
-  background(): "dark" | "light";
-  /** The scene of the link that the page was opened with. */
-  link(): Scene | null;
-  /** null before there are canvases. */
-  frames(): FrameReceiver | null;
-  clearPicture(): void;
-  /** Which canvas is seen. */
-  shown(): "none" | "image" | "geometry";
-  stopPlaying(): void;
-}
-
-export class Server {
+export class Server implements Core {
   readonly latency = new Latency();
   readonly scenes = new ShownScenes();
   readonly editor: SceneEditor;

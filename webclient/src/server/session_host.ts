@@ -7,19 +7,19 @@ import { openingDataset } from "../model/opening";
 import { stateOf, update } from "../model/model";
 import { emptyReadout } from "../model/state";
 import { showToast } from "../model/toasts";
-import type { Server } from "./server";
+import type { Core } from "./core";
 
 type Handlers = { [N in keyof Notifications]: (params: Notifications[N]) => void };
 
 const NOTHING = "The server offers no dataset that can be opened. Start it with one: ciel serve NAME.ciel";
 
-function removePicture(server: Server): void {
+function removePicture(server: Core): void {
   server.page.clearPicture();
   const { roundTripMs } = server.model.readout.peek();
   update(server.model, { shownDataset: null, readout: { ...emptyReadout, roundTripMs } });
 }
 
-export function sessionHost(server: Server): SessionHost {
+export function sessionHost(server: Core): SessionHost {
   const handlers = notificationHandlers(server);
   return {
     firstScene: async (call) => {
@@ -86,7 +86,7 @@ export function sessionHost(server: Server): SessionHost {
   };
 }
 
-function notificationHandlers(server: Server): Handlers {
+function notificationHandlers(server: Core): Handlers {
   const heard = ({ revision, scene }: { revision: number; scene: Scene }): void => {
     update(server.model, { revision });
     server.taken(revision, scene);

@@ -6,7 +6,7 @@ import { chooseStream, hasHardwareWebGL, type Gesture, type Kind } from "./choos
 import { DrawPace } from "./draw_pace";
 import { LineRate } from "./line_rate";
 import type { StreamWish } from "./session";
-import type { Server } from "./server";
+import type { Core } from "./core";
 
 /** After it a hand has let go. */
 const REST_MS = 600;
@@ -29,7 +29,7 @@ export class Streams {
   private still: { ms: number } | null = null;
   private polygons: { bytes: number; triangles: number } | null = null;
 
-  constructor(private readonly server: Server) {}
+  constructor(private readonly server: Core) {}
 
   /** For a view that is about to be opened. */
   current(): StreamWish {
