@@ -1,4 +1,5 @@
 # cmake --install: the library, its headers, a CMake package (find_package(ciel) -> ciel::kernel) and ciel.pc.
+include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 set(CIEL_PACKAGE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/ciel)
 install(TARGETS ciel_kernel EXPORT ciel COMPONENT kernel)

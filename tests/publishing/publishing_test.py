@@ -38,6 +38,15 @@ class Version(unittest.TestCase):
     def test_the_citation_has_it(self):
         self.assertIn(f"\nversion: {project_version()}\n", text("CITATION.cff"))
 
+    def test_the_kernel_alone_and_its_python_package_have_it(self):
+        places = {
+            "server/ciel/CMakeLists.txt": r"project\(ciel VERSION (\S+) ",
+            "pyproject.toml": r'^version = "(.+)"',
+            "server/ciel/bindings/python/ciel_mesh/__init__.py": r'^__version__ = "(.+)"',
+        }
+        for path, pattern in places.items():
+            self.assertEqual(re.search(pattern, text(path), re.M).group(1), project_version(), path)
+
     def test_private_packages_have_none(self):
         self.assertNotIn("version", json.loads(text("webclient/package.json")).keys())
         self.assertNotIn("version", json.loads(text("webclient/package-lock.json"))["packages"][""].keys())

@@ -102,7 +102,7 @@ std::vector<float> interpolate(const Surface& surface, const Mesh& mesh, const A
 
 std::vector<Vec3f> gradients(const Mesh& mesh, const ArrayView& values) {
     const std::vector<float> stored = stored_values(mesh, values, PerItem::point);
-    const std::vector<Vec3f> of_stored = vertex_gradients(mesh.topology(), mesh.stored(), stored);
+    std::vector<Vec3f> of_stored = vertex_gradients(mesh.topology(), mesh.stored(), stored);
     const std::span<const Index> vertex = mesh.original_vertex();
     if (vertex.empty()) return of_stored;
     std::vector<Vec3f> out(mesh.point_count());

@@ -1,0 +1,51 @@
+"""Fails where a retired word stands: one name, one thing (server/README.md, "Words")."""
+
+import pathlib
+import re
+import subprocess
+import sys
+
+# Word, what it is called now, and the files that may still have it.
+RETIRED = [
+    (r"[Cc]olour", "color", {"CHANGELOG.md"}),
+    (r"\bEngine::(signatures|propagation|naive)\b", "Algorithm", set()),
+    (r"CIEL_ENGINE|--engine\b", "--algorithm", {"server/app/scene_options.cpp", "CHANGELOG.md"}),
+    (r"\bGeometryMesh\b", "wire::Primitives", set()),
+    (r"\brender::Mesh\b", "render::Primitives", set()),
+    (r"\brender::Page\b|\bannotations::Page\b", "annotations::Layout", set()),
+    (r"\bimporter::Block\b", "importer::DataSet", set()),
+    (r"\bField::Blocks\b", "Field::Data", set()),
+    (r"\bPartIds\b|\bHeldParts\b", "ArrayIds, HeldArrays", set()),
+    (r"\buseApp\b|\bAppState\b", "useModel and useCommands, PageState", set()),
+    (r"\bkernel_unit\b", "tests/unit/ciel", set()),
+]
+TEXTS = {".cpp", ".hpp", ".ts", ".tsx", ".py", ".md", ".json", ".txt", ".cmake", ".css", ".html", ".glsl", ""}
+# Results are told with the words of their day.
+LEFT_OUT = ("tests/bench/results/", "tests/layering/check_words.py", "webclient/package-lock.json", "protocol/colormaps.json")
+
+
+def main(root: pathlib.Path) -> int:
+    names = subprocess.run(["git", "-C", root, "ls-files"], capture_output=True, text=True, check=True).stdout.split("\n")
+    problems = []
+    for name in names:
+        path = root / name
+        if path.suffix not in TEXTS or name.startswith(LEFT_OUT) or not path.is_file():
+            continue
+        try:
+            lines = path.read_text(encoding="utf-8").splitlines()
+        except UnicodeDecodeError:
+            continue
+        for pattern, now, allowed in RETIRED:
+            if name in allowed:
+                continue
+            problems += [
+                f"{name}:{number}: {match.group(0)} is called {now} now"
+                for number, line in enumerate(lines, 1)
+                if (match := re.search(pattern, line))
+            ]
+    print("\n".join(problems) or f"no retired word in {len(names)} files")
+    return 1 if problems else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(pathlib.Path(sys.argv[1])))
