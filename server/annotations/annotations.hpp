@@ -1,4 +1,4 @@
-// What is written over a picture, beside what it shows.
+// Text, legends and axes drawn over a picture.
 #pragma once
 
 #include "annotations/camera.hpp"
@@ -13,33 +13,32 @@ namespace ciel::annotations {
 struct Legend { // one color bar
     std::string name, units;
     color::ColorScale scale;
-    std::string layers{};             // a second line, which tells it from another legend of that name; mostly empty
-    bool missing = false;             // what is colored has places without a value: their color is shown, too
-    std::vector<std::string> lines{}; // further ones below `layers`
+    std::string layers{};             // second line, tells legends of one name apart; usually empty
+    bool missing = false;             // some colored places have no value: their color is shown, too
+    std::vector<std::string> lines{}; // more lines below `layers`
 };
 
-// Text is UTF-8 and may hold anything: what the font lacks is taken from another one of the machine, and what none has
-// is shown as a box. What does not fit into the picture, or would lie on something else, is shortened or left out, so
-// that a picture of any size can be drawn.
+// Text is arbitrary UTF-8. Characters missing in the font come from another font of the machine, else a box is drawn.
+// Text that does not fit or would overlap something is shortened or left out, so pictures of any size can be drawn.
 struct Annotations {
     std::string title;                 // centred at the top
     std::vector<std::string> captions; // lines at the upper left
     std::vector<Legend> legends;       // at the right, one below the other
-    bool triad = false;                // where x, y and z point, at the lower left
+    bool triad = false;                // arrows along x, y and z at the lower left
     bool axes = false;                 // ticks and numbers along the edges of the frame's bounds
     std::string length_units;          // of the numbers on the axes
-    double scale = 1;                  // of all sizes, on top of the picture's own
+    double scale = 1;                  // factor on all sizes, besides size_of_picture
 
     [[nodiscard]] bool empty() const { return title.empty() && captions.empty() && legends.empty() && !triad && !axes; }
 };
 
-// A picture before it is written on: what stands over it depends on no more than this.
+// All inputs of the layout of a picture's annotations.
 struct AnnotatedPicture : Viewpoint {
     std::array<float, 3> background_top{}, background_bottom{}; // RGB, 0 to 1
     Annotations annotations;
 };
 
-// Where one of 1280 x 720 pixels has 1; text is so much larger. Of a narrow picture the width decides.
+// Scale factor of text: 1 for 1280 x 720 pixels. The width decides for narrow pictures.
 [[nodiscard]] double size_of_picture(int width, int height);
 
 } // namespace ciel::annotations

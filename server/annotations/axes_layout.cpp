@@ -12,7 +12,7 @@ namespace {
 
 // In ems.
 constexpr double tick_length = 0.5, gap = 0.35, apart = 0.5, least_edge = 3;
-constexpr double across_spacing = 3.6, up_spacing = 2.4; // of ticks at least, along and across the lines of text
+constexpr double across_spacing = 3.6, up_spacing = 2.4; // least distance of ticks, along and across lines of text
 constexpr int most_ticks = 10;
 constexpr std::array names{"x", "y", "z"};
 
@@ -56,8 +56,7 @@ private:
         return (value - low) / (edge_.high[edge_.axis] - low);
     }
 
-    // Beyond `distance` from the edge, so that the text just keeps clear of it; moved into the picture where it would
-    // stick out.
+    // Places text so that it begins `distance` outside the edge. Text that would leave the picture is moved into it.
     [[nodiscard]] Placed beside(Place foot, const std::string& text, double distance) {
         const TextSize& size = layout_.text();
         const double half_width = layout_.width_of(text, size) / 2.0;
@@ -76,8 +75,8 @@ private:
         return placed;
     }
 
-    // Whether the numbers keep clear of each other at this density. One that would lie on something else, such as
-    // another axis's number at a common corner, is left out at any density.
+    // Places the numbers and returns whether they keep clear of each other at this density. Numbers that would overlap
+    // other annotations, such as another axis's number at a common corner, are left out at any density.
     bool number(int most) {
         const Scale scale = nice_scale(value(edge_.from), value(edge_.to), most);
         exponent_ = scale.exponent;
@@ -94,7 +93,7 @@ private:
         return are_clear;
     }
 
-    // Two numbers side by side, as at a common corner of two axes, would read as one.
+    // Widens a number's box: adjacent numbers, as at a common corner of two axes, would read as one.
     [[nodiscard]] Box with_room(const Box& box) const {
         const double room = apart * layout_.em() / 2;
         return {std::max(0.0, box.left - room), box.top, std::min<double>(layout_.width(), box.right + room),
@@ -118,12 +117,12 @@ private:
             const Place foot = at(share(one.value));
             layout_.draw_line(foot, {foot.x + length * edge_.outward.x, foot.y + length * edge_.outward.y});
         }
-        // Of a steep view a number may lie on the next one's tick.
+        // In a steep view, a number may overlap its neighbour's tick.
         std::erase_if(numbers_, [&](const Numbered& one) { return !layout_.is_free(one.label.box); });
         for (const Numbered& one : numbers_) write(one.label);
     }
 
-    // Outside the numbers, in the middle of the edge or as near to it as there is room.
+    // Writes the name outside the numbers, as near to the middle of the edge as there is room.
     void write_name() {
         const std::string units = pretty_units(picture_.annotations.length_units);
         const std::string name = std::string(names[static_cast<std::size_t>(edge_.axis)]) +
@@ -156,7 +155,7 @@ void lay_axes(Layout& layout, const AnnotatedPicture& picture) {
     std::vector<AxisLayout> axes;
     axes.reserve(edges.size());
     for (const BoxEdge& edge : edges) axes.emplace_back(layout, picture, edge);
-    for (AxisLayout& axis : axes) axis.draw_line(); // of all first: no number of one lies on the line of another
+    for (AxisLayout& axis : axes) axis.draw_line(); // all lines first, so that no number covers another axis's line
     for (AxisLayout& axis : axes) axis.write();
 }
 

@@ -25,10 +25,10 @@ glm::dvec3 corner(const Viewpoint& viewpoint, int axis, bool upper, int second, 
 struct Candidate {
     BoxEdge edge;
     double length = 0; // pixels
-    double rank = 0;   // the largest is taken
+    double rank = 0;   // the largest wins
 };
 
-// Away from the middle of the box, which a silhouette has on one side.
+// The normal of a silhouette edge that points away from the center of the box.
 Place outward_of(Place along, Place middle, Place center) {
     const Place across{-along.y, along.x};
     const double side = across.x * (middle.x - center.x) + across.y * (middle.y - center.y);

@@ -31,7 +31,7 @@ glm::dmat4 view_matrix(const Camera& camera, const glm::dvec3& origin) {
     up = glm::length(up) > 0 ? glm::normalize(up) : glm::dvec3(0, 0, 1);
     if (glm::length(glm::cross(ahead, up)) < 1e-6)
         up = std::abs(ahead.z) < 0.9 ? glm::dvec3(0, 0, 1) : glm::dvec3(0, 1, 0);
-    // Turned, then moved: of an eye that is very far from the origin, eye + ahead would be the eye again.
+    // Rotates, then translates: for an eye very far from the origin, eye + ahead would round to the eye.
     return glm::translate(glm::lookAt(glm::dvec3(0), ahead, up), -eye);
 }
 
@@ -72,8 +72,8 @@ ViewTransform view_transform(const Viewpoint& seen) {
                                           depths.farthest + back + margin);
         return transform;
     }
-    const double farthest = std::max(depths.farthest + margin, margin); // all behind the eye: any range will do
-    // 24 bits of depth: a nearest plane closer than this leaves too few of them for the rest.
+    const double farthest = std::max(depths.farthest + margin, margin); // all behind the eye: any range is valid
+    // A nearer plane would leave too few of the 24 bits of depth for the rest.
     const double nearest = std::max(depths.nearest - margin, farthest * 1e-4);
     transform.projection = glm::perspective(glm::radians(seen.camera.fov_degrees), aspect, nearest, farthest);
     return transform;

@@ -1,4 +1,4 @@
-// From a camera and bounds to matrices, in double: far from the origin float has nothing left for the picture.
+// Camera and bounds -> matrices, in double: far from the origin, floats have too few digits for a picture.
 #pragma once
 
 #include "ciel/types.hpp"
@@ -14,7 +14,7 @@ struct Camera {
     double parallel_height = 1; // world units from the lower to the upper edge of the picture
 };
 
-// The space that a picture shows, and from where.
+// The space that a picture shows, and the camera.
 struct Viewpoint {
     int width = 0, height = 0; // pixels
     Vec3d origin{};            // of offsets: world coordinates less this
@@ -23,18 +23,18 @@ struct Viewpoint {
 };
 
 struct ViewTransform {
-    // Offsets from the view's origin -> the eye's axes, looking along -z. The eye of a parallel view, whose place
-    // along its rays changes nothing, is before all of the bounds.
+    // Offsets from the view's origin -> the eye's axes, looking along -z. The eye of a parallel view is placed in front
+    // of all bounds; its distance does not change the picture.
     glm::dmat4 view;
     glm::dmat4 projection; // -> clip space, z from -1 to 1 between the nearest and farthest point of the bounds
     double scale = 1;      // 1 / the bounds' diagonal
 };
 
-// Throws Error when the camera is not made of finite numbers. A camera at its target, or with `up` along its view,
-// still gives a picture.
+// Throws Error when a number of the camera is not finite. A camera at its target, or with `up` along its view, is
+// valid.
 [[nodiscard]] ViewTransform view_transform(const Viewpoint& seen);
 
-// The camera that shows the whole box from a direction, with a small margin; its parallel height fits as well.
+// Returns a camera that shows the whole box with a small margin, from a fixed direction. Sets parallel_height, too.
 [[nodiscard]] Camera default_camera(Vec3d bounds_min, Vec3d bounds_max, double aspect,
                                     double fov_degrees = Camera{}.fov_degrees);
 

@@ -21,7 +21,7 @@ void lay_title(Layout& layout, const Annotations& annotations) {
     if (text.empty() || !layout.is_free(box)) return;
     layout.write_backed(text, size, left, base);
     layout.take(box);
-    layout.room.top = box.bottom + layout.em() / 2; // the rest stands below it
+    layout.room.top = box.bottom + layout.em() / 2; // everything else is below it
 }
 
 void lay_captions(Layout& layout, const Annotations& annotations) {

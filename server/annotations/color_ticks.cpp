@@ -8,7 +8,7 @@
 namespace ciel::annotations {
 namespace {
 
-constexpr int most_labels = 10; // of steps and decades: more would stand on each other
+constexpr int most_labels = 10; // of steps and decades: more would overlap
 constexpr int most_marked_decades = 8;
 
 struct Marks {
@@ -25,7 +25,8 @@ struct Marks {
     }
 };
 
-// Of the bounds of steps every so manyth: as many as may be, and the same number between any two labels.
+// Returns k to mark every k-th bound of the steps: the smallest that divides the labels' stride and gives at most
+// `most` marks, else the labels' stride.
 int stride_of_marks(int steps, int stride_of_labels, int most) {
     for (int stride = 1; stride < stride_of_labels; ++stride)
         if (stride_of_labels % stride == 0 && steps / stride < most) return stride;
@@ -37,12 +38,12 @@ void add_steps(Marks& marks, int most) {
     const int stride = (scale.steps + most_labels - 1) / most_labels;
     for (int k = 0; k <= scale.steps; k += stride_of_marks(scale.steps, stride, most)) {
         const int to_the_end = scale.steps - k;
-        if (to_the_end > 0 && to_the_end * most < scale.steps) continue; // which has a mark of its own
+        if (to_the_end > 0 && to_the_end * most < scale.steps) continue; // too close to the end's mark
         marks.add(color::value_at(scale, static_cast<double>(k) / scale.steps), k % stride == 0);
     }
 }
 
-// 1, 2, 3 ... 9 times each power of ten; `with` of them have labels, on every `stride`-th power.
+// Adds 1, 2, 3 ... 9 times each power of ten. The multiples in `with` have labels, on every `stride`-th power.
 void add_decades(Marks& marks, double low, double high, const std::vector<int>& with, int stride) {
     const int first = static_cast<int>(std::floor(std::log10(low)));
     const int last = static_cast<int>(std::floor(std::log10(high) + 1e-9));
@@ -61,7 +62,7 @@ int labels_of(const std::vector<ColorTick>& ticks) {
         std::count_if(ticks.begin(), ticks.end(), [](const ColorTick& t) { return !t.label.empty(); }));
 }
 
-// Zero, and the powers of ten beyond the nearly linear part, on both sides.
+// Adds zero, and the powers of ten beyond the nearly linear part on both sides.
 void add_both_signs(Marks& marks) {
     const double reach = marks.scale.range[1];
     Marks above{marks.scale, {}};
@@ -92,7 +93,7 @@ int exponent_of(const color::ColorScale& scale) {
 }
 
 std::string label_on(const color::ColorScale& scale, double value) {
-    // Over a power of ten and more the eye reads no more digits off a logarithmic bar.
+    // On a logarithmic bar over a factor of ten or more, more than 3 digits cannot be read off.
     if (scale.log) return number_label(value, scale.range[1] >= 10 * scale.range[0] ? 3 : 6);
     return number_label(value, color::has_width(scale) ? scale.range[1] - scale.range[0] : 0, exponent_of(scale));
 }

@@ -11,10 +11,10 @@ constexpr double usual_text = 13, usual_heading = 18;
 constexpr int smallest_text = 9, largest_text = 200;
 constexpr Ink light{0.93F, 0.94F, 0.96F, 1}, dark{0.07F, 0.08F, 0.10F, 1};
 constexpr float halo_opacity = 0.75F;
-// Light text keeps a contrast of 4.5 (WCAG 2.1, 1.4.3) to a white picture behind a dark plate, and dark text likewise.
+// Light text on a dark plate has a contrast of at least 4.5 (WCAG 2.1, 1.4.3) over a white picture; dark text likewise.
 constexpr float plate_opacity = 0.72F;
 constexpr double plate_edge = 0.3;   // ems
-constexpr float middle_gray = 0.46F; // on which light and dark text are as good as each other
+constexpr float middle_gray = 0.46F; // light and dark text have equal contrast on it
 
 TextSize size_of(double pixels, TextMeasure& measure) {
     const int rounded = std::clamp(static_cast<int>(std::lround(pixels)), smallest_text, largest_text);
@@ -37,7 +37,7 @@ Ink translucent(const std::array<float, 3>& color) { return {color[0], color[1],
 
 } // namespace
 
-// A legend would fill a narrow picture.
+// The width counts because legends sized by height would fill a narrow picture.
 double size_of_picture(int width, int height) { return std::min<double>(height, 0.75 * width) / usual_height; }
 
 Layout::Layout(const AnnotatedPicture& picture, TextMeasure& measure)
@@ -84,7 +84,7 @@ Ink Layout::paper_at(double y) const {
     return ink;
 }
 
-// In the background's own colors: where nothing lies behind it there is nothing to see of it.
+// In the background's colors, so that the plate is invisible over the plain background.
 void Layout::back(const Box& box) {
     overlay.plates.push_back({box, plate_edge * em(), paper_at(box.top), paper_at(box.bottom)});
 }

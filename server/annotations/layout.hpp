@@ -1,4 +1,4 @@
-// One picture's sheet while its annotations are laid out: how large things are, what is taken, and what is drawn.
+// State of the layout of one picture's annotations: sizes, taken places, and the resulting overlay.
 #pragma once
 
 #include "annotations/annotations.hpp"
@@ -15,7 +15,7 @@ struct TextSize {
 
 class Layout {
 public:
-    // Sizes follow the picture: text of 13 pixels where it has 720 rows, never less than 9.
+    // Text has 13 pixels in a picture of 720 rows and scales with the picture, but has at least 9. Borrows `measure`.
     Layout(const AnnotatedPicture& picture, TextMeasure& measure);
 
     [[nodiscard]] int width() const { return width_; }
@@ -23,26 +23,26 @@ public:
     [[nodiscard]] double em() const { return text_.pixels; }
     [[nodiscard]] double stroke_width() const { return em() / 10; }
     [[nodiscard]] const TextSize& text() const { return text_; }
-    [[nodiscard]] bool has_smallest_text() const; // else it grows and shrinks with the picture
+    [[nodiscard]] bool has_smallest_text() const; // else text scales with the picture
     [[nodiscard]] const TextSize& heading() const { return heading_; }
     [[nodiscard]] const Ink& ink() const { return ink_; }
-    // What is not yet given to something that fills a side: everything within the margins at first.
+    // The area not yet given to annotations that fill a side; initially all within the margins.
     Box room;
 
     [[nodiscard]] int width_of(const std::string& text, const TextSize& size);
-    // The text, or as much of its start as fits with an ellipsis; empty where nothing does.
+    // The text, or as much of its start as fits with an ellipsis; empty if nothing fits.
     [[nodiscard]] std::string shortened(const std::string& text, const TextSize& size, double most_width);
-    // Around text whose base line starts at (x, y).
+    // The box around text whose base line starts at (x, y).
     [[nodiscard]] Box box_of(const std::string& text, const TextSize& size, int x, int y);
     void write(const std::string& text, const TextSize& size, int x, int y, const Ink& ink);
-    // A plate behind what is written in the box.
+    // Draws a plate behind the box.
     void back(const Box& box);
     void write_backed(const std::string& text, const TextSize& size, int x, int y); // in `ink()`, with its plate
 
-    // Whether the box lies in the picture and on nothing that was taken.
+    // Whether the box is inside the picture and overlaps no taken box or line.
     [[nodiscard]] bool is_free(const Box& box) const;
     void take(const Box& box) { taken_.push_back(box); }
-    // Draws and takes those parts of a line that lie on no box that was taken.
+    // Draws and takes the parts of a line outside all taken boxes.
     void draw_line(const Place& from, const Place& to);
 
     Overlay overlay;
@@ -60,10 +60,9 @@ private:
     std::vector<std::pair<Place, Place>> lines_; // taken as well
 };
 
-// Each draws its part of picture.annotations where there is room for it, and nothing on anything that was drawn before.
-// In this order: what comes later gives way. Of captions the last are left out first, of legends likewise, which is
-// said, and all of those that would begin in the left third; the triad as a whole; of axes single numbers and names,
-// and parts of lines.
+// Each draws its part of picture.annotations where there is room, never over parts drawn before. Call in this order.
+// Captions that do not fit are left out, the last first. Legends likewise, and a note says how many; none begins in the
+// left third. The triad is left out as a whole, axes by single numbers, names and parts of lines.
 void lay_title(Layout& layout, const Annotations& annotations);
 void lay_captions(Layout& layout, const Annotations& annotations);
 void lay_legends(Layout& layout, const Annotations& annotations);

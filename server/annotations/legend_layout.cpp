@@ -1,4 +1,4 @@
-// Color bars at the right, in columns from the upper corner to the left.
+// Color bars in columns, from the upper right corner to the left.
 #include "annotations/color_ticks.hpp"
 #include "annotations/layout.hpp"
 #include "annotations/ticks.hpp"
@@ -13,17 +13,17 @@ namespace {
 constexpr double bar_width = 1.3, most_bar = 15, least_bar = 5, tick_start = 0.15, tick_end = 0.5, gap = 0.35,
                  between = 1.6, cap_height = 0.35;
 constexpr double widest_title = 0.3; // of the picture
-// Of the picture: where columns may begin, the first and others, for it is what it is for.
+// Leftmost start of the first and of other columns, as fractions of the picture's width.
 constexpr double leftmost_first = 1.0 / 3, leftmost_other = 0.66;
 constexpr double wide_legend = 0.22, upper_part = 0.55;
 constexpr double tick_spacing = 1.7; // lines
 constexpr int most_ticks = 6;
-constexpr double mark_spacing = 4;   // of their own widths: closer ones look like one bar
-constexpr double missing_line = 1.9; // lines that a legend with `missing` is higher
+constexpr double mark_spacing = 4;   // in stroke widths: closer marks look like one bar
+constexpr double missing_line = 1.9; // additional height of a legend with `missing`, in lines
 constexpr const char* missing_text = "no value";
 
 struct Mark {
-    double share = 0; // of the bar from its lower end
+    double share = 0; // position on the bar, from 0 at its lower end
     std::string label;
 };
 
@@ -80,10 +80,10 @@ Ink ink_of(const color::Rgb8& color) {
             1};
 }
 
-// Around a bar, of which an end may vanish in the background.
+// Bars have a border because an end may have the background's color.
 double border_width(const Layout& layout) { return std::max(1.0, std::round(layout.stroke_width())); }
 
-// What is below or above the scale: a piece of its own beyond the end.
+// Draws the color below or above the scale as a separate piece beyond the end.
 void draw_cap(Layout& layout, const std::optional<color::Rgb8>& color, const Box& bar, bool at_top) {
     if (!color) return;
     const double border = border_width(layout);
@@ -94,8 +94,8 @@ void draw_cap(Layout& layout, const std::optional<color::Rgb8>& color, const Box
     layout.overlay.fills.push_back({{bar.left, top, bar.right, top + height}, ink_of(*color), ink_of(*color)});
 }
 
-// In pieces over which the colors are as good as linear: a quarter of the rectangles that one for each row would take.
-// Steps have one color each.
+// Draws pieces of 4 rows, over which colors are nearly linear: a quarter of the rectangles of one per row. Steps have
+// one color each.
 void draw_bar(Layout& layout, const color::ColorScale& scale, const Box& bar) {
     draw_cap(layout, scale.above, bar, true);
     draw_cap(layout, scale.below, bar, false);
@@ -141,7 +141,7 @@ void draw_marks(Layout& layout, const std::vector<Mark>& marks, const Box& bar) 
     }
 }
 
-// A patch of the color below the bar, and its name beside it where the numbers stand. Returns where it ends.
+// Draws a patch of the NaN color below the bar, with its name in the column of the numbers. Returns the lower end.
 double draw_missing(Layout& layout, const color::ColorScale& scale, const Box& bar) {
     const TextSize& size = layout.text();
     const double border = border_width(layout);
@@ -158,8 +158,8 @@ double draw_missing(Layout& layout, const color::ColorScale& scale, const Box& b
     return bar.bottom + (missing_line + 0.5) * size.line();
 }
 
-// Below its title, with half a line of room for the numbers at its two ends. Takes all of its place: what is around a
-// legend has nothing between the bar and the numbers.
+// Draws the bar below its title, with half a line above and below for the numbers at its ends. Takes the whole
+// rectangle, so that nothing is drawn between the bar and the numbers.
 void draw_entry(Layout& layout, const Entry& entry, int left, double top, double bar_height) {
     const TextSize& size = layout.text();
     int base = static_cast<int>(std::lround(top)) + size.metrics.ascent;
@@ -170,7 +170,7 @@ void draw_entry(Layout& layout, const Entry& entry, int left, double top, double
                   start + std::round(bar_height)};
     draw_bar(layout, entry.legend.scale, bar);
     layout.take(bar);
-    draw_marks(layout, entry.ends, bar); // first: where there is no room for both, the inner mark goes
+    draw_marks(layout, entry.ends, bar); // first, so that they win over inner marks
     const int most = std::clamp(static_cast<int>(bar.height() / (tick_spacing * size.line())), 1, most_ticks);
     const int most_marks = 1 + static_cast<int>(bar.height() / (mark_spacing * layout.stroke_width()));
     draw_marks(layout, inner_marks(entry.legend.scale, most, most_marks), bar);
@@ -181,7 +181,7 @@ void draw_entry(Layout& layout, const Entry& entry, int left, double top, double
     layout.take(all);
 }
 
-// Beside legends that are wide for the border there is little of it left: they keep to its upper part.
+// Height of a column. In a narrow picture, legends that do not all fit into its upper part are limited to that part.
 double height_for(Layout& layout, const Annotations& annotations, double least) {
     const double whole = layout.room.height();
     const bool is_narrow = entry_of(layout, annotations.legends.front()).width > wide_legend * layout.width();
@@ -191,7 +191,7 @@ double height_for(Layout& layout, const Annotations& annotations, double least) 
     return upper;
 }
 
-// For who would look for them; where there is room.
+// Writes how many legends were left out, if there is room.
 void note_left_out(Layout& layout, Place corner, std::ptrdiff_t count) {
     const TextSize& size = layout.text();
     const std::string text = "+ " + std::to_string(count) + " more";
@@ -209,7 +209,7 @@ void lay_legends(Layout& layout, const Annotations& annotations) {
     if (annotations.legends.empty()) return;
     const double em = layout.em();
     const double line = layout.text().line();
-    // The title and the lines below it, half a line at each end of the bar, and what stands below that.
+    // Title, lines below it, half a line at each end of the bar, and the patch for missing values.
     std::size_t most_lines = 0;
     for (const Legend& legend : annotations.legends) most_lines = std::max(most_lines, lines_of(legend).size());
     const auto is_missing = [](const Legend& legend) { return legend.missing; };
@@ -219,7 +219,7 @@ void lay_legends(Layout& layout, const Annotations& annotations) {
     const double height = height_for(layout, annotations, least);
     double right = layout.room.right;
     auto next = annotations.legends.begin();
-    Place below{}; // the last column
+    Place below{}; // the lower left corner of the last column
     while (next != annotations.legends.end()) {
         const auto left_over = static_cast<double>(annotations.legends.end() - next);
         const double fitting = std::floor((height + between * em) / least);

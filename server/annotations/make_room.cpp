@@ -12,12 +12,12 @@
 namespace ciel::annotations {
 namespace {
 
-constexpr int usual_height = 720; // the layout is judged at this size, but for smaller pictures
+constexpr int usual_height = 720; // layouts are tested at this size, except for smaller pictures
 constexpr double step = 1.03, furthest = 2;
-constexpr double aside = 1.0 / 32; // of the picture's width, so many times at most
+constexpr double aside = 1.0 / 32; // of the picture's width, at most most_aside times
 constexpr int most_aside = 10;
 constexpr int samples = 24;                             // of an edge
-constexpr double beside_edges = 0.5, beside_axes = 4.5; // ems around the edges; numbers and names take the larger one
+constexpr double beside_edges = 0.5, beside_axes = 4.5; // ems around the edges, without and with axes
 
 glm::dvec3 corner(const AnnotatedPicture& picture, unsigned bits) {
     glm::dvec3 at;
@@ -56,7 +56,7 @@ void step_back(Camera& camera, double by = step) {
     camera.parallel_height *= by;
 }
 
-// Moves what is seen to the left and down, by shares of the picture's width.
+// Moves the camera so that the scene moves left and down, by fractions of the picture's width.
 Camera stepped_aside(const AnnotatedPicture& picture, double to_left, double down) {
     const glm::dmat4 view = view_transform(picture).view;
     const glm::dvec3 right(view[0].x, view[1].x, view[2].x);
@@ -77,14 +77,14 @@ Camera stepped_aside(const AnnotatedPicture& picture, double to_left, double dow
     return camera;
 }
 
-// In a narrow picture the legends reach so far that nothing in the middle is clear of them: left of them, or below.
+// In a narrow picture, legends reach past the middle. Moves the scene to their left, or below them.
 std::optional<Camera> clear_aside(AnnotatedPicture picture, const std::vector<glm::dvec3>& points,
                                   const Layout& layout) {
     constexpr double large_step = 1.1, furthest_aside = 3;
     double away = 1;
     while (away < furthest_aside) {
         for (int i = 1; i <= most_aside; ++i)
-            for (const auto& [to_left, down] : {std::pair(1, 0), {0, 1}, {0, 2}}) { // narrow pictures are high
+            for (const auto& [to_left, down] : {std::pair(1, 0), {0, 1}, {0, 2}}) { // narrow pictures are tall
                 AnnotatedPicture moved = picture;
                 moved.camera = stepped_aside(picture, i * to_left * aside, i * down * aside);
                 if (is_clear(moved, points, layout)) return moved.camera;
@@ -100,7 +100,7 @@ std::optional<Camera> clear_aside(AnnotatedPicture picture, const std::vector<gl
 Camera clear_of_annotations(const AnnotatedPicture& picture, TextMeasure& text) {
     if (picture.annotations.empty()) return picture.camera;
     AnnotatedPicture judged = picture;
-    if (!Layout(picture, text).has_smallest_text()) { // all that is written keeps its share of the picture
+    if (!Layout(picture, text).has_smallest_text()) { // text scales with the picture
         judged.width = std::max(
             1, static_cast<int>(std::lround(static_cast<double>(picture.width) / picture.height * usual_height)));
         judged.height = usual_height;

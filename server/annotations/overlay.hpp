@@ -1,5 +1,5 @@
-// A flat drawing over a picture, in pixels from the upper left corner: what the layout makes and the overlay painter
-// draws. In this order: plates, fills, strokes, triangles, labels.
+// A flat drawing over a picture, in pixels from the upper left corner: output of the layout, input of the overlay
+// painter. Drawing order: plates, fills, strokes, triangles, labels.
 #pragma once
 
 #include <array>
@@ -29,12 +29,12 @@ struct Box {
     }
 };
 
-// Which part of a line from a to b is inside the box, as shares of the way; none where they only touch.
+// The part of the line from a to b inside the box, as fractions from a to b; none where they only touch.
 [[nodiscard]] std::optional<std::pair<double, double>> part_inside(const Box& box, const Place& a, const Place& b);
 
-struct Plate { // behind what is written, so that it is read on any picture; fades out around the box
+struct Plate { // keeps text readable on any picture; fades out around the box
     Box box;
-    double edge = 0; // pixels over which it does
+    double edge = 0; // width of the fading, in pixels
     Ink top{}, bottom{};
 };
 struct Fill { // from one ink at the top to another at the bottom
@@ -53,9 +53,9 @@ struct Triangle {
 struct Label {
     std::string text;
     int pixels = 0;   // size of the font
-    int x = 0, y = 0; // where the text starts on its base line
+    int x = 0, y = 0; // start of the base line
     Ink ink{};
-    Box box; // around it, from the highest to the lowest a letter may reach
+    Box box; // around the text, with the font's full ascent and descent
 };
 
 struct Overlay {
@@ -64,7 +64,7 @@ struct Overlay {
     std::vector<Stroke> strokes;
     std::vector<Triangle> triangles;
     std::vector<Label> labels;
-    Ink halo{}; // around letters and strokes, so that they are read on any background
+    Ink halo{}; // around letters and strokes, for any background
 };
 
 } // namespace ciel::annotations

@@ -1,4 +1,4 @@
-// How large text is, for who lays it out. Who draws it measures it.
+// Interface to measure text for the layout; the drawing code implements it.
 #pragma once
 
 #include <string_view>
@@ -10,7 +10,7 @@ struct FontMetrics { // pixels, all positive
     int digit = 0; // height of a digit above the base line
 };
 
-// Belongs to one thread. Sizes are pixels an em. Every call may throw Error when there is no font.
+// For one thread only. Sizes are pixels per em. Every call may throw Error when there is no font.
 class TextMeasure {
 public:
     virtual ~TextMeasure() = default;

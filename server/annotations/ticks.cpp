@@ -10,15 +10,15 @@ namespace {
 
 constexpr std::array superscripts{"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
 constexpr int most_decimals = 15;
-constexpr double smallest_span = 1e-300; // below it steps lose their digits
+constexpr double smallest_span = 1e-300; // smaller steps lose digits
 // Numbers from 0.001 to 9,999,999 are written out: coordinates of a map grid have seven digits before the point.
 constexpr int smallest_plain = -3;
 constexpr int largest_plain = 6;
-constexpr int digits_of_ends = 6; // those of a scale are floats: a ten-thousandth is a little less than 1e-4
+constexpr int digits_of_ends = 6; // ends of a scale are floats: 1e-4 as a float is a little less
 
 int magnitude(double value) { return static_cast<int>(std::floor(std::log10(value))); }
 
-// With so many digits: 9.9996 is 10 with three of them.
+// The magnitude after rounding to `digits` digits: 9.9996 with three digits is 10.
 int rounded_magnitude(double value, int digits) {
     std::array<char, 32> text{};
     std::snprintf(text.data(), text.size(), "%.*e", std::clamp(digits - 1, 0, most_decimals), value);
@@ -27,7 +27,7 @@ int rounded_magnitude(double value, int digits) {
 
 bool is_plain(int exponent) { return exponent >= smallest_plain && exponent <= largest_plain; }
 
-// Of a number of that size, above 0, that is written with so many digits.
+// The power of ten factored out of a number above 0 that is written with `digits` digits.
 int taken_out(double size, int digits) {
     const int exponent = is_plain(magnitude(size)) ? 0 : rounded_magnitude(size, digits);
     return is_plain(exponent) ? 0 : exponent;
@@ -59,16 +59,16 @@ std::string without_trailing_zeros(std::string number) {
 
 struct Step {
     double size = 0;
-    int power = 0; // of ten, of its digit
+    int power = 0; // power of ten of its digit
 };
 
 struct Multiples {
-    double first = 0, last = 0; // in steps; more doubles than integers
+    double first = 0, last = 0; // in steps; may exceed the range of integers
     [[nodiscard]] double count() const { return last - first + 1; }
 };
 
 Multiples multiples(double low, double high, double step) {
-    const double slack = 1e-9 * (high - low) / step; // a multiple that lies on an end is one, whatever the rounding
+    const double slack = 1e-9 * (high - low) / step; // includes multiples at the ends despite rounding
     return {std::ceil(low / step - slack), std::floor(high / step + slack)};
 }
 

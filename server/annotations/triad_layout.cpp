@@ -1,4 +1,4 @@
-// Where x, y and z point, at the lower left; the colors are the page's.
+// Arrows along x, y and z at the lower left, in the colors of the web client.
 #include "annotations/camera.hpp"
 #include "annotations/layout.hpp"
 
@@ -15,7 +15,7 @@ constexpr std::array names{"x", "y", "z"};
 
 struct Arm {
     std::size_t axis = 0;
-    double x = 0, y = 0, nearness = 0; // in the picture's directions, of length 1 in space
+    double x = 0, y = 0, nearness = 0; // in the picture's axes; of length 1 in space
 };
 
 std::array<Arm, 3> arms_of(const AnnotatedPicture& picture) {
@@ -33,7 +33,7 @@ void draw_arm(Layout& layout, const Arm& one, Place center) {
     const double length = std::hypot(one.x, one.y);
     const Ink& ink = inks[one.axis];
     const Place tip{center.x + arm * em * one.x, center.y + arm * em * one.y};
-    const double head = std::min(0.55 * em, 0.7 * arm * em * length); // an arm seen from its end has none to show
+    const double head = std::min(0.55 * em, 0.7 * arm * em * length); // an arm seen from its end has no head
     if (head > 0.5) {
         const Place along{one.x / length, one.y / length};
         const Place root{tip.x - head * along.x, tip.y - head * along.y};

@@ -21,7 +21,7 @@ nlohmann::json camera_of(const std::string& text) {
     return camera;
 }
 
-// Of what is seen at the target.
+// Returns the visible height at the target.
 double height_of(const scene::Camera& camera) {
     double square = 0;
     for (std::size_t k = 0; k < 3; ++k) square += std::pow(camera.target[k] - camera.position[k], 2);

@@ -1,4 +1,4 @@
-// How `ciel render` is asked to look, as options.
+// Camera options of `ciel render`.
 #pragma once
 
 #include "engine/view.hpp"
@@ -20,11 +20,11 @@ struct CameraOptions {
     bool parallel = false;
 
     void add_to(CLI::App& command);
-    // What was asked for instead of the document's camera. Throws UsageError.
+    // Replaces the document's camera by --camera, if given. Throws UsageError on a malformed or out-of-range option.
     void apply(nlohmann::json& document) const;
-    // How a camera that is known looks: from where it stands.
+    // Applies --field-of-view and --parallel to the scene's camera, if it has one. The position stays.
     void project(scene::Scene& scene) const;
-    // A scene without a camera gets one that shows the whole box.
+    // Adds a camera that shows all of `box` to a scene without one.
     void stand_back(scene::Scene& scene, const geometry::Geometry& geometry, geometry::ViewSize size,
                     const geometry::BoundingBox& box) const;
 };

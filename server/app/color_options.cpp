@@ -19,7 +19,7 @@ std::vector<double> parse_range(const std::string& text) {
     return range;
 }
 
-// Whether colors and places are good is for the scene's own checks to say.
+// Colors and positions are validated by the scene's own checks.
 nlohmann::json parse_points(const std::string& text) {
     nlohmann::json points = nlohmann::json::array();
     for (const std::string& point : CLI::detail::split(text, ',')) {

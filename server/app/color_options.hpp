@@ -1,4 +1,4 @@
-// How `ciel render` is asked to color layers, as options; the result is a coloring of the scene document.
+// Color options of `ciel render`, written to a coloring of the scene document.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -18,12 +18,11 @@ struct ColorOptions {
 
     void add_to(CLI::App& command);
     [[nodiscard]] bool any() const;
-    // Puts what was asked for into the coloring of a layer, over what is there. Throws UsageError on an option that
-    // cannot be read.
+    // Overrides members of a layer's coloring by the given options. Throws UsageError on a malformed option.
     void apply_to(nlohmann::json& color) const;
 };
 
-// Throws UsageError, which names those that there are, where it is none.
+// Throws UsageError with the list of color maps if `name` is not one of them.
 void check_map(const std::string& option, const std::string& name);
 
 } // namespace ciel::app

@@ -1,4 +1,4 @@
-// ciel append: adds time steps to a dataset, also while it is served.
+// ciel append: adds time steps to a dataset, which may be served meanwhile.
 #include "app/commands.hpp"
 #include "store/append.hpp"
 #include "store/format/npy.hpp"
@@ -43,7 +43,7 @@ void check_size(const File& file, const store::PlannedArray& planned) {
                 ", in the order of the imported file");
 }
 
-// A misspelt name makes a new array, and an array that was forgotten has no value at the step.
+// Lists new and missing arrays: a misspelt name creates a new array, a forgotten one has no values at the step.
 std::string what_differs(const store::StepPlan& plan) {
     std::string text;
     const auto add = [&](const char* what, const std::vector<std::string>& names) {

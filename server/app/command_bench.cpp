@@ -1,4 +1,4 @@
-// ciel bench: the paper's four tables, and what pictures cost, for any dataset, on this machine.
+// ciel bench: measures the paper's four tables and the cost of pictures for a dataset on this machine.
 #include "app/commands.hpp"
 #include "bench/case.hpp"
 #include "ciel/parallel.hpp"
@@ -84,7 +84,7 @@ bool is_wanted(const BenchCommand& command, const std::string& table) {
     return command.tables.empty() ? !command.render && !is_picture : is_among(command.tables);
 }
 
-// The report is kept up to the table that is finished.
+// Called after each table, so an interrupted run keeps the finished ones.
 void write_report(const std::string& output, const json& report) {
     if (output.empty()) return;
     const std::string text = report.dump(2) + "\n";
@@ -104,7 +104,7 @@ int run_command(const BenchCommand& command) {
                 {"version", CIEL_VERSION},
                 {"cells", data.mesh.cell_count()},
                 {"tables", json::array()}};
-    write_report(command.output, report); // a place that cannot be written is told before the work
+    write_report(command.output, report); // fails early if the file cannot be written
     for (const auto& [name, make] : all_tables) {
         if (!is_wanted(command, name)) continue;
         const bench::Table table = make(data);

@@ -1,4 +1,4 @@
-// ciel extract NAME.ciel --iso ARRAY=VALUE -o FILE: iso-surfaces and slices as one file.
+// ciel extract NAME.ciel --iso ARRAY=VALUE -o FILE: writes iso-surfaces and slices to one file.
 #include "app/commands.hpp"
 #include "app/scene_options.hpp"
 #include "geometry/flat_shape.hpp"
@@ -33,7 +33,7 @@ bool is_of_cells(store::LoadedDataset& loaded, const std::string& scalar) {
     return dataset->find(store::parse_scalar(*dataset, scalar).array)->association == store::Association::cell;
 }
 
-// The polygons of cells that blew up are left out. Where a scalar is of the cells, no two polygons share a vertex, so
+// Returns the shape without polygons of blown-up cells. If a scalar is a cell array, polygons share no vertices, so
 // that each has the value of its cell.
 std::shared_ptr<const geometry::Shape> shape_for(const geometry::Drawable& drawable,
                                                  const std::vector<std::string>& scalars, std::size_t step,
@@ -48,7 +48,7 @@ std::vector<wire::NamedValues> values_of(const Surface& surface, const std::vect
                                          store::LoadedDataset& loaded, std::size_t step) {
     std::vector<wire::NamedValues> all;
     for (const std::string& scalar : scalars) {
-        // A vector's bare name is its magnitude here, and the file must not call that the vector.
+        // The bare name of a vector means its magnitude; the file names it as such.
         const store::ScalarName name = store::parse_scalar(*loaded.dataset(), scalar);
         wire::NamedValues values{name.magnitude ? name.array + ":magnitude" : scalar,
                                  std::vector<float>(surface.points.size())};
@@ -70,7 +70,7 @@ std::string range_of(const std::string& scalar, store::LoadedDataset& loaded, st
     return text.str();
 }
 
-// What an iso-value or a slice would have had to be.
+// Explains an empty surface: the range of each contoured array, and the bounds if there are slices.
 std::string why_empty(const scene::Scene& scene, const geometry::Geometry& geometry, store::LoadedDataset& loaded) {
     std::ostringstream text;
     text << "the surface is empty: at time " << geometry.time;
@@ -90,7 +90,7 @@ std::string why_empty(const scene::Scene& scene, const geometry::Geometry& geome
     return text.str();
 }
 
-// A file has no place for the cells that blew up.
+// Reports the blown-up cells that the file leaves out.
 void tell_left_out(const scene::Scene& scene, const std::vector<std::string>& colors, std::size_t step,
                    store::LoadedDataset& loaded) {
     std::set<std::string> sentences;

@@ -1,4 +1,4 @@
-// ciel import INPUT... -o NAME.ciel: starts ciel-import and watches over it.
+// ciel import INPUT... -o NAME.ciel: runs ciel-import within limits and reports its progress.
 #include "app/commands.hpp"
 #include "app/import_view.hpp"
 

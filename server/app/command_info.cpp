@@ -1,4 +1,4 @@
-// ciel info: what a dataset holds. Touches every chunk, so that every checksum is verified.
+// ciel info: prints a dataset's contents. Reads every chunk, so every checksum is verified.
 #include "app/commands.hpp"
 #include "ciel/field.hpp"
 #include "store/cell_extremes.hpp"
@@ -24,7 +24,7 @@ struct Checksums {
     std::uint64_t verified = 0, absent = 0, lazy = 0;
 };
 
-// Throws at the first damaged chunk; the topology's were verified by open().
+// Throws at the first damaged chunk. Topology chunks were verified by open().
 Checksums verify_all(const Dataset& dataset) {
     Checksums sums;
     for (std::size_t step = 0; step < dataset.steps().size(); ++step) {
@@ -51,7 +51,7 @@ json mesh_json(const store::MeshInfo& mesh) {
             {"cells", mesh.cells_by_type}};
 }
 
-// At the first time it was written. Of scalars on points: a vector or a cell's value is never contoured itself.
+// At the first step with this array. null unless it is a point scalar: vectors and cell arrays are not contoured.
 json ambiguous_faces(const Dataset& dataset, const store::ArrayInfo& array) {
     if (array.components > 1 || array.association != store::Association::point) return nullptr;
     for (std::size_t step = 0; step < dataset.steps().size(); ++step) {
@@ -100,7 +100,7 @@ json array_json(const Dataset& dataset, const store::ArrayInfo& array) {
             {"ambiguous_faces", ambiguous_faces(dataset, array)}};
 }
 
-// Of the first mesh: whether its vertices and cells have ids of the solver's own.
+// Whether vertices and cells of the first mesh have solver ids.
 json solver_ids_json(const Dataset& dataset) {
     json of = json::array();
     if (!dataset.solver_vertex(0).empty()) of.push_back("vertices");
@@ -153,7 +153,7 @@ json report(const Dataset& dataset) {
               {"not_yet_extracted", sums.lazy}}}};
 }
 
-// ", wall: U noSlip, p zeroGradient"
+// Returns ", wall: U noSlip, p zeroGradient".
 std::string facts_of(const json& group) {
     std::string text;
     for (const auto& [array, condition] : group["conditions"].items())
@@ -185,7 +185,7 @@ void print_counts(const json& mesh) {
     for (const auto& [type, count] : mesh["cells"].items()) line(type, grouped(count));
 }
 
-// "original float64 from 0/p"
+// Returns "original float64 from 0/p".
 std::string source_of(const json& array) {
     std::string text = array["origin"];
     if (const std::string type = array["type"]; !type.empty()) text += " " + type;
@@ -208,7 +208,7 @@ std::string describe(const json& array) {
     return text.str();
 }
 
-// "63.6 in cell 17 at (1, 2, 3), time 0.5"
+// Returns "63.6 in cell 17 at (1, 2, 3), time 0.5".
 std::string extreme_text(const json& found) {
     std::string text =
         number(found["value"]) + " in cell " + std::to_string(found["cell"].get<std::uint64_t>()) + " at (";
@@ -223,7 +223,7 @@ void print_array(const json& array) {
     line("", "highest " + extreme_text(array["extremes"]["highest"]));
 }
 
-// The shortest text that is this number again.
+// Returns the shortest text that parses to the same number.
 std::string all_digits(double value) {
     std::array<char, 32> text{};
     return {text.data(), std::to_chars(text.data(), text.data() + text.size(), value).ptr};

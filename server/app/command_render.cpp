@@ -1,4 +1,4 @@
-// ciel render NAME.ciel -o FILE.png: a still picture, made as the server makes it.
+// ciel render NAME.ciel -o FILE.png: draws a still picture with the server's code.
 #include "app/camera_options.hpp"
 #include "app/color_options.hpp"
 #include "app/commands.hpp"
@@ -67,12 +67,12 @@ nlohmann::json read_scene_file(const std::string& path) {
     } catch (const scene::TwiceNamed& error) {
         throw Error(path + ": " + error.what());
     } catch (const nlohmann::json::exception& error) {
-        const std::string reason = error.what(); // "[json.exception...] parse error at line 2...": the part for people
+        const std::string reason = error.what(); // "[json.exception...] parse error at line 2..."
         throw Error(path + " is not JSON: " + reason.substr(std::min(reason.size(), reason.find("] ") + 2)));
     }
 }
 
-// What was asked for, on everything that can have the colors of an array.
+// Applies the color options to all layers that can be colored by an array.
 void color_layers(const RenderCommand& render, nlohmann::json& layers) {
     bool any = false;
     for (auto& layer : layers) {
@@ -81,7 +81,7 @@ void color_layers(const RenderCommand& render, nlohmann::json& layers) {
             if (render.colors.any()) {
                 any = true;
                 render.colors.apply_to(layer["color"]);
-                layer["color"].erase("array"); // a volume has its own array's colors
+                layer["color"].erase("array"); // a volume is colored by its own array
             }
             continue;
         }
@@ -105,7 +105,7 @@ nlohmann::json document_of_options(const RenderCommand& render, const store::Dat
 
 geometry::DefaultScene default_document(const RenderCommand& render, store::LoadedDataset& loaded) {
     geometry::DefaultScene shown = geometry::default_scene(loaded, loaded.dataset()->info().name);
-    shown.document.erase("camera"); // made for a page's canvas; the picture's own shape and annotations decide here
+    shown.document.erase("camera"); // fitted to a web page; stand_back() fits the picture
     if (render.scene.time) shown.document["time"] = time_of_step(*loaded.dataset(), *render.scene.time);
     return shown;
 }
@@ -116,7 +116,7 @@ nlohmann::json document_of_file(const RenderCommand& render, const std::string& 
             "--scene says what to show and how; leave out --iso, --slice, --plane, --volume, --background, "
             "the options of layers, and what is about colors");
     nlohmann::json document = read_scene_file(render.scene_file);
-    if (!document.is_object()) return document;                        // refused with the place by who checks it
+    if (!document.is_object()) return document;                        // refused by parse_scene()
     document = scene::merge_patch(nlohmann::json::object(), document); // null and absent mean the same in a scene
     if (!document.contains("dataset")) document["dataset"] = dataset;
     if (document["dataset"] != dataset)
@@ -126,9 +126,9 @@ nlohmann::json document_of_file(const RenderCommand& render, const std::string& 
     return document;
 }
 
-struct Wanted { // NOLINT(bugprone-exception-escape): of what a json moves, nothing throws
+struct Wanted { // NOLINT(bugprone-exception-escape): moving a json does not throw
     nlohmann::json document;
-    std::optional<geometry::BoundingBox> box; // what a camera that nobody chose looks at; none: what is shown
+    std::optional<geometry::BoundingBox> box; // target of a default camera; none: the shown bounds
 };
 
 Wanted wanted_by(const RenderCommand& render, store::LoadedDataset& loaded) {
@@ -146,7 +146,7 @@ Wanted wanted_by(const RenderCommand& render, store::LoadedDataset& loaded) {
     return wanted;
 }
 
-// What was asked for by name, and nothing else. Titles and sizes go with any scene.
+// Shows exactly the annotations of --annotations, if given. Titles and sizes apply to any scene.
 void annotate(const RenderCommand& render, nlohmann::json& document) {
     nlohmann::json annotations = nlohmann::json::object();
     for (const std::string& wanted : render.annotations) {

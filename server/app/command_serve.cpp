@@ -1,4 +1,4 @@
-// ciel serve [DATA ...]
+// ciel serve [DATA ...]: imports what is needed and serves the datasets.
 #include "app/commands.hpp"
 #include "app/engine_service.hpp"
 #include "app/import_view.hpp"
@@ -25,7 +25,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Where a user's programs keep what they can make again.
+// The user's cache folder (XDG_CACHE_HOME).
 fs::path default_import_folder() {
     if (const char* cache = std::getenv("XDG_CACHE_HOME"); cache != nullptr && *cache != '\0')
         return fs::path(cache) / "ciel";
@@ -45,9 +45,9 @@ struct ServeOptions {
     gateway::GatewayOptions gateway;
 };
 
-// One input that cannot be imported does not take the others with it; when none can, there is nothing to serve.
+// An input that cannot be imported does not affect the others. Throws Error if all inputs failed.
 std::vector<importing::Servable> import_what_is_foreign(const ServeOptions& options) {
-    ImportView view(stderr); // stdout has the address alone
+    ImportView view(stderr); // stdout has only the address
     CancelOnSignal signals;
     auto servable =
         importing::import_missing(options.data, options.import_folder, {}, view.listener(), signals.cancelled());
@@ -58,7 +58,7 @@ std::vector<importing::Servable> import_what_is_foreign(const ServeOptions& opti
     return servable;
 }
 
-// A folder is watched for datasets; what else lies in it is not imported unasked.
+// A folder is watched for datasets. Other files in it are only imported when named.
 void warn_of_files_to_import(const fs::path& folder) {
     if (folder.extension() == ".ciel" || !fs::is_directory(folder)) return;
     fs::path first;
@@ -73,7 +73,7 @@ void warn_of_files_to_import(const fs::path& folder) {
                      folder.string(), first.string());
 }
 
-// Where the web client is when this program was built, and when it was installed.
+// Web client's folder in the build tree or the installation; empty if there is none.
 fs::path find_webclient() {
     std::error_code failure;
     const fs::path folder = fs::read_symlink("/proc/self/exe", failure).parent_path();
@@ -82,7 +82,7 @@ fs::path find_webclient() {
     return {};
 }
 
-// The first line of the file.
+// Returns the first line of the file without trailing white space.
 std::string token_in(const fs::path& file) {
     std::ifstream stream(file);
     std::string token;
@@ -95,14 +95,14 @@ std::string token_in(const fs::path& file) {
     return token;
 }
 
-// In the environment or a file, a token stays out of the process list and the shell's history.
+// Reads the token from a file or the environment: there it stays out of the process list and the shell's history.
 void complete_token(ServeOptions& options) {
     std::string& token = options.gateway.token;
     if (!options.token_file.empty()) token = token_in(options.token_file);
     if (const char* given = std::getenv("CIEL_TOKEN"); given != nullptr && token.empty()) token = given;
 }
 
-// The one line on stdout that scripts and people wait for.
+// The only line on stdout; scripts wait for it.
 void print_address(const gateway::Listening& listening) {
     std::cout << "CIEL listening on http://" << listening.host << ':' << listening.port << listening.prefix
               << "/?token=" << listening.token << std::endl;

@@ -1,5 +1,5 @@
-// The subcommands of `ciel`: command_NAME.cpp each, listed in main.cpp. add_NAME puts its options on the parser and
-// sets `run` when it was chosen.
+// The subcommands of `ciel`: command_NAME.cpp each, listed in main.cpp. add_NAME adds the options to the parser and
+// sets `run` if the command is chosen.
 #pragma once
 
 #include "ciel/types.hpp"
@@ -12,11 +12,11 @@ class App;
 
 namespace ciel::app {
 
-// What main calls after parsing; returns the process's exit code: 0 done, 1 failed, 2 wrong usage, 3 done with cells
+// Called by main after parsing. Returns the process's exit code: 0 done, 1 failed, 2 wrong usage, 3 done with cells
 // left out.
 using Run = std::function<int()>;
 
-// What a command was told makes no sense; it has done nothing yet.
+// Invalid options. Thrown before a command has any effect.
 class UsageError : public Error {
 public:
     using Error::Error;

@@ -1,4 +1,4 @@
-// The engine of this process behind the gateway: texts become method calls, binary messages pieces of uploads.
+// Connects the engine to the gateway: texts become method calls, binary messages become upload pieces.
 #pragma once
 
 #include "engine/server.hpp"
@@ -6,7 +6,7 @@
 
 namespace ciel::app {
 
-// Keeps a reference to the server, which has to outlive it and its peers.
+// Keeps a reference to the server, which must outlive it and its peers.
 class EngineService final : public gateway::Service {
 public:
     explicit EngineService(engine::Server& server) : server_(server) {}

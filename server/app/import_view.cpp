@@ -64,7 +64,7 @@ void CancelOnSignal::restore() {
     ::sigaction(SIGTERM, &terminate_, nullptr);
 }
 
-// In this order: a signal between the two ends the program by itself.
+// restore() comes first: a signal after it ends the program by itself.
 void CancelOnSignal::end() {
     restore();
     if (cancelled_flag) throw Error("stopped by a signal before anything was served");

@@ -1,4 +1,4 @@
-// An import as a person at a terminal sees it, for `ciel import` and for `ciel serve FILE`.
+// Console output of an import, for `ciel import` and `ciel serve FILE`.
 #pragma once
 
 #include "importing/importer.hpp"
@@ -9,13 +9,13 @@
 
 namespace ciel::app {
 
-// A bar on a terminal; elsewhere a line for every tenth. Lines go to `out`.
+// Shows a progress bar on a terminal, else a line per tenth. Lines go to `out`.
 class ImportView {
 public:
     explicit ImportView(std::FILE* out);
     void progress(double share, const std::string& phase);
     void line(const std::string& line) const;
-    void clear() const;                                 // takes the bar away
+    void clear() const;                                 // removes the bar
     [[nodiscard]] importing::ImportListener listener(); // borrows this view
 
 private:
@@ -24,8 +24,8 @@ private:
     int shown_tenth_ = -1;
 };
 
-// While it lives, SIGINT and SIGTERM cancel the import instead of ending the program; then they do again what they did
-// before. One at a time.
+// During its lifetime, SIGINT and SIGTERM cancel the import instead of ending the program; then the previous handlers
+// are restored. At most one may exist.
 class CancelOnSignal {
 public:
     CancelOnSignal();
@@ -34,7 +34,7 @@ public:
     CancelOnSignal& operator=(const CancelOnSignal&) = delete;
 
     [[nodiscard]] const std::atomic<bool>& cancelled() const;
-    // Throws Error when a signal came that the import did not see any more.
+    // Restores the handlers. Throws Error if a signal arrived, also one after the import.
     void end();
 
 private:

@@ -35,7 +35,7 @@ nlohmann::json threshold_of(const std::string& text) {
     throw UsageError("--threshold " + text + " is not of the form ARRAY=MIN,MAX");
 }
 
-// How many there were.
+// Calls make on each wanted layer. Returns their number.
 template <class Wanted, class Change>
 int change(nlohmann::json& layers, Wanted wanted, Change make) {
     int changed = 0;
@@ -47,7 +47,7 @@ int change(nlohmann::json& layers, Wanted wanted, Change make) {
     return changed;
 }
 
-// "p" or "p=1,2,3"; an array's own name may hold an '='.
+// `text`: "p" or "p=1,2,3". Splits at the last '=': an array name may contain one.
 nlohmann::json contours_of(const std::string& text) {
     const auto equals = text.rfind('=');
     if (equals == std::string::npos || equals == 0) return {{"array", text}};

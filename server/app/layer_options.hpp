@@ -1,4 +1,4 @@
-// What `ciel render` adds to the layers of SceneOptions, as options: the mesh's own layers, and how polygons are drawn.
+// Options of `ciel render` for layers of the mesh itself and for the style of all layers, in addition to SceneOptions.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -33,8 +33,8 @@ struct LayerOptions {
                volume_unshaded || !patches.empty() || !contours.empty() || !contour_map.empty() || !clips.empty() ||
                threshold;
     }
-    // Adds the layers that were asked for behind those that are there, and the styles to all. Throws UsageError on an
-    // option that cannot be read, or that has nothing to work on.
+    // Appends the requested layers and applies the styles to all layers. Throws UsageError on a malformed option, or
+    // one that applies to no layer.
     void apply(nlohmann::json& layers) const;
 
 private:

@@ -1,4 +1,4 @@
-// How `ciel render` is asked to light a scene, as options.
+// Lighting options of `ciel render`.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -15,8 +15,8 @@ struct LightingOptions {
     std::optional<double> ambient, headlight, key_light, occlusion_radius, occlusion_strength;
 
     void add_to(CLI::App& command);
-    // As a merge patch of the scene document; empty where nothing was asked for. Throws UsageError on options of an
-    // ambient occlusion that was not asked for.
+    // Returns a merge patch of the scene document; empty without lighting options. Throws UsageError on occlusion
+    // options without --ambient-occlusion.
     [[nodiscard]] nlohmann::json patch() const;
 };
 

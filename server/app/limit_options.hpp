@@ -1,4 +1,4 @@
-// An option and an environment variable for each row of limits/limits.hpp.
+// Adds an option and an environment variable for each row of limits/limits.hpp.
 #pragma once
 
 namespace CLI {
@@ -10,7 +10,7 @@ struct Limits;
 
 namespace ciel::app {
 
-// `limits` must live until the command line has been parsed.
+// `limits` is set by parsing and must outlive it.
 void add_limits(CLI::App& command, limits::Limits& limits);
 
 } // namespace ciel::app

@@ -13,15 +13,15 @@ constexpr int failed = 1, wrong_usage = 2;
 
 using AddCommand = void (*)(CLI::App& app, ciel::app::Run& run);
 
-// In the order that --help shows.
+// In the order of --help.
 const std::vector<AddCommand> commands{
     ciel::app::add_import,  ciel::app::add_info,   ciel::app::add_append, ciel::app::add_demo,
     ciel::app::add_extract, ciel::app::add_render, ciel::app::add_serve,  ciel::app::add_bench,
 };
 
-// One sentence of what is wrong with the command line and where to read more.
+// Returns one sentence: the usage error, and the --help to read.
 std::string sentence(const CLI::App& app, const CLI::ParseError& error) {
-    const auto unknown = app.remaining(); // before the command, or instead of one
+    const auto unknown = app.remaining(); // before or instead of a command
     const auto chosen = app.get_subcommands();
     if (unknown.empty() && !chosen.empty())
         return std::string(error.what()) + "; see `ciel " + chosen.front()->get_name() + " --help`";
@@ -38,7 +38,7 @@ int fail(const std::string& sentence, int exit_code) {
 
 } // namespace
 
-int main(int argc, char** argv) { // NOLINT(bugprone-exception-escape): only a fault of ours can throw before parsing
+int main(int argc, char** argv) { // NOLINT(bugprone-exception-escape): only a bug can throw before parsing
     CLI::App app{"CIEL: explore huge simulation results on unstructured meshes in a browser.", "ciel"};
     app.set_version_flag("--version", "ciel " CIEL_VERSION);
     app.require_subcommand(1);

@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t field_cache_bytes = std::size_t{1} << 30;
 
-// At the last '=': array names may hold one, values not.
+// Splits at the last '=': array names may contain one, values not.
 std::pair<std::string, std::string> split_assignment(const std::string& option, const std::string& text,
                                                      const char* form) {
     const auto equals = text.rfind('=');
@@ -46,7 +46,7 @@ nlohmann::json plane_layer(const std::string& text) {
     return {{"type", "slice"}, {"origin", {n[0], n[1], n[2]}}, {"normal", {n[3], n[4], n[5]}}};
 }
 
-// ARRAY, or ARRAY=POSITION:OPACITY,...
+// `text`: ARRAY or ARRAY=POSITION:OPACITY,...
 nlohmann::json volume_layer(const std::string& text) {
     const auto equals = text.rfind('=');
     nlohmann::json layer{{"type", "volume"}, {"array", text.substr(0, equals)}};
@@ -81,7 +81,7 @@ void ExtractionOptions::add_to(CLI::App& command) {
         ->check(known)
         ->envname("CIEL_ALGORITHM")
         ->capture_default_str();
-    // The name before version 0.3, hidden from --help; 0.4 no longer takes it.
+    // Old name, before version 0.3. Hidden from --help; to be removed in 0.4.
     command.add_option("--engine", algorithm)->check(known)->envname("CIEL_ENGINE")->group("");
     command.add_option("--decider", decider, "How points on ambiguous faces are joined.")
         ->check(CLI::IsMember({"isolate-high", "asymptotic"}))
@@ -128,7 +128,7 @@ scene::Scene parse_scene(const nlohmann::json& document) {
     try {
         return scene::parse(document);
     } catch (const scene::Invalid& error) {
-        const std::string reason = error.what(); // that of the schema names the path itself
+        const std::string reason = error.what(); // a schema error already begins with the path
         const std::string path = printable(error.path);
         throw Error("the scene cannot be shown: " + (reason.starts_with(path) ? "" : path + ": ") + reason);
     }
@@ -143,7 +143,6 @@ make_geometry(const scene::Scene& scene, const std::shared_ptr<store::LoadedData
     }
 }
 
-// The nearest one is taken, but not in silence where it is another one.
 double time_of_step(const store::Dataset& dataset, double time) {
     if (dataset.steps().empty()) return time;
     const double found = dataset.steps()[dataset.step_at(time)].time;

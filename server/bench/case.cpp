@@ -20,7 +20,7 @@ std::string first_that_varies(const store::Dataset& dataset) {
     throw Error("dataset '" + dataset.info().name + "' has no array on its points that varies; nothing can be cut");
 }
 
-// The last two steps at which the array was written, the later one first.
+// Returns the last two steps in which the array varies, the later one first. Throws Error when there is none.
 std::vector<std::size_t> steps_with(const store::Dataset& dataset, const std::string& array) {
     std::vector<std::size_t> found;
     for (std::size_t step = dataset.steps().size(); step-- > 0 && found.size() < 2;)

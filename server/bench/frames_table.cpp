@@ -1,6 +1,6 @@
-// From a change of the scene to the encoded picture, as the server makes the frames of a view: 1280 x 720 pixels, PNG.
-// Moving ones are coded as JPEG too, which is not in the whole. Each change is measured twice: in one go, and with
-// every stage finished before the next begins.
+// Times from a scene change to the encoded picture, as the server makes frames of a view: 1280 x 720 pixels, PNG.
+// Moving frames are encoded as JPEG too; the total does not include that. Each change is measured twice: as a whole,
+// and with every stage finished before the next begins.
 #include "bench/case.hpp"
 #include "frames/frame_of.hpp"
 #include "geometry/scene_geometry.hpp"
@@ -30,7 +30,7 @@ struct Times {
     std::vector<double> wall, cpu;
 };
 
-// Of what follows its making, lap by lap.
+// Times consecutive stages; the first begins at construction.
 class Laps {
 public:
     explicit Laps(std::array<Times, stage_names.size()>& stages) : stages_(stages) {}
@@ -57,7 +57,7 @@ Row row_of(const std::string& what, const Times& times) {
 
 class Frames {
 public:
-    using Change = std::function<void(scene::Scene&, double share)>; // share: of the way, from 0 to 1
+    using Change = std::function<void(scene::Scene&, double share)>; // share: progress of the change, 0 to 1
 
     explicit Frames(const Case& data) : data_(data) {
         scene_.dataset = data.dataset->info().name;
@@ -65,7 +65,7 @@ public:
         scene_.annotations = {};
     }
 
-    // `layer` alone is in the scene. still: as it follows when nothing moves any more.
+    // Measures a scene with only `layer`. still: draws the frame that follows when motion ends.
     void add_rows(Table& table, const std::string& what, const scene::Layer& layer, bool still, const Change& change) {
         scene_.layers = {layer};
         scene_.camera.reset();
@@ -93,7 +93,7 @@ public:
         if (!still) table.rows.back().note = std::to_string(jpeg_.size() / 1024) + " kB";
     }
 
-    // Around the middle of the mesh.
+    // Turns the camera around the middle of the mesh; share 1 is half a turn.
     void turn(scene::Scene& scene, double share) const {
         const store::MeshInfo& mesh = data_.dataset->info().meshes.front();
         Vec3d low{}, high{};

@@ -15,7 +15,7 @@ std::shared_ptr<const std::vector<float>> coordinate(const FaceMeshView& mesh, s
     return std::make_shared<const std::vector<float>>(plane_distance(mesh, mesh.origin, normal));
 }
 
-// Extrema are made once per field, so each run has a field of its own.
+// A field computes its extrema once, so each run has its own field.
 Row minima_row(
     const Case& data, const std::string& what, const std::shared_ptr<const std::vector<float>>& values,
     const std::function<void(Field&)>& prepare = [](Field&) {}) {

@@ -1,4 +1,4 @@
-// 100 slices with the property at their points: what the paper's volume rendering blends.
+// Times 100 slices with the property at their points, which the paper's volume rendering blends.
 #include "bench/case.hpp"
 #include "ciel/sweep.hpp"
 
@@ -53,7 +53,7 @@ private:
     std::vector<SliceSink::Out> slices_;
 };
 
-// A box has six directions, kept; a camera's is new with every turn.
+// The fields of a box's six directions are kept; a camera's direction is new with every turn.
 Field distance_along(const Case& data, Vec3d normal) {
     return field_of(data,
                     std::make_shared<const std::vector<float>>(plane_distance(data.mesh, data.mesh.origin, normal)));

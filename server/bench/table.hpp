@@ -1,4 +1,4 @@
-// What a bench has measured: rows of times, and rows of plain figures.
+// Results of a benchmark: rows of times and rows of figures.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,7 @@
 
 namespace ciel::bench {
 
-// Seconds. Quartiles tell the spread; of few repetitions they are the ends.
+// Seconds. low and high are quartiles; of fewer than five repetitions, the minimum and maximum.
 struct Spread {
     double median = 0, low = 0, high = 0;
 };
@@ -18,7 +18,7 @@ struct Row {
     Spread wall, cpu; // cpu: of all threads of the process
     std::uint64_t repetitions = 0;
     std::uint64_t triangles = 0; // of one repetition; 0 where there are none
-    std::string note;            // what else is worth telling
+    std::string note;            // free text
 };
 
 // Wall and CPU seconds since it was made.
@@ -32,7 +32,7 @@ private:
     double wall_, cpu_;
 };
 
-[[nodiscard]] Spread spread_of(std::vector<double> times); // one at least
+[[nodiscard]] Spread spread_of(std::vector<double> times); // at least one time
 
 struct Figure {
     std::string what;
@@ -41,15 +41,14 @@ struct Figure {
 };
 
 struct Table {
-    std::string name; // "surfaces", as the paper's tables
+    std::string name; // e.g. "surfaces", after the paper's tables
     std::vector<Figure> figures;
     std::vector<Row> rows;
 };
 
-// Runs `body` until a quarter of a second of work is measured, 3 times at least and 25 at most, after one run that is
-// not counted (it fills caches and buffers); what takes more than half a second is measured once. After a first run of
-// more than three seconds there is no other: it is the one that counts, and the row's note says so. `prepare` runs
-// before each, untimed. The body returns its triangles.
+// Runs `body` until 0.25 s are measured: at least 3 and at most 25 times. The first run fills caches and is not
+// counted. After a counted run of more than 0.5 s there is no other. A first run of at least 1 s is the only one: it
+// counts, and the row's note says so. `prepare` runs before each run, untimed. `body` returns its number of triangles.
 [[nodiscard]] Row measure(const std::string& what, const std::function<std::uint64_t()>& body,
                           const std::function<void()>& prepare = {});
 

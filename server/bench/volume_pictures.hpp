@@ -1,4 +1,4 @@
-// A volume cut into slices and drawn, as often as somebody measures it.
+// Cuts a volume into slices and draws it, for benchmarks.
 #pragma once
 
 #include "bench/case.hpp"
@@ -7,7 +7,8 @@
 
 namespace ciel::bench {
 
-// Of 1024 x 1024 pixels, with the whole mesh in it. To be used on one thread, which its GL belongs to.
+// Pictures of 1024 x 1024 pixels that show the whole mesh. Use on one thread: the GL context belongs to it.
+// Borrows the case.
 class VolumePictures {
 public:
     static constexpr std::size_t slice_count = 100;
@@ -15,22 +16,22 @@ public:
 
     explicit VolumePictures(const Case& data);
 
-    // Cuts the slices anew, across a direction of unit length; returns their triangles.
+    // Cuts new slices across `normal`, of unit length. Returns their number of triangles.
     std::uint64_t cut(const Vec3d& normal);
     std::uint64_t cut_across_view() { return cut(view_direction()); }
-    // Slabs of the next pictures are added up in bytes, as render::Volume has it.
+    // Sets render::Volume::in_bytes for the next pictures.
     void add_up_in_bytes(bool in_bytes) { volume_.in_bytes = in_bytes; }
-    // stride: one slice in so many; more than 1 as a preview, which has half the resolution. Returns the triangles of
-    // those that are drawn. The picture is multisampled where others in it would be.
+    // Draws one of `stride` slices; more than 1 is a preview at half the resolution. One sample per pixel.
+    // Returns the number of triangles of the drawn slices.
     std::uint64_t draw(bool shaded, std::size_t stride = 1);
-    void turn(double degrees); // the camera about the middle of the mesh, around its up
-    void turn_back();          // to where it was first
+    void turn(double degrees); // turns the camera about its target, around its up vector
+    void turn_back();          // to the default camera
 
     [[nodiscard]] Vec3d view_direction() const;
     [[nodiscard]] const render::Frame& frame() const { return frame_; }
     [[nodiscard]] const render::Image& image() const { return image_; }
     [[nodiscard]] const render::Volume& volume() const { return volume_; }
-    // Of the last picture: the share of its pixels that the volume changed, from 0 to 1, and the pixels of all slices.
+    // Of the last picture: the share of pixels that are not black (0 to 1), and the area of all drawn slices in pixels.
     [[nodiscard]] double covered_share() const;
     [[nodiscard]] double samples() const;
 
@@ -47,7 +48,7 @@ private:
     std::uint64_t revision_ = 0;
 };
 
-// Of a picture on black: the share of the pixels that are not.
+// Returns the share of the pixels that are not black.
 [[nodiscard]] double covered_share(std::span<const std::uint8_t> rgb);
 
 } // namespace ciel::bench

@@ -1,5 +1,5 @@
-// A volume as ciel draws it, of 100 slices at 1024 x 1024 pixels, from one place after another around it. Slices across
-// an axis of the box are kept while the camera turns; those across the view are cut anew for each picture.
+// Times pictures of a volume, with 100 slices and 1024 x 1024 pixels, while the camera turns around it. Slices across
+// an axis of the box are kept while it turns; slices across the view are cut anew for each picture.
 #include "bench/volume_pictures.hpp"
 #include "geometry/volume_cut.hpp"
 

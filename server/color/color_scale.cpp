@@ -11,7 +11,7 @@ namespace {
 
 using Rgb = std::array<double, 3>; // 0 to 255
 
-const double log_of_reach = std::log1p(1 / linear_share); // of a range that is logarithmic on both sides of zero
+const double log_of_reach = std::log1p(1 / linear_share); // for ranges that are logarithmic on both sides of zero
 
 Rgb between(const Rgb8& a, const Rgb8& b, double share) {
     Rgb color{};

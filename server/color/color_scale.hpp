@@ -1,14 +1,14 @@
-// From a scalar to a color: the rule that the server's shaders, the browser's (webclient/src/display/color_scale.ts)
-// and every legend follow. A value stays a value up to the pixel: only there is it placed on the scale and looked up.
+// From a scalar to a color: the rule of the server's shaders, the browser (webclient/src/model/color_scale.ts) and
+// every legend. Values are interpolated up to the pixel; only there are they placed on the scale and looked up.
 //
 //     place    (v - low) / (high - low), or of the logarithms; 0.5 for every value when the range has no width.
 //              Logarithmic on both sides of zero: sign(v) log(1 + |v| / w) instead of v, with w a thousandth of the
 //              range's end: nearly linear up to w, logarithmic over the three decades beyond it
-//     color   that of the map, or of the points, at the place; at 1 - place when reversed
+//     color    that of the map, or of the points, at the place; at 1 - place when reversed
 //     steps    n: the k-th of n equal parts of the scale has one color, the map's at k / (n - 1)
-//     outside  `below`, `above`, by default the color of that end; what is off by no more than the rounding of an
-//              interpolated float is inside, so that a flat maximum has no specks of the color above
-//     nothing  NaN and infinities, which are NaN beside any other value, have `nan`
+//     outside  `below`, `above`, by default the color of that end; values beyond the range by no more than the rounding
+//              of an interpolated float are inside, so that a flat maximum has no specks of the color above
+//     nothing  NaN and infinities have `nan`; interpolation with any other value turns an infinity into NaN
 #pragma once
 
 #include <array>
@@ -22,16 +22,15 @@ namespace ciel::color {
 using Rgb8 = std::array<std::uint8_t, 3>; // sRGB
 
 struct ColorPoint {
-    double at = 0; // along the scale, from 0 to 1
+    double at = 0; // position on the scale, from 0 to 1
     Rgb8 color{};
     bool operator==(const ColorPoint&) const = default;
 };
 
 struct ColorScale {
     std::string map = "viridis";
-    std::vector<ColorPoint> points; // two or more in ascending order, instead of the map; linear in sRGB between them
-    // As whoever chose it wrote it, for that is what a legend shows; pixels have the floats next to it. Above zero when
-    // `log`, or from -r to r.
+    std::vector<ColorPoint> points; // two or more, ascending: replace the map; linear in sRGB between them
+    // Exactly as given, since legends show it; pixels use the nearest floats. When `log`: above zero, or from -r to r.
     std::array<double, 2> range{0, 1};
     bool reverse = false, log = false; // log: equal factors are equally long
     int steps = 0;                     // 0: smooth; else 2 to most_color_steps
@@ -45,17 +44,17 @@ inline constexpr double linear_share = 1e-3; // of the end of a range that is lo
 
 [[nodiscard]] inline bool is_log_of_both_signs(const ColorScale& scale) { return scale.log && scale.range[0] < 0; }
 
-// `count` colors from the lower to the upper end, as the scale has them: what fills a texture or a legend's bar.
-// Stepped scales give the color of the step that each of them lies in. Throws Error when there is no such map.
+// Returns `count` colors from the lower to the upper end, evenly spaced, for a texture or a legend's bar. On a stepped
+// scale, each is the color of its step. Throws Error for an unknown map.
 [[nodiscard]] std::vector<Rgb8> colors_along(const ColorScale& scale, int count);
-// One color for each step; `smooth_count` of them, to interpolate between, where the scale has no steps.
+// Returns one color per step, or `smooth_count` colors to interpolate for a smooth scale.
 [[nodiscard]] std::vector<Rgb8> color_row(const ColorScale& scale, int smooth_count);
 
-// 0 at the lower end, 1 at the upper one, beyond them outside, as far as a float goes; NaN for NaN.
+// 0 at the lower end, 1 at the upper end, less or more outside; -infinity for log of zero or less; NaN for NaN.
 [[nodiscard]] double place_of(const ColorScale& scale, double value);
-// The value at a place: place_of the other way round.
+// The inverse of place_of.
 [[nodiscard]] double value_at(const ColorScale& scale, double place);
-// The whole rule, on the CPU.
+// The complete rule, on the CPU.
 [[nodiscard]] Rgb8 color_of(const ColorScale& scale, double value);
 
 // Values from `low` to `high` are inside.
@@ -63,8 +62,7 @@ struct ColorLimits {
     float low = 0, high = 0;
 };
 [[nodiscard]] ColorLimits limits_of(const ColorScale& scale);
-// Whether values differ in color at all: a range without width as floats, or too wide for one, is one color, the
-// middle.
+// Whether the range has a width as floats. Without, or with a width beyond float, all values have the middle color.
 [[nodiscard]] bool has_width(const ColorScale& scale);
 
 } // namespace ciel::color

@@ -1,4 +1,4 @@
-// The tables of protocol/colormaps.json as CMake wrote them into the program (color_tables.cmake).
+// The tables of protocol/colormaps.json, compiled in by CMake (color_tables.cmake).
 #pragma once
 
 #include <span>

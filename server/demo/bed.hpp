@@ -1,5 +1,5 @@
-// The demo's geometry: a cylinder of radius 1 along z in a box. A lattice with equal spacing around the cylinder and in
-// the near wake, where its cells are replaced by Voronoi cells, and widening outwards, where they stay hexahedra.
+// The demo's geometry: a cylinder of radius 1 along z in a box, on a lattice. Around the cylinder and in the near wake
+// the spacing is equal and Voronoi cells replace the lattice's. Outwards it widens and the cells are hexahedra.
 #pragma once
 
 #include "demo/cell_soup.hpp"
@@ -21,9 +21,10 @@ struct Bed {
 
 [[nodiscard]] CellSoup hexahedra(const Bed& bed);
 
-// Seeds: the lattice's cell centres, moved at random but for the outermost layer, whose cells keep the lattice's faces
-// towards the hexahedra exactly; and a ring around the cylinder with a mirror image inside it, so that the wall is the
-// flat faces between seeds and images: a prism whose edges lie on the cylinder. Cells are computed by voro++.
+// Computes the cells with voro++. The seeds are the lattice's cell centres, moved at random. Those of the outermost
+// layer are not moved, so that its cells keep exactly the lattice's faces towards the hexahedra. A ring of seeds around
+// the cylinder has mirror images inside it. The flat faces between seeds and images are the wall: a prism whose edges
+// lie on the cylinder.
 [[nodiscard]] CellSoup voronoi_cells(const Bed& bed);
 
 } // namespace ciel::demo

@@ -8,7 +8,7 @@ namespace ciel::demo {
 namespace {
 
 constexpr double tolerance = 1e-9;
-// Along a direction in which lattices have no two points at the same place, candidates are few.
+// Points are sorted along this direction. No two lattice points have the same place along it, so candidates are few.
 constexpr Vec3d generic_direction{0.57735026919, 0.32135, 0.75068};
 
 double along(const Vec3d& p) {
@@ -20,7 +20,7 @@ bool same(const Vec3d& a, const Vec3d& b) {
            std::abs(a[2] - b[2]) <= tolerance;
 }
 
-// For each point, the point that stands for it.
+// Returns, for each point, the point that it is merged into.
 std::vector<Index> representatives(const std::vector<Vec3d>& points) {
     std::vector<std::pair<double, Index>> order(points.size());
     for (Index i = 0; i < points.size(); ++i) order[i] = {along(points[i]), i};

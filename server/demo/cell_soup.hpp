@@ -1,4 +1,4 @@
-// Cells with corners of their own, as they come out of a generator; welding makes a mesh of them.
+// Cells as a generator returns them, with corners of their own; weld() makes a mesh of them.
 #pragma once
 
 #include "ciel/assemble.hpp"
@@ -26,8 +26,8 @@ struct WeldedCells {
     }
 };
 
-// Points closer than the rounding of voro++ (and far closer than any two corners that differ) become one vertex. Edges
-// and faces that vanish by it are left out.
+// Merges points within the rounding of voro++, which is far below the distance of any two different corners.
+// Leaves out edges and faces that collapse.
 [[nodiscard]] WeldedCells weld(const CellSoup& soup);
 
 } // namespace ciel::demo

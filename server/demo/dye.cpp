@@ -11,10 +11,10 @@ namespace {
 
 constexpr double spacing = 0.08;
 constexpr std::size_t phases = 40;
-constexpr std::size_t periods = 6;                           // until the first dye has left the longest way
-constexpr double source_inside = 1.25, source_outside = 1.9; // radii: full strength, none
-// Of the spacing squared, several times a step (more at once is not stable): keeps the filaments as wide as the mesh
-// can show them.
+constexpr std::size_t periods = 6;                           // until the first dye has left on the longest path
+constexpr double source_inside = 1.25, source_outside = 1.9; // radii of full and of no strength
+// Per pass, in squared spacings. A larger value is not stable, so each step has several passes. Diffusion keeps the
+// filaments as wide as the mesh can show.
 constexpr float diffusion = 0.24F;
 constexpr int diffusions = 4;
 constexpr std::size_t nodes_per_task = 2048;
@@ -109,8 +109,8 @@ float Dye::sample(const std::vector<float>& plane, double x, double y) const {
 }
 
 float Dye::at(double x, double y, double u, double v, double time) const {
-    // From the phases before and after, each along the flow, so that it changes smoothly in time and along the span;
-    // mixing them where they stand would show everything twice.
+    // Mixes the phases before and after, each displaced along the flow. So the dye changes smoothly in time and along
+    // the span; mixing them in place would show everything twice.
     const double phase = (time - std::floor(time)) * phases;
     const double whole = std::floor(phase), part = phase - whole;
     const auto before = static_cast<std::size_t>(whole) % phases, after = (before + 1) % phases;

@@ -1,7 +1,7 @@
 // A dye that seeps from the cylinder's surface and is carried away, in one plane of the flow, over one period.
-// Semi-Lagrangian: R. Courant, E. Isaacson, M. Rees, Comm. Pure Appl. Math. 5, 243 (1952); cubic with a limiter, so
-// that it stays within [0, 1]. As the flow is periodic the departure points are found once, and after some periods the
-// dye repeats itself too.
+// Semi-Lagrangian: R. Courant, E. Isaacson, M. Rees, Comm. Pure Appl. Math. 5, 243 (1952). Interpolation is cubic with
+// a limiter, which keeps the dye within [0, 1]. The flow is periodic: departure points are found once, and after some
+// periods the dye is periodic too.
 #pragma once
 
 #include <array>
@@ -16,7 +16,7 @@ public:
     };
     explicit Dye(Extent extent);
 
-    // At a time in periods (any: it repeats), where the velocity there and then is (u, v).
+    // Returns the dye in [0, 1]. time: any, in periods; (u, v): the velocity at this place and time. Thread-safe.
     [[nodiscard]] float at(double x, double y, double u, double v, double time) const;
 
 private:

@@ -17,7 +17,7 @@ constexpr double life = 2;       // periods
 constexpr double travelled = 16; // radii, in a life
 constexpr double phase_swing = 0.14;
 
-// A function of x and y with what a stream function needs of it.
+// A function of x and y: its value, first derivatives and Laplacian.
 struct Jet {
     double value, dx, dy, laplacian;
 };

@@ -6,9 +6,9 @@
 //   g = u0 y s(x, y) + sum of vortices                  s = 1 - exp(-((x - 1) / alpha)^2 - y^2) shields the wake
 //   vortex: -+ w h exp(-kappa ((x - x_i)^2 + (y -+ y0)^2)), upper and lower in turn, half a period apart, born behind
 //   the cylinder, moving downstream at a constant speed and gaining and losing strength as h = sin(pi age / life).
-// Lengths are cylinder radii, times shedding periods. Departures from the paper: round vortices that live two periods
-// and travel 16 radii (there: one pair, 2 radii), so that several are under way at a time; u0 = 10 is a Strouhal number
-// of 0.2; and the flow is three-dimensional by a phase that varies along the span, which leaves it free of divergence.
+// Lengths are cylinder radii, times shedding periods. Departures from the paper: vortices are round, live two periods
+// and travel 16 radii (there: one pair, 2 radii), so several exist at a time. u0 = 10 is a Strouhal number of 0.2.
+// A phase that varies along the span makes the flow three-dimensional and leaves it free of divergence.
 #pragma once
 
 #include <array>
@@ -34,7 +34,7 @@ private:
     std::vector<Vortex> vortices_;
 };
 
-// What the phase is ahead by, in periods, at a height of the span.
+// Returns the lead of the phase, in periods, at height z of a span of length `span`.
 [[nodiscard]] double span_phase(double z, double span);
 
 } // namespace ciel::demo

@@ -17,7 +17,7 @@ struct Seeds {
 };
 
 void add_lattice_seeds(const Bed& bed, Seeds& seeds) {
-    constexpr double shift = 0.35; // of the spacing: irregular, but no sliver
+    constexpr double shift = 0.35; // of the spacing: irregular cells without slivers
     const double h = bed.spacing, clear_radius = 1 + 1.2 * h;
     std::mt19937_64 random(1);
     const auto jitter = [&] { return shift * h * (static_cast<double>(random()) / 0x1p63 - 1); };
@@ -45,7 +45,7 @@ void add_ring_seeds(const Bed& bed, Seeds& seeds) {
         }
 }
 
-// The sides of the box, which voro++ returns with its rounding: patches are told by exact coordinates.
+// Moves corners onto the sides of the box, which voro++ rounds: patch_of() compares exact coordinates.
 void snap(Vec3d& p, const std::array<Vec3d, 2>& box) {
     for (const Vec3d& corner : box)
         for (std::size_t axis = 0; axis < 3; ++axis)
@@ -73,7 +73,7 @@ void append_cell(voro::voronoicell& cell, const Vec3d& seed, const std::array<Ve
     soup.cell_offset.push_back(soup.face_offset.size() - 1);
 }
 
-// The cells of seeds [begin, end). voro++'s container is no object for two threads, so each has its own.
+// Returns the cells of seeds [begin, end). A container of voro++ is not thread-safe, so each call has its own.
 CellSoup cells_of(const Bed& bed, const Seeds& seeds, std::size_t begin, std::size_t end) {
     constexpr double seeds_per_block = 5; // voro++'s advice
     const double block = bed.spacing * std::cbrt(seeds_per_block);
@@ -112,7 +112,7 @@ CellSoup voronoi_cells(const Bed& bed) {
     Seeds seeds;
     add_lattice_seeds(bed, seeds);
     add_ring_seeds(bed, seeds);
-    constexpr std::size_t parts = 8; // whatever the threads, so that the result is always the same
+    constexpr std::size_t parts = 8; // independent of the threads, so that the result is too
     std::vector<CellSoup> soups(parts);
     parallel_for(parts, 1, [&](std::size_t begin, std::size_t end) {
         for (std::size_t part = begin; part < end; ++part)

@@ -17,7 +17,7 @@ using Config = std::unique_ptr<FcConfig, Destroy<FcConfigDestroy>>;
 using Pattern = std::unique_ptr<FcPattern, Destroy<FcPatternDestroy>>;
 using CharSet = std::unique_ptr<FcCharSet, Destroy<FcCharSetDestroy>>;
 
-// What is installed when the first character is asked for; null where fontconfig itself is not set up.
+// The fonts installed at the time of the first call; null if fontconfig is not configured.
 FcConfig* installed() {
     static const Config config(FcInitLoadConfigAndFonts());
     return config.get();
@@ -46,7 +46,7 @@ std::optional<FontFile> fallback_font(char32_t character) {
     FcChar8* file = nullptr;
     int index = 0;
     if (FcPatternGetCharSet(best.get(), FC_CHARSET, 0, &has) != FcResultMatch || FcCharSetHasChar(has, character) == 0)
-        return {}; // the nearest of all is still without it
+        return {}; // no font has the character
     if (FcPatternGetString(best.get(), FC_FILE, 0, &file) != FcResultMatch) return {};
     FcPatternGetInteger(best.get(), FC_INDEX, 0, &index);
     return FontFile{reinterpret_cast<const char*>(file), index};

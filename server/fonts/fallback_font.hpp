@@ -1,4 +1,4 @@
-// Which other font of this machine has a character, through fontconfig.
+// Finds another font of this machine that has a character, through fontconfig.
 #pragma once
 
 #include <filesystem>
@@ -11,7 +11,7 @@ struct FontFile {
     int index = 0; // of the face in the file
 };
 
-// The nearest to the font of annotations among those with outlines; none where no font has the character. Any thread.
+// Returns the outline font most similar to the font of annotations; none if no font has the character. Thread-safe.
 [[nodiscard]] std::optional<FontFile> fallback_font(char32_t character);
 
 } // namespace ciel::fonts

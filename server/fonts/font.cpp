@@ -18,9 +18,9 @@
 namespace ciel::fonts {
 namespace {
 
-constexpr FT_Int32 load_flags = FT_LOAD_TARGET_LIGHT; // hinted up and down only: letters keep their shapes
+constexpr FT_Int32 load_flags = FT_LOAD_TARGET_LIGHT; // hinted vertically only: letters keep their shapes
 constexpr double halo_share = 0.09;                   // of the em
-constexpr unsigned face_shift = 24;                   // of a PlacedGlyph's number: the face above, its glyph below
+constexpr unsigned face_shift = 24;                   // PlacedGlyph::glyph: face in the bits above, glyph below
 constexpr std::uint32_t glyph_mask = (1U << face_shift) - 1;
 constexpr std::size_t most_faces = 64;
 
@@ -60,14 +60,14 @@ struct Font::State {
         std::filesystem::path file;
         int index = 0; // of the face in the file
         FT_Face face = nullptr;
-        int pixels = 0; // what the face is set to
+        int pixels = 0; // current size of the face
     };
-    std::vector<Face> faces; // the font, then those that have what it lacks
+    std::vector<Face> faces; // the font, then fallback fonts
     struct Character {
         std::uint32_t glyph = 0; // as in PlacedGlyph
         double advance = 0;      // ems
     };
-    std::unordered_map<char32_t, Character> characters; // looking one up in the file costs microseconds
+    std::unordered_map<char32_t, Character> characters; // cache: a look-up in the file costs microseconds
     std::map<int, annotations::FontMetrics> metrics;
 
     explicit State(const std::filesystem::path& file) {
@@ -76,14 +76,14 @@ struct Font::State {
                         " cannot be read; leave them out, or install the package fonts-dejavu-core on it");
         library.check(FT_Stroker_New(library.library(), &stroker), "draw around its glyphs", file);
     }
-    // False where it cannot be read. Throws std::bad_alloc.
+    // Returns false if it cannot be read. Throws std::bad_alloc.
     bool open(const std::filesystem::path& file, int index) {
         const FT_Face face = library.open(file, index);
         if (face == nullptr) return false;
         faces.push_back({file, index, face, 0});
         return true;
     }
-    // The place of a face that has the character, and its glyph there; the font's own box where none has.
+    // Returns the index of a face that has the character, and its glyph there; {0, 0}, the font's box, if none has.
     std::pair<std::size_t, FT_UInt> find(char32_t character) {
         for (std::size_t i = 0; i < faces.size(); ++i)
             if (const FT_UInt glyph = FT_Get_Char_Index(faces[i].face, character); glyph != 0) return {i, glyph};
@@ -134,7 +134,7 @@ annotations::FontMetrics Font::metrics(int pixels) {
 Line Font::shape(std::string_view utf8, int pixels) {
     State& state = opened();
     Line line;
-    double pen = 0; // ems: rounding every advance would spoil the spacing
+    double pen = 0; // ems; not rounded per glyph, which would spoil the spacing
     std::uint32_t before = 0;
     for (const char32_t character : decode_utf8(utf8)) {
         auto known = state.characters.find(character);
@@ -176,7 +176,7 @@ GlyphImage Font::draw(std::uint32_t glyph, int pixels) {
                    FT_STROKER_LINECAP_ROUND, FT_STROKER_LINEJOIN_ROUND, 0);
     FT_Glyph stroked = loaded;
     state.library.check(FT_Glyph_StrokeBorder(&stroked, state.stroker, 0, 0), "draw around a glyph",
-                        file); // keeps the first
+                        file); // keeps `loaded`
     const OwnedGlyph halo = bitmap_of(OwnedGlyph(stroked), state.library, file);
     letter = bitmap_of(std::move(letter), state.library, file);
     const auto& around = *reinterpret_cast<FT_BitmapGlyph>(halo.get());

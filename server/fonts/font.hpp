@@ -1,4 +1,4 @@
-// A font at any size, through FreeType. Knows nothing of GL.
+// A font at any size, through FreeType. Independent of OpenGL.
 #pragma once
 
 #include "annotations/text_measure.hpp"
@@ -15,7 +15,7 @@ struct FT_FaceRec_; // FreeType's
 namespace ciel::fonts {
 
 struct PlacedGlyph {
-    std::uint32_t glyph = 0; // for draw; 0 is the box for what no font has
+    std::uint32_t glyph = 0; // for draw; 0: box for a character that no font has
     int x = 0;               // pixels from the start of the text
 };
 struct Line {
@@ -23,24 +23,24 @@ struct Line {
     int width = 0;
 };
 struct GlyphImage {
-    int left = 0, top = 0; // of the image: right of the pen, above the base line
+    int left = 0, top = 0; // of the image: pixels right of the pen, above the base line
     int width = 0, height = 0;
-    std::vector<std::uint8_t> coverage; // two bytes a pixel, rows from the top: of the letter, and of it with its halo
+    std::vector<std::uint8_t> coverage; // two bytes a pixel, rows from the top: letter, letter with halo
 };
 
-// A font, and others of the machine for the characters that it lacks. Belongs to one thread. Sizes are pixels an em,
-// those in `metrics` the font's own.
+// A font, with other fonts of the machine for characters that it lacks. For one thread only. Sizes are pixels per em.
+// `metrics` describes the font itself, not the others.
 class Font final : public annotations::TextMeasure {
 public:
-    // Opens the file when it is first needed. Every call throws Error naming the package when the font is not there.
+    // Opens the file on first use. Every call throws Error, naming the package, when the font is missing.
     explicit Font(std::filesystem::path file = default_file());
     ~Font() override;
     Font(Font&&) noexcept;
 
     [[nodiscard]] annotations::FontMetrics metrics(int pixels) override;
     [[nodiscard]] int width(std::string_view utf8, int pixels) override { return shape(utf8, pixels).width; }
-    // Left to right with kerning, each glyph on a whole pixel; scripts that join or reorder letters are not shaped.
-    // Bytes that are no UTF-8 become U+FFFD, control characters spaces.
+    // Places glyphs left to right with kerning, each on a whole pixel. Scripts that join or reorder letters are not
+    // shaped. Malformed UTF-8 becomes U+FFFD, control characters become spaces.
     [[nodiscard]] Line shape(std::string_view utf8, int pixels);
     [[nodiscard]] GlyphImage draw(std::uint32_t glyph, int pixels);
 

@@ -1,6 +1,5 @@
-// FreeType's library with an allocator that remembers what it could not give: FreeType reports a failed allocation as
-// any of its errors, a damaged font among them, and a file that cannot be mapped as one of an unknown format. One
-// thread at a time.
+// FreeType's library with an allocator that records failed allocations. FreeType itself reports them as arbitrary
+// errors, such as a damaged font, and an unmappable file as an unknown format. One thread at a time.
 #pragma once
 
 #include <filesystem>
@@ -15,15 +14,15 @@ namespace ciel::fonts {
 class FreeType {
 public:
     FreeType();  // throws std::bad_alloc
-    ~FreeType(); // with all faces that were opened
+    ~FreeType(); // closes all faces
     FreeType(const FreeType&) = delete;
     FreeType& operator=(const FreeType&) = delete;
 
     [[nodiscard]] FT_Library library() const { return library_; }
 
-    // Null where the file is no font that FreeType reads. Throws std::bad_alloc.
+    // Null if FreeType cannot read the file as a font. The face is owned by this object. Throws std::bad_alloc.
     [[nodiscard]] FT_Face open(const std::filesystem::path& file, int index);
-    // Throws ciel::Error, naming the file and `what`, for an error; std::bad_alloc where memory was the reason.
+    // Throws ciel::Error, naming the file and `what`, if `error` is not 0; std::bad_alloc if memory was the reason.
     void check(FT_Error error, const char* what, const std::filesystem::path& file);
 
 private:
@@ -33,7 +32,7 @@ private:
     };
     using Mapping = std::unique_ptr<void, Unmap>;
 
-    static Mapping map(const std::filesystem::path& path); // null where it cannot be read
+    static Mapping map(const std::filesystem::path& path); // null if it cannot be read
     static void* allocate(FT_Memory memory, long bytes);
     static void* reallocate(FT_Memory memory, long before, long bytes, void* block);
     static void release(FT_Memory memory, void* block);
@@ -42,7 +41,7 @@ private:
     FT_MemoryRec_ memory_;
     FT_Library library_ = nullptr;
     bool ran_out_ = false;
-    std::vector<Mapping> files_; // faces read from them as long as they live
+    std::vector<Mapping> files_; // must outlive the faces
 };
 
 } // namespace ciel::fonts

@@ -1,4 +1,4 @@
-// The best practice of Unicode 15, section 3.9: each longest start of a well-formed sequence becomes one U+FFFD.
+// Best practice of Unicode 15, section 3.9: each maximal subpart of an ill-formed sequence becomes one U+FFFD.
 #include "fonts/font.hpp"
 
 namespace ciel::fonts {
@@ -7,10 +7,10 @@ namespace {
 constexpr char32_t replacement = 0xFFFD;
 
 struct Lead {
-    int following = 0;           // bytes that must follow; none and no value: not a lead byte
-    char32_t bits = replacement; // what it gives to the code point
+    int following = 0;           // bytes that must follow; 0 with `bits` unset: not a lead byte
+    char32_t bits = replacement; // its bits of the code point
     std::uint8_t low = 0x80,
-                 high = 0xBF; // of the byte after it: excludes overlong forms, surrogates and too large ones
+                 high = 0xBF; // range of the next byte: excludes overlong forms, surrogates and values above U+10FFFF
 };
 
 Lead lead_of(std::uint8_t byte) {

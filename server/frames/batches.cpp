@@ -11,7 +11,7 @@ namespace ciel::frames {
 
 namespace {
 
-// Colors have 256 steps a channel: a 16384th of their range is never seen. Logarithms of values near zero would be.
+// Returns 1/16384 of the range: invisible in 256 steps per channel. 0 for log scales: values near zero would show it.
 double value_step(const color::ColorScale& scale) {
     constexpr double steps = 16384;
     const double width = static_cast<double>(static_cast<float>(scale.range[1])) - static_cast<float>(scale.range[0]);
@@ -25,7 +25,7 @@ wire::EncodedGeometry geometry_messages(wire::FrameHeader& header, const geometr
     using Clock = std::chrono::steady_clock;
     const auto started = Clock::now();
     auto planes = geometry::shader_planes(geometry);
-    for (auto& plane : planes) plane[3] += static_cast<float>(grid); // caps lie in planes to within the grid
+    for (auto& plane : planes) plane[3] += static_cast<float>(grid); // caps lie in planes only to within the grid
     std::vector<wire::Primitives> meshes;
     for (const geometry::Drawable& drawable : geometry.drawables) {
         const Surface& surface = drawable.shape->surface;

@@ -1,4 +1,4 @@
-// Geometry -> what the renderer draws.
+// Geometry -> render::Frame.
 #pragma once
 
 #include "geometry/geometry.hpp"
@@ -7,9 +7,9 @@
 
 namespace ciel::frames {
 
-// Borrows from `geometry`. width, height: pixels. samples: of a pixel. Without a camera in the scene it looks from as
-// far as what is written over pictures needs (annotations/make_room.hpp), though it carries none of it. Throws Error
-// when the font is not installed.
+// Returns a frame without annotations that borrows from `geometry`. width, height: pixels. samples: per pixel. Without
+// a camera in the scene, the camera is as far away as annotations need (annotations/make_room.hpp). Throws Error when
+// the font is not installed.
 [[nodiscard]] render::Frame frame_of(const geometry::Geometry& geometry, const scene::Scene& scene, int width,
                                      int height, int samples);
 

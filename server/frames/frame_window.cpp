@@ -8,14 +8,14 @@ namespace {
 
 using std::chrono::seconds;
 
-constexpr double tolerance = 0.03;    // seconds: a browser's animation frame and its decoder come and go by as much
-constexpr double very_late = 0.2;     // seconds, which is no stumble of the browser
-constexpr unsigned late_in_a_row = 5; // less than that counts then: a queue makes every frame late, a busy browser some
-constexpr double longest_route = 1;   // seconds; what takes longer does so by its own length
-constexpr seconds soonest_lasts{10};  // a route may have become longer for good
+constexpr double tolerance = 0.03;    // seconds: jitter of a browser's animation frames and decoder
+constexpr double very_late = 0.2;     // seconds: more than jitter of the browser
+constexpr unsigned late_in_a_row = 5; // smaller delays count then: a queue delays all frames, a busy browser some
+constexpr double longest_route = 1;   // seconds; a frame that takes longer does so by its size
+constexpr seconds soonest_lasts{10};  // the route may have become permanently longer
 constexpr seconds rate_lasts{30};
-constexpr seconds best_lasts{2}; // to 4
-constexpr double full = 0.9; // of the best rate: a late frame that was delivered more slowly waited for something else
+constexpr seconds best_lasts{2}; // a rate counts for 2 to 4 seconds
+constexpr double full = 0.9;     // of the best rate: a slower late frame waited for something other than the line
 constexpr std::size_t most_frames = 64;
 
 } // namespace
@@ -27,7 +27,7 @@ void FrameWindow::sent(std::uint32_t frame, std::size_t bytes, bool still, Time 
         return;
     }
     const bool is_behind_still =
-        !on_the_way_.empty() && newest_still_ >= on_the_way_.front().number; // which is not acknowledged
+        !on_the_way_.empty() && newest_still_ >= on_the_way_.front().number; // the still is not acknowledged
     sent_bytes_ += bytes;
     last_bytes_ = bytes;
     on_the_way_.push_back({frame, bytes, !is_behind_still, now, bytes_on_the_way()});
@@ -74,7 +74,7 @@ void FrameWindow::learn(const Frame& frame, Time now) {
 }
 
 double FrameWindow::proven(double rate, Time now) {
-    if (held_back_ && now - best_since_ > best_lasts) { // less than there was room for says nothing of the line
+    if (held_back_ && now - best_since_ > best_lasts) { // only a full window measures the line
         best_before_ = std::exchange(best_, 0);
         best_since_ = now;
     }
@@ -83,14 +83,14 @@ double FrameWindow::proven(double rate, Time now) {
 }
 
 void FrameWindow::shrink(const Frame& frame, double delivered, double proven, double late, Time now) {
-    if (now < may_shrink_) return; // what was sent before the last time comes late as well
+    if (now < may_shrink_) return; // frames sent before the last shrink are late, too
     may_shrink_ = now + (now - frame.sent);
     const auto bytes = static_cast<double>(frame.bytes);
-    if (std::exchange(doubles_, false) && late <= very_late) { // the line was not full all the time: no measure of it
+    if (std::exchange(doubles_, false) && late <= very_late) { // the line was not always full: not measured
         window_ = static_cast<double>(bytes_on_the_way()) + bytes;
         return;
     }
-    // A busy browser is late as well, however little is on the way: what the line has carried it can carry.
+    // A busy browser is late with few bytes in flight, too. So the window keeps the rate that the line has proven.
     window_ = std::max(proven * (soonest_->value + tolerance), bytes);
     if (delivered >= full * proven && (!rate_ || delivered >= rate_->value)) rate_ = {delivered, now};
 }
@@ -99,7 +99,7 @@ void FrameWindow::grow(std::size_t bytes) {
     const auto more = static_cast<double>(bytes);
     if (doubles_)
         *window_ += more;
-    else // in a round trip a frame, or what the line carries in the tolerance
+    else // per round trip a frame, or the line's bytes in `tolerance` if fewer
         *window_ += std::min(more, rate() > 0 ? rate() * tolerance : more) * more / *window_;
 }
 

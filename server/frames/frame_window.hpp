@@ -1,6 +1,6 @@
-// How much of a view may be on its way: as much as keeps the line busy, and no more, so that nothing queues in it.
-// Grows while acknowledgements come as early as ever and shrinks when they come later, as TCP Vegas does (Brakmo and
-// Peterson, 1995), to what was delivered in a round trip (BBR: Cardwell et al., ACM Queue 14(5), 2016).
+// Congestion window of a view: limits the bytes in flight so that the line is busy, but nothing queues in it. It grows
+// while acknowledgements are as early as ever and shrinks when they are late, as TCP Vegas does (Brakmo and Peterson,
+// 1995). It shrinks to the bytes delivered in a round trip (BBR: Cardwell et al., ACM Queue 14(5), 2016).
 #pragma once
 
 #include <chrono>
@@ -10,29 +10,29 @@
 
 namespace ciel::frames {
 
-// A function of what it is told: it asks no clock. Not thread-safe.
+// Deterministic: reads no clock. Not thread-safe.
 class FrameWindow {
 public:
     using Time = std::chrono::steady_clock::time_point;
     using Seconds = std::chrono::duration<double>;
 
-    // `unknown_line`: frames that may be on their way before the first acknowledgement.
+    // `unknown_line`: frames that may be in flight before the first acknowledgement.
     explicit FrameWindow(std::uint64_t unknown_line) : unknown_line_(unknown_line) {}
 
-    // Frames count up. A still takes no room, for a newer frame takes the place of what is left of it; and what follows
-    // it says nothing about the line, for it comes later by the still's length.
+    // Frame numbers ascend. A still takes no room: a newer frame replaces what is left of it. Frames behind a still do
+    // not measure the line: they are late by the still's length.
     void sent(std::uint32_t frame, std::size_t bytes, bool still, Time now);
-    // A frame and all before it. Returns whether any was on the way.
+    // Acknowledges a frame and all before it. Returns true if any of them was in flight.
     bool acknowledged(std::uint32_t frame, Time now);
 
-    // For one more as long as the last.
+    // True if one more frame of the size of the last one fits.
     [[nodiscard]] bool has_room() const;
-    // A frame was due and had to wait for room. Without it the window is wide enough, and stays as it is.
+    // Notes that a due frame waited for room. Without that, the window is wide enough and does not grow.
     void held_back() { held_back_ = true; }
 
     [[nodiscard]] std::size_t frames_on_the_way() const { return on_the_way_.size(); }
     [[nodiscard]] std::size_t bytes_on_the_way() const { return sent_bytes_ - delivered_bytes_; }
-    // Bytes a second of the line, once it has been full; 0 before.
+    // Bytes per second of the line; 0 if unknown. It is measured only when the line is full.
     [[nodiscard]] double rate() const { return rate_ ? rate_->value : 0; }
 
 private:
@@ -49,7 +49,7 @@ private:
     };
 
     void learn(const Frame& frame, Time now);
-    // A frame was delivered at this rate. Returns the highest of the last seconds.
+    // Records the delivery rate of a frame. Returns the highest rate of the last seconds.
     double proven(double rate, Time now);
     void shrink(const Frame& frame, double delivered, double proven, double late, Time now);
     void grow(std::size_t bytes);
@@ -58,10 +58,10 @@ private:
     std::deque<Frame> on_the_way_;
     std::uint32_t newest_still_ = 0;
     std::size_t sent_bytes_ = 0, delivered_bytes_ = 0, last_bytes_ = 0;
-    std::optional<Known> soonest_; // of acknowledgements, seconds
+    std::optional<Known> soonest_; // the shortest time to an acknowledgement, seconds
     std::size_t soonest_bytes_ = 0;
     std::optional<Known> rate_;
-    double best_ = 0, best_before_ = 0; // rates of delivery, of this span of time and of the one before
+    double best_ = 0, best_before_ = 0; // highest delivery rates of this period and of the one before
     Time best_since_{};
     std::optional<double> window_; // bytes; none before the first acknowledgement
     Time may_shrink_{};

@@ -1,4 +1,4 @@
-// A slot for one thing, newest wins: what was not taken in time is never worked on.
+// A slot for one value. A newer value replaces one that was not taken.
 #pragma once
 
 #include <optional>

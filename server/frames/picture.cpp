@@ -32,7 +32,7 @@ const render::Image& draw(const geometry::Geometry& geometry, const scene::Scene
     const int width = std::max(1, static_cast<int>(size.width * scale));
     const int height = std::max(1, static_cast<int>(size.height * scale));
     render::Frame frame = frame_of(geometry, scene, width, height, moving_scale ? 1 : still_samples);
-    // From where the still will look, whose size decides what is written on it.
+    // Uses the still's camera: it depends on the picture's size, which determines the annotations.
     if (!scene.camera && scale < 1)
         frame.camera =
             geometry::default_view(geometry, scene, static_cast<int>(size.width), static_cast<int>(size.height));
@@ -54,7 +54,7 @@ std::vector<std::string> remarks_on(const geometry::Geometry& geometry, const re
     std::vector<std::string> remarks = geometry.lacking;
     remarks.insert(remarks.end(), geometry.remarks.begin(), geometry.remarks.end());
     for (const geometry::EmptyLayer& empty : geometry.empty) {
-        if (empty.why == geometry::EmptyLayer::Why::missing) continue; // is lacking, and named there
+        if (empty.why == geometry::EmptyLayer::Why::missing) continue; // named in `lacking`
         remarks.push_back("layer " + empty.layer + " shows nothing. " + empty.reason);
     }
     remarks.insert(remarks.end(), renderer.remarks().begin(), renderer.remarks().end());

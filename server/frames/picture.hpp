@@ -12,23 +12,23 @@
 
 namespace ciel::frames {
 
-// Throws LimitReached.
+// Throws limits::LimitReached if a picture of that size exceeds the limits.
 void check_picture_size(const limits::Limits& limits, std::int64_t width, std::int64_t height);
-// A still has the asked size and `still_samples` a pixel; an interactive picture is `moving_scale` times as large and
-// has one sample, and its lines are as much thinner. Neither is written on: who shows a view's frames draws the scene's
-// annotations over them, at the screen's resolution and without waiting for a frame. The picture is the renderer's,
-// until its next. `check_wanted` as the frame's. Throws Error, and what check_wanted throws.
+// Returns a picture without annotations, which belongs to the renderer and is valid until its next draw. Without
+// `moving_scale` it is a still of the requested size with `still_samples` per pixel. An interactive picture is
+// `moving_scale` times as large, with one sample per pixel and lines that are thinner by the same factor. The client
+// draws the annotations itself, at the screen's resolution and without waiting for a frame. `check_wanted`: as
+// render::Frame's. Throws Error, and what check_wanted throws.
 [[nodiscard]] const render::Image& draw(const geometry::Geometry& geometry, const scene::Scene& scene,
                                         geometry::ViewSize size, std::optional<double> moving_scale,
                                         render::Renderer& renderer, int still_samples,
                                         const std::function<void()>& check_wanted);
-// A picture that stands for itself, as a file does: a still with the scene's annotations. Lines and points
-// grow as text does.
+// Returns the frame of a standalone picture (a file): a still with annotations. Lines and points grow with the text.
 [[nodiscard]] render::Frame picture_of(const geometry::Geometry& geometry, const scene::Scene& scene,
                                        geometry::ViewSize size, int samples = default_still_samples);
-// What a picture that this renderer has just drawn does not show, or not in full, a sentence each.
+// Returns one sentence per part of the scene that the renderer's last picture does not show, or not in full.
 [[nodiscard]] std::vector<std::string> remarks_on(const geometry::Geometry& geometry, const render::Renderer& renderer);
-// Header and picture, the next of `moving` or a PNG for good; fills in the header's encoding time, sizes and flags.
+// Returns header and picture encoded by `moving`, or as PNG if null. Fills in the header's encoding time, sizes, flags.
 [[nodiscard]] std::vector<std::uint8_t> image_message(wire::FrameHeader& header, const render::Image& image,
                                                       wire::PictureStream* moving);
 // Writes the frame number into a finished message: it is known only when the frame is sent.

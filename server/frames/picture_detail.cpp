@@ -8,14 +8,14 @@ namespace {
 
 struct Level {
     PictureDetail::Detail detail;
-    double bytes; // of those of the finest, about
+    double bytes; // relative to the finest level, approximately
 };
 constexpr Level jpeg_levels[]{{{80, 1}, 1},      {{60, 1}, 0.68},    {{40, 1}, 0.5},    {{40, 0.7}, 0.28},
                               {{40, 0.5}, 0.16}, {{40, 0.35}, 0.09}, {{40, 0.25}, 0.05}};
 constexpr Level png_levels[]{{{80, 1}, 1}, {{80, 0.7}, 0.55}, {{80, 0.5}, 0.3}, {{80, 0.35}, 0.17}, {{80, 0.25}, 0.09}};
 
-constexpr double fast_enough = 0.05; // seconds for a picture: more a second need not be paid for by detail
-constexpr double margin = 0.8;       // of the line, that a finer picture has to leave free
+constexpr double fast_enough = 0.05; // seconds per picture: a higher rate is not worth less detail
+constexpr double margin = 0.8;       // of the line, that a finer picture may use
 constexpr unsigned before_coarser = 2, before_finer = 8;
 
 std::span<const Level> levels_of(wire::MovingCodec codec) {

@@ -1,5 +1,5 @@
-// How fine interactive pictures are where the line, not the drawing, is what is slow: first of less JPEG quality, then
-// smaller, so that as many come as the server makes. The still that follows has all the detail.
+// Reduces the detail of interactive pictures if the line is slower than the drawing: first the JPEG quality, then the
+// size. The line then carries as many pictures as the server makes. The still that follows has full detail.
 #pragma once
 
 #include "wire/pictures/picture_stream.hpp"
@@ -8,7 +8,7 @@
 
 namespace ciel::frames {
 
-// A function of what it is told. Not thread-safe.
+// Deterministic. Not thread-safe.
 class PictureDetail {
 public:
     struct Detail {
@@ -18,8 +18,8 @@ public:
     };
 
     [[nodiscard]] Detail of(wire::MovingCodec codec) const;
-    // A picture of that detail had so many bytes. `making`: seconds of the server for it; `rate`: bytes a second of the
-    // line, 0 where nothing says that it is slow.
+    // Reports the size of a sent picture. `making`: seconds that the server took for it. `rate`: bytes per second of
+    // the line, 0 if it is not known to be slow.
     void sent(wire::MovingCodec codec, std::size_t bytes, double making, double rate);
 
 private:

@@ -13,10 +13,10 @@ namespace ciel::frames {
 namespace {
 
 constexpr double of_a_pixel = 0.25;
-constexpr double of_a_height = 1.0 / 32;     // 1 degree in the mean
-constexpr double nearest_of_farthest = 1e-4; // as the renderer's nearest plane
+constexpr double of_a_height = 1.0 / 32;     // tilts by 1 degree in the mean
+constexpr double nearest_of_farthest = 1e-4; // as the renderer's near plane
 constexpr std::size_t sampled_triangles = 4096;
-constexpr double small_heights = 0.1; // so many of the triangles are less high than those that decide
+constexpr double small_heights = 0.1; // quantile of the heights that decides
 
 Vec3d unit(const Vec3d& a) {
     const double by = length(a);
@@ -27,7 +27,7 @@ Vec3d position(const Surface& surface, Index vertex) {
     return {p[0], p[1], p[2]};
 }
 
-// What of space a perspective camera sees; `eye` as an offset from the geometry's origin.
+// View frustum of a perspective camera. `eye_` is an offset from the geometry's origin.
 class Frustum {
 public:
     Frustum(const geometry::Geometry& geometry, const annotations::Camera& camera, const geometry::ViewSize& size)
@@ -68,7 +68,7 @@ public:
         for (unsigned side = 0; side < distances.size(); ++side) bits |= distances[side] < 0 ? 1U << side : 0U;
         return static_cast<std::uint8_t>(bits);
     }
-    // The least depth of what is seen of a convex polygon or line; infinite where that is nothing.
+    // Returns the least depth of the visible part of a convex polygon or line; infinite if there is none.
     [[nodiscard]] double nearest_of(std::vector<Vec3d>& corners, std::vector<Vec3d>& clipped) const {
         for (std::size_t side = 0; side < 5; ++side) {
             clip_polygon(
@@ -87,7 +87,7 @@ private:
 
 std::size_t corners_of(const geometry::Drawable& drawable) { return drawable.points() ? 1 : drawable.lines() ? 2 : 3; }
 
-// The least depth of what is seen of it; infinite where that is nothing.
+// Returns the least depth of the visible part of the drawable; infinite if there is none.
 double nearest_depth(const geometry::Drawable& drawable, const Frustum& frustum) {
     std::vector<Vec3d> places;
     std::vector<std::uint8_t> outside;
@@ -115,7 +115,7 @@ double nearest_depth(const geometry::Drawable& drawable, const Frustum& frustum)
     return nearest;
 }
 
-// Heights of triangles whose light comes from their own planes; infinite where there are none.
+// Returns the height that decides (small_heights) for triangles lit without normals; infinite if there are none.
 double flat_height(const geometry::Geometry& geometry) {
     double least = INFINITY;
     for (const geometry::Drawable& drawable : geometry.drawables) {

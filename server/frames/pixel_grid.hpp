@@ -1,4 +1,4 @@
-// How fine the grid must be on which a view's polygons are sent (wire/batches/quantize.hpp).
+// Step of the grid on which a view's polygons are sent (wire/batches/quantize.hpp).
 #pragma once
 
 #include "annotations/camera.hpp"
@@ -7,20 +7,20 @@
 
 namespace ciel::frames {
 
-// In length units: a quarter of a pixel at the nearest triangle, line or point that the camera sees, so that nothing
-// moves by more than 0.22 pixels (half a step along each axis). A 32nd of the flat triangles' heights where they are
-// lit without normals, whose light would show the rounding otherwise. Never finer than what floats resolve. A power of
-// two. Reads all positions.
+// Returns the step in length units, a power of two, never finer than floats resolve. It is at most a quarter of a pixel
+// at the nearest visible triangle, line or point: nothing moves by more than 0.22 pixels (half a step along each axis).
+// It is at most 1/32 of the height of triangles that are lit without normals: their shading would show the rounding.
+// Reads all positions.
 [[nodiscard]] double needed_grid(const geometry::Geometry& geometry, const annotations::Camera& camera,
                                  const geometry::ViewSize& size);
 
-// Never coarser than needed_grid of the same content at another camera; from the bounds alone, so that a camera that
-// turns around a large mesh does not read its positions each time. 0 where the eye is among the bounds.
+// Returns a step that is fine enough in pixels for this camera, from the bounds alone: a camera that turns around a
+// large mesh then does not read all positions each time. 0 if some corner of the bounds is not in front of the eye.
+// Ignores triangles lit without normals: a grid that needed_grid made for the same content is fine enough for them.
 [[nodiscard]] double surely_fine_grid(const geometry::Geometry& geometry, const annotations::Camera& camera,
                                       const geometry::ViewSize& size);
 
-// The length of a pixel at the nearest thing in view; at a tenth of a thousandth of the farthest where things reach to
-// the eye.
+// Returns the length of a pixel at the nearest visible point, which counts as no nearer than 1e-4 of the farthest.
 [[nodiscard]] double nearest_pixel(const geometry::Geometry& geometry, const annotations::Camera& camera,
                                    const geometry::ViewSize& size);
 

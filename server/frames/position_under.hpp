@@ -1,4 +1,4 @@
-// Where in space a pixel of a picture is, by the depth that was drawn.
+// World position of a picture's pixel, from the depth buffer.
 #pragma once
 
 #include "geometry/geometry.hpp"
@@ -12,9 +12,9 @@
 
 namespace ciel::frames {
 
-// The world position under a pixel (`check_wanted` as a frame's; from the top left) of the picture of this size;
-// nothing on the background. A position on a boundary comes out of the depth buffer a little outside as often as
-// inside: it is moved along the line of sight, by less than a pixel's depth error, to the nearest cell.
+// Returns the world position under a pixel, counted from the top left; nothing on the background. The depth buffer puts
+// a position on a boundary outside of the mesh as often as inside. Such a position is moved along the line of sight
+// into a cell, by at most 1e-3 of the bounds' diagonal. `check_wanted`: as render::Frame's.
 [[nodiscard]] std::optional<Vec3d> position_under(const geometry::Geometry& geometry, const scene::Scene& scene,
                                                   geometry::ViewSize size, std::array<double, 2> pixel,
                                                   const probe::Locator& locator, render::Renderer& renderer,

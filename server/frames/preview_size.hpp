@@ -1,5 +1,5 @@
-// How large interactive pictures are: as the view, of no more than 1280 x 720 pixels, and where those take so long that
-// a drag would show a few a second (in software: much that is transparent, in volumes) half or a quarter as wide.
+// Size of interactive pictures: that of the view, but at most 1280 x 720 pixels. If drawing is so slow that a drag
+// would show a few per second (in software: many transparent parts, volumes), they are half or a quarter as wide.
 #pragma once
 
 #include "geometry/view_size.hpp"
@@ -9,13 +9,13 @@ namespace ciel::frames {
 // Not thread-safe.
 class PreviewSize {
 public:
-    // So many of the view's pixels along a side are one.
+    // Returns the side of an interactive picture as a fraction of the side of the view.
     [[nodiscard]] double scale(geometry::ViewSize view) const;
-    // What the last such picture of the view took.
+    // Reports the drawing time of the view's last interactive picture.
     void took(geometry::ViewSize view, double milliseconds);
 
 private:
-    int halvings_ = 0, slow_ = 0; // slow ones in a row: the first of a kind waits for its programs
+    int halvings_ = 0, slow_ = 0; // slow_: slow ones in a row; the first may wait for shaders
 };
 
 } // namespace ciel::frames

@@ -1,4 +1,4 @@
-// Samples a pixel of a still where nobody has chosen: edges are smooth, also in software.
+// Default number of samples per pixel of a still: edges are smooth, also in software.
 #pragma once
 
 namespace ciel::frames {

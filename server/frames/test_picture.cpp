@@ -49,7 +49,7 @@ Readiness draw_test_picture(render::Renderer& renderer) {
         readiness.problem = readiness.gl_renderer + " drew a test picture with wrong pixels; try another --gl";
         return readiness;
     }
-    frame.width = 1280; // what a usual still needs
+    frame.width = 1280; // size of a usual still
     frame.height = 720;
     frame.samples = 4;
     try {

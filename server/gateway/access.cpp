@@ -17,11 +17,11 @@ bool listed(const std::vector<std::string>& names, std::string_view name) {
 }
 
 std::string_view without_port(std::string_view host) {
-    const auto end_of_address = host.starts_with('[') ? host.find(']') : 0; // an IPv6 address holds colons itself
+    const auto end_of_address = host.starts_with('[') ? host.find(']') : 0; // an IPv6 address has colons
     return host.substr(0, host.find(':', end_of_address));
 }
 
-// 127.0.0.0/8: no page of another site can be reached by such a name.
+// 127.0.0.0/8: another site cannot have such a host name.
 bool is_loopback_address(std::string_view name) {
     return name.starts_with("127.") && name.find_first_not_of("0123456789.") == std::string_view::npos;
 }
@@ -103,7 +103,7 @@ bool offers_subprotocol(std::string_view header) {
 }
 
 bool is_handshake_key(std::string_view header) {
-    constexpr std::size_t digits = 22; // six bits each, and two signs that pad
+    constexpr std::size_t digits = 22; // of six bits each, before two padding characters
     const auto is_digit = [](char c) {
         return (lower(c) >= 'a' && lower(c) <= 'z') || (c >= '0' && c <= '9') || c == '+' || c == '/';
     };

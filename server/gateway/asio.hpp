@@ -1,4 +1,4 @@
-// The parts of Asio and Beast that every file of the sockets' side uses.
+// Asio and Beast headers that all files with sockets share.
 #pragma once
 
 #include <utility> // Boost 1.74's awaitable uses std::exchange and does not include it
@@ -21,8 +21,8 @@ namespace asio = boost::asio;
 namespace beast = boost::beast;
 using boost::system::error_code;
 
-// Methods may take long: they run here, never on the threads of the sockets. Coroutines come back to their own
-// executor.
+// Runs `work` on a worker thread and returns its text on the coroutine's own executor. Methods may take long, so they
+// never run on socket threads.
 template <typename Work>
 asio::awaitable<std::string> on_worker(asio::thread_pool& workers, Work work) {
     auto task = [&work]() -> asio::awaitable<std::string> { co_return work(); };

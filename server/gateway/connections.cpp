@@ -7,7 +7,7 @@
 namespace ciel::gateway {
 namespace {
 
-constexpr std::size_t refusals_at_once = 32; // more are closed without a word
+constexpr std::size_t refusals_at_once = 32; // beyond these, connections are closed without an answer
 
 } // namespace
 
@@ -97,7 +97,7 @@ void Connections::drain_all() {
         const std::lock_guard lock(mutex_);
         for (const auto& [id, entry] : entries_) drains.push_back(entry.hooks.drain);
     }
-    for (const auto& drain : drains) drain(); // without the lock: one may end its connection, and its ticket, at once
+    for (const auto& drain : drains) drain(); // unlocked: drain may destroy the ticket at once
 }
 
 } // namespace ciel::gateway

@@ -1,4 +1,4 @@
-// Every open connection: draining reaches each, and the limits of connections are kept.
+// Registry of open connections. Enforces the connection limits and drains all connections.
 #pragma once
 
 #include <cstdint>
@@ -12,20 +12,19 @@ namespace ciel::gateway {
 
 struct ConnectionRules {
     std::size_t most = 128;
-    std::size_t reserved =
-        32; // of these, for connections that have shown the token or are the own user's; at most half
-    std::size_t of_address = 64; // by counting_key(); an empty key is not counted
+    std::size_t reserved = 32;   // of these, for authorized connections (token or own user); at most half
+    std::size_t of_address = 64; // per counting_key(); an empty key is not counted
 };
 
-// What is done to a connection from outside. Both are called from any thread, cut under a lock: they must neither block
-// nor call back. They may still be called once while the ticket is being destroyed.
+// Called from any thread, cut with the registry locked: neither may block or call back. Both may still be called once
+// during the ticket's destruction.
 struct ConnectionHooks {
     std::function<void()> drain; // end soon
     std::function<void()> cut;   // end now
 };
 
-// Thread-safe. Where a place is wanted and none is free, the oldest connection is cut that is neither a WebSocket nor
-// in a request that was let in; where there is none, the new one is refused.
+// Thread-safe. At a limit, the oldest connection is cut that is neither a WebSocket nor in an authorized request.
+// Without such a connection the new one is refused.
 class Connections {
     struct Entry;
 
@@ -41,10 +40,10 @@ public:
 
         [[nodiscard]] bool is_refused() const { return is_refused_; } // it gets a refusal and is closed
 
-        // A request's head is complete. `key`, unless empty, counts the connection for another address until the
-        // request ends; false: that address has too many already.
+        // Call when a request's head is complete. A `key` that is not empty also counts the connection for that
+        // address until the request ends. Returns false if the address is at its limit.
         [[nodiscard]] bool begin_request(bool let_in, const std::string& key);
-        void end_request(); // never of a WebSocket, which stays in its request
+        void end_request(); // never called for a WebSocket: its request stays open
 
     private:
         friend class Connections;
@@ -56,11 +55,11 @@ public:
         bool is_refused_;
     };
 
-    // `key`: counting_key() of the peer. `needs_room`: the process is short of descriptors, so a connection must go for
-    // this one. Null when it is to be closed without a word: too many are being refused already.
+    // `key`: counting_key() of the peer. `needs_room`: file descriptors are short, so another connection must be cut.
+    // Returns null if the connection must be closed without an answer: 32 refusals are pending, or needs_room.
     [[nodiscard]] std::shared_ptr<Ticket> open(const std::string& key, bool needs_room, ConnectionHooks hooks);
 
-    [[nodiscard]] std::size_t count() const; // all that still live
+    [[nodiscard]] std::size_t count() const; // including refused and cut ones that have not ended
     [[nodiscard]] std::uint64_t cut_count() const;
     void drain_all();
 
@@ -68,10 +67,10 @@ private:
     struct Entry {
         ConnectionHooks hooks;
         std::string key;
-        std::string request_key; // of the request under way
+        std::string request_key; // of the current request
         bool is_refused = false, is_cut = false;
-        bool is_let_in = false; // its last request was
-        bool is_busy = false;   // a WebSocket, or in a request that was let in
+        bool is_let_in = false; // the last request was authorized
+        bool is_busy = false;   // a WebSocket, or in an authorized request
 
         [[nodiscard]] bool counts() const { return !is_refused && !is_cut; }
     };
@@ -81,7 +80,7 @@ private:
     template <typename Predicate>
     [[nodiscard]] std::size_t count_if(const Predicate& holds) const;
     template <typename Predicate>
-    bool cut_oldest(const Predicate& holds); // false when all that hold are busy
+    bool cut_oldest(const Predicate& holds); // false if all matching ones are busy
     [[nodiscard]] std::size_t count_of(const std::string& key) const;
     [[nodiscard]] bool make_room(const std::string& key, bool needs_room);
 

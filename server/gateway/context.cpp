@@ -10,7 +10,7 @@
 namespace ciel::gateway {
 namespace {
 
-constexpr rlim_t enough_files = 65536; // some programs close all that they might have, one by one
+constexpr rlim_t enough_files = 65536; // no more: some programs close every possible descriptor
 
 ConnectionRules rules_of(const limits::Limits& limits) {
     return {limits.connections, limits.reserved_connections, limits.connections_of_address};
@@ -25,7 +25,7 @@ std::string own_user_name() {
     return std::to_string(::geteuid());
 }
 
-// A user may raise the soft limit up to the hard one.
+// Raises the soft limit as far as the hard limit allows. Returns the new soft limit.
 std::size_t raised_file_limit() {
     rlimit files{};
     ::getrlimit(RLIMIT_NOFILE, &files);

@@ -1,4 +1,4 @@
-// What every connection and route reaches.
+// State shared by all connections and routes.
 #pragma once
 
 #include "gateway/access.hpp"
@@ -24,16 +24,16 @@ struct Context {
     Context(Service& service_, const GatewayOptions& options, AccessRules access_);
 
     Service& service;
-    std::string prefix, version, own_user; // own_user: the name of this process's
+    std::string prefix, version, own_user; // own_user: name of the process's user
     AccessRules access;
     StaticFiles files;
     Counters counters;
     Connections connections;
     TrustedProxies proxies;
-    std::size_t most_files; // descriptors that the process may have
+    std::size_t most_files; // file descriptor limit of the process
     logging::LogLimiter log_limiter;
     PeerOwners owners;
-    std::atomic<std::uint64_t> guesses_waiting{0}; // answers to wrong tokens
+    std::atomic<std::uint64_t> guesses_waiting{0}; // delayed answers to wrong tokens
     std::atomic<bool> draining{false};
     std::atomic<std::uint64_t> next_connection_id{1};
 };

@@ -1,4 +1,4 @@
-// A time-out that leaves the socket open, so that the peer can still be told; a tcp_stream's own closes it.
+// A time-out that leaves the socket open, so that an answer can still be sent. That of tcp_stream closes it.
 #pragma once
 
 #include "gateway/asio.hpp"
@@ -7,7 +7,7 @@
 
 namespace ciel::gateway {
 
-// Used on the stream's executor only; must not outlive the stream, nor be running when the stream is moved away.
+// For the stream's executor only. Must not outlive the stream. Must be stopped before the stream is moved.
 class Deadline {
 public:
     explicit Deadline(beast::tcp_stream& stream) : stream_(stream), timer_(stream.get_executor()) {}
@@ -15,14 +15,14 @@ public:
     Deadline(const Deadline&) = delete;
     Deadline& operator=(const Deadline&) = delete;
 
-    // When the time is over, what waits on the stream ends with operation_aborted, and passed() is true.
+    // After `time`, pending operations of the stream end with operation_aborted and passed() is true.
     void start(std::chrono::seconds time) {
         stop();
         passed_ = false;
         armed_ = std::make_shared<bool>(true);
         timer_.expires_after(time);
         timer_.async_wait([this, armed = armed_](const error_code&) {
-            if (!*armed) return; // also when the expiry was already on its way
+            if (!*armed) return; // stopped while the expiry was queued
             passed_ = true;
             stream_.cancel();
         });
@@ -37,7 +37,7 @@ public:
 private:
     beast::tcp_stream& stream_;
     asio::steady_timer timer_;
-    std::shared_ptr<bool> armed_; // of the latest start
+    std::shared_ptr<bool> armed_; // of the latest start()
     bool passed_ = false;
 };
 

@@ -1,4 +1,4 @@
-// Where a request's body ends (RFC 9112, 6): a server and a proxy that disagree let a request hide in another's body.
+// Where a request's body ends (RFC 9112, 6). If server and proxy disagree, requests can be smuggled in a body.
 #pragma once
 
 #include <string_view>
@@ -6,12 +6,12 @@
 namespace ciel::gateway {
 
 enum class Framing {
-    readable,       // chunked alone
-    malformed,      // chunked is not the last coding, or stands twice: where the body ends is not known
-    unknown_coding, // chunked after a coding that this server does not have
+    readable,       // chunked only
+    malformed,      // chunked is repeated or not the last coding: the end of the body is unknown
+    unknown_coding, // chunked after an unsupported coding
 };
 
-// Of a request that has a Transfer-Encoding: all its lines, joined by commas.
+// `transfer_encoding`: all Transfer-Encoding lines of the request, joined by commas; there must be one.
 [[nodiscard]] Framing framing_of(std::string_view transfer_encoding);
 
 } // namespace ciel::gateway

@@ -31,7 +31,7 @@ AccessRules access_rules(const GatewayOptions& options, bool loopback, unsigned 
     return rules;
 }
 
-// The process's sockets and threads, from the first signal to the end.
+// The process's sockets and threads, until the drain has ended.
 class Gateway {
 public:
     Gateway(Service& service, const GatewayOptions& options)
@@ -87,12 +87,12 @@ private:
             server_drained_ = true;
         });
         co_await until(begin + half, [this] { return frames_drained_.load(); });
-        context_.connections.drain_all(); // each ends when its calls have been answered and the answers are read
+        context_.connections.drain_all(); // first: end after the answers are read
         co_await until(begin + half, is_over);
         context_.service.give_up();
-        context_.connections.drain_all(); // the second time they end without their answers
+        context_.connections.drain_all(); // second: end without waiting for answers
         co_await until(begin + 2 * half - half / 4, is_over);
-        context_.connections.drain_all(); // the third time without the client's leave
+        context_.connections.drain_all(); // third: end without waiting for the client
         co_await until(begin + 2 * half, is_over);
         drained_ = is_over();
     }
@@ -107,8 +107,8 @@ private:
         }
     }
 
-    // Calls that still run hold references into the service: the process must end without taking it apart. Datasets
-    // are only read, so nothing is left half-written.
+    // Ends the process without destructors: running calls still refer to the service. Datasets are only read, so
+    // nothing is left half-written.
     [[noreturn]] static void abandon() {
         spdlog::warn("stopped with requests still under way");
         spdlog::shutdown();
@@ -116,8 +116,8 @@ private:
     }
 
     asio::io_context io_;
-    asio::signal_set signals_{io_, SIGINT, SIGTERM}; // keeps a signal that comes before anybody waits for it
-    // Accepting and draining take turns, for draining closes the acceptor.
+    asio::signal_set signals_{io_, SIGINT, SIGTERM}; // stores a signal that arrives before the wait
+    // Serializes accepting and draining: draining closes the acceptor.
     asio::strand<asio::io_context::executor_type> one_at_a_time_{asio::make_strand(io_)};
     asio::ip::address address_;
     asio::ip::tcp::acceptor acceptor_;

@@ -82,7 +82,7 @@ Response static_file(Context& context, const Request& request, const Target& tar
         response.content_type = "text/html; charset=utf-8";
     } else
         return sentence(404, "There is no " + target.path + " here.");
-    const auto offered = target.query.find("token"); // the own user's may be wrong: of a server before this one
+    const auto offered = target.query.find("token"); // an own user may send the token of an earlier server
     if (offered != target.query.end() && token_allowed(context.access, offered->second))
         response.headers.emplace_back("Set-Cookie", token_cookie(context.access, request.forwarded_proto == "https"));
     return response;
@@ -93,7 +93,7 @@ void add_common_headers(const Context& context, const Request& request, Response
     headers.emplace_back("Server", "CIEL/" + context.version);
     headers.emplace_back("X-Request-Id", request.id);
     headers.emplace_back("X-Content-Type-Options", "nosniff");
-    headers.emplace_back("Referrer-Policy", "no-referrer"); // the address may hold the token
+    headers.emplace_back("Referrer-Policy", "no-referrer"); // the URL may contain the token
     headers.emplace_back("Cross-Origin-Resource-Policy", "same-origin");
     std::string ancestors = "'self'";
     for (const auto& origin : context.access.origins) ancestors += " " + origin;

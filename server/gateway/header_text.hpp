@@ -1,4 +1,4 @@
-// What header fields have in common (RFC 9110, 5.6): lists, white space, names without case.
+// Common syntax of header fields (RFC 9110, 5.6): lists, white space, case-insensitive names.
 #pragma once
 
 #include <algorithm>
@@ -18,7 +18,7 @@ namespace ciel::gateway {
     return text;
 }
 
-// Calls visit with each part until one returns true.
+// Calls visit with each trimmed part until it returns true. Returns whether it did.
 template <typename Visit>
 bool any_part(std::string_view text, char separator, const Visit& visit) {
     while (!text.empty()) {

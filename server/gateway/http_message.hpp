@@ -1,4 +1,4 @@
-// HTTP requests and responses as plain data: what routes see, without Beast.
+// HTTP requests and responses as plain data, without Beast. Routes use only these.
 #pragma once
 
 #include <string>
@@ -14,12 +14,12 @@ struct Request {
     std::string origin, authorization, cookie, content_type, accept_encoding, if_none_match;
     std::string forwarded_for, forwarded_proto;
     std::string body;
-    std::string user;    // for logs: whom a trusted proxy let in, or who holds the peer on this machine; else empty
-    std::string remote;  // address and port, for logs
-    std::string id;      // in the log, in X-Request-Id, and in the errors of its calls
-    std::string address; // without the port
+    std::string user;            // for logs: named by a trusted proxy, or owner of the local peer process; else empty
+    std::string remote;          // address and port, for logs
+    std::string id;              // in the log, in X-Request-Id and in errors of its calls
+    std::string address;         // without the port
     bool is_of_own_user = false; // the peer is a process of the server's user, on this machine
-    bool is_proxied = false;     // a header says that it came through a proxy
+    bool is_proxied = false;     // has a header of a proxy
 };
 
 struct Response {
@@ -29,7 +29,7 @@ struct Response {
     std::vector<std::pair<std::string, std::string>> headers;
 };
 
-// A plain sentence and a newline.
+// Plain text: the sentence and a newline.
 [[nodiscard]] Response sentence(unsigned status, std::string text);
 [[nodiscard]] Response json(unsigned status, std::string text);
 

@@ -16,7 +16,7 @@ namespace http = boost::beast::http;
 std::string_view view_of(boost::string_view view) { return {view.data(), view.size()}; }
 std::string text_of(boost::string_view view) { return std::string(view_of(view)); }
 
-// All lines of a list field, as one (RFC 9110, 5.3).
+// Joins all lines of a list field (RFC 9110, 5.3).
 template <typename Name>
 std::string joined(const HttpRequest& message, Name name) {
     std::string all;
@@ -34,7 +34,7 @@ Request plain_request(const HttpRequest& message) {
     Request request;
     request.method = text_of(message.method_string());
     request.target = text_of(message.target());
-    const auto authority = authority_of(request.target); // takes the place of Host (RFC 9112, 3.2.2)
+    const auto authority = authority_of(request.target); // overrides Host (RFC 9112, 3.2.2)
     request.host = authority.empty() ? text_of(message[http::field::host]) : std::string(authority);
     request.origin = text_of(message[http::field::origin]);
     request.authorization = text_of(message[http::field::authorization]);

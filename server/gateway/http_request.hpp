@@ -1,4 +1,4 @@
-// Beast's requests as plain data, and what is wrong with them before any route is looked for.
+// Converts Beast's requests to plain data, and refuses malformed ones before routing.
 #pragma once
 
 #include "gateway/http_message.hpp"
@@ -13,17 +13,17 @@ namespace ciel::gateway {
 
 using HttpRequest = boost::beast::http::request<boost::beast::http::string_body>;
 
-// Without the body and what only the connection knows.
+// Leaves out the body and the members that the connection sets: remote, id, address, is_of_own_user.
 [[nodiscard]] Request plain_request(const HttpRequest& message);
 
-// The answer to what is not HTTP as we read it; nothing when the peer has gone.
+// Returns the answer to a read or parse error; nothing when the peer has gone.
 [[nodiscard]] std::optional<Response> refused_bytes(const boost::system::error_code& error);
 
-// The answer to a head after which the body cannot be told from the next request (RFC 9112, 6): the connection must
-// be closed.
+// Returns the answer to an HTTP/1.1 head without exactly one Host, and to a body without a certain end (RFC 9112, 6).
+// The connection must then be closed.
 [[nodiscard]] std::optional<Response> refused_head(const HttpRequest& message);
 
-// The answer to a WebSocket's handshake that is none of ours (RFC 6455, 4.2.1).
+// Returns the answer to a handshake without subprotocol ciel.v1 or with an invalid key (RFC 6455, 4.2.1).
 [[nodiscard]] std::optional<Response> refused_handshake(const HttpRequest& message);
 
 // "Sun, 06 Nov 1994 08:49:37 GMT" (RFC 9110, 5.6.7).

@@ -28,7 +28,7 @@ constexpr std::size_t first_read_bytes = 4096;
 constexpr std::chrono::seconds linger_time{2};
 
 constexpr std::string_view blank_line = "\r\n";
-constexpr int blank_lines = 8; // before a request; RFC 9112, 2.2, wants one to be skipped at least
+constexpr int blank_lines = 8; // skipped before a request; RFC 9112, 2.2, requires at least one
 
 class HttpSession {
 public:
@@ -54,7 +54,7 @@ public:
     }
 
 private:
-    // Once, and before anything is read: a client that has closed has no owner any more.
+    // Called once, before the first read: a closed client socket no longer has an owner.
     asio::awaitable<void> look_up_user() {
         if (!context_.access.own_user_enters || start_.ticket->is_refused()) co_return;
         error_code gone;
@@ -63,7 +63,7 @@ private:
         is_of_own_user_ = co_await context_.owners.is_own_user(start_.peer, own);
     }
 
-    // False when the connection ends with it.
+    // Returns false if the connection must end.
     asio::awaitable<bool> one_request() {
         if (context_.draining && buffer_.size() == 0) co_return false;
         waiting_ = true;
@@ -92,11 +92,11 @@ private:
         deadline_.start(std::chrono::seconds(seconds));
     }
 
-    // False when the peer has gone, or for too long says nothing: that is no fault and gets no answer.
+    // Returns false if the peer has gone or was idle too long: this is no error and gets no answer.
     asio::awaitable<bool> request_begins() {
         error_code error;
         for (int skipped = 0; skipped < blank_lines && !error; skipped += skip_blank_line()) {
-            if (buffer_.size() > 0 && !begins_with_blank_line()) co_return true; // perhaps pipelined
+            if (buffer_.size() > 0 && !begins_with_blank_line()) co_return true; // may be pipelined
             if (buffer_.size() >= blank_line.size()) continue;
             start_deadline(is_first_ ? std::min(limits_.head_seconds, limits_.keep_alive_seconds)
                                      : limits_.keep_alive_seconds);
@@ -107,7 +107,7 @@ private:
         co_return !error;
     }
 
-    // Also of the first half of one.
+    // Also true for the first half of a blank line.
     bool begins_with_blank_line() const {
         const auto data = buffer_.data();
         const std::string_view text(static_cast<const char*>(data.data()), data.size());
@@ -119,7 +119,7 @@ private:
         return 1;
     }
 
-    // Whom the request is counted for and logged as, where a proxy that is trusted has passed it on.
+    // Sets the address of a request forwarded by a trusted proxy. Returns its counting_key(); empty for other requests.
     std::string client_of(Request& request) const {
         const auto client = start_.is_of_trusted_proxy ? last_forwarded_for(request.forwarded_for) : std::nullopt;
         if (!client) return {};
@@ -138,7 +138,7 @@ private:
         return request;
     }
 
-    // What is to be done, and whether the connection has to end with it.
+    // Returns the route or refusal, and whether the connection must end after the answer.
     std::pair<Resolved, bool> look_at(const HttpRequest& message, Request& request) {
         const std::string client = client_of(request);
         if (start_.ticket->is_refused()) return {refused(too_many_connections()), true};
@@ -186,7 +186,7 @@ private:
         co_return written&& keep_alive;
     }
 
-    // A page that is not found is no failure, nor is one that has moved.
+    // Logs a refusal, except redirects and 404.
     void tell_refusal(const Request& request, const Response& refusal) {
         const std::string status = std::to_string(refusal.status);
         if (refusal.status < 400 || refusal.status == 404) return;
@@ -200,7 +200,8 @@ private:
                             {"note", "further ones of this address are not logged for a minute"}});
     }
 
-    // Makes guessing slow: the answer waits, and of many guesses at a time most get none.
+    // Slows down guessing: delays the answer to a wrong token. Beyond the limit of delayed answers, answers 429 at
+    // once.
     asio::awaitable<void> slow_down(const Request& request, Resolved& resolved) {
         if (context_.log_limiter.allows("token " + request.address))
             logging::log_event(logging::LogLevel::warning, "a wrong token was refused",
@@ -303,14 +304,14 @@ private:
         serializer.split(head);
         error_code error;
         while (!error && !(head ? serializer.is_header_done() : serializer.is_done())) {
-            stream_.expires_after(std::chrono::seconds(limits_.request_seconds)); // to take some of it
+            stream_.expires_after(std::chrono::seconds(limits_.request_seconds)); // time to accept some bytes
             co_await http::async_write_some(stream_, serializer, asio::redirect_error(asio::use_awaitable, error));
         }
-        stream_.expires_never(); // what is read next has a deadline of its own
+        stream_.expires_never(); // reads use deadline_
         co_return !error;
     }
 
-    // A peer that still sends would lose the answer to a reset if the socket closed at once.
+    // Reads until the peer closes: closing at once while the peer sends would reset the connection and lose the answer.
     asio::awaitable<void> linger() {
         error_code error;
         stream_.socket().shutdown(asio::ip::tcp::socket::shutdown_send, error);
@@ -332,13 +333,13 @@ private:
     const limits::Limits& limits_;
     asio::thread_pool& workers_;
     beast::tcp_stream stream_;
-    Deadline deadline_; // of what is read
+    Deadline deadline_; // of reads
     asio::steady_timer guess_pause_;
     beast::flat_buffer buffer_;
-    std::string remote_, address_; // of the peer
+    std::string remote_, address_; // peer
     std::uint64_t allowed_seconds_ = 0;
     bool is_of_own_user_ = false, is_first_ = true;
-    bool waiting_ = false; // for a request, or for the rest of its header
+    bool waiting_ = false; // for a request or the rest of its header
 };
 
 } // namespace

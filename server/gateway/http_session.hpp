@@ -1,4 +1,4 @@
-// One TCP connection: its HTTP requests in order, until it closes or becomes a WebSocket.
+// One TCP connection. Answers its HTTP requests in order until it closes or becomes a WebSocket.
 #pragma once
 
 #include "gateway/asio.hpp"
@@ -8,15 +8,15 @@
 
 namespace ciel::gateway {
 
-// What draining, or cutting, does to a connection right now; runs on the connection's own executor. Draining comes a
-// second time when answers are not waited for any more, and a third time when the client is not either.
+// Current drain or cut handler of a connection; runs on the connection's executor. Drain is called up to three times:
+// to finish, then to end without waiting for answers, then to end without waiting for the client.
 using OnDrain = std::shared_ptr<std::function<void()>>;
 
 struct ConnectionStart {
     asio::ip::tcp::socket socket;
     asio::ip::tcp::endpoint peer;
     bool is_of_trusted_proxy = false;
-    std::shared_ptr<Connections::Ticket> ticket{}; // a refused one: answer 503 and close
+    std::shared_ptr<Connections::Ticket> ticket{}; // if refused: answer 503 and close
     OnDrain on_drain{}, on_cut{};
 };
 

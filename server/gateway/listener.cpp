@@ -16,17 +16,17 @@ namespace {
 
 using asio::ip::tcp;
 
-// Kept for datasets, programs that are started and what libraries open.
+// Descriptors kept for datasets, child processes and libraries.
 constexpr std::size_t reserved_files = 24;
-constexpr std::chrono::milliseconds pause_when_short{10}; // so that connections that are cut end before others come
+constexpr std::chrono::milliseconds pause_when_short{10}; // lets cut connections end before the next accept
 
 std::size_t count_files() {
-    std::error_code none; // without /proc, the numbers of new descriptors tell
+    std::error_code none; // without /proc 0: descriptor numbers decide
     return static_cast<std::size_t>(std::distance(std::filesystem::directory_iterator("/proc/self/fd", none), {}));
 }
 
-// The kernel gives the lowest number that is free, so those below are in use; and after one was freed there may be more
-// above, of connections.
+// The kernel assigns the lowest free number, so all numbers below are in use. After a descriptor was freed, connections
+// may hold higher numbers, so they are counted too.
 bool is_short_of_files(tcp::socket& socket, std::size_t files_at_start, Context& context) {
     const auto below = static_cast<std::size_t>(socket.native_handle());
     const std::size_t used = std::max(below, files_at_start + context.connections.count()) + 1;
@@ -119,7 +119,7 @@ asio::awaitable<void> accept_connections(tcp::acceptor& acceptor, asio::io_conte
                 pause.expires_after(pause_when_short);
                 co_await pause.async_wait(asio::redirect_error(asio::use_awaitable, error));
             }
-        } else if (error != asio::error::operation_aborted) { // out of file descriptors: connections have to end first
+        } else if (error != asio::error::operation_aborted) { // out of descriptors: wait until connections end
             if (context.log_limiter.allows("accept"))
                 spdlog::warn("a connection was not accepted: {}", error.message());
             pause.expires_after(std::chrono::milliseconds(100));

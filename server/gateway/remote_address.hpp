@@ -1,4 +1,4 @@
-// Whom a connection is counted for: the peer, or what a proxy that is trusted says of its own peer.
+// The address that a connection is counted for: the peer's, or the one that a trusted proxy forwards.
 #pragma once
 
 #include "gateway/asio.hpp"
@@ -12,10 +12,10 @@
 
 namespace ciel::gateway {
 
-// The addresses of proxies whose X-Forwarded-For is believed.
+// Addresses of proxies whose X-Forwarded-For is used.
 class TrustedProxies {
 public:
-    // "10.0.0.7", "172.30.0.0/16", "fd00::/8". Throws Error with a sentence.
+    // `ranges`: "10.0.0.7", "172.30.0.0/16", "fd00::/8". Throws Error when one is malformed.
     explicit TrustedProxies(const std::vector<std::string>& ranges);
     [[nodiscard]] bool contains(const asio::ip::address& address) const;
 
@@ -24,15 +24,15 @@ private:
     std::vector<asio::ip::network_v6> v6_;
 };
 
-// The last element of X-Forwarded-For, which the nearest proxy has written: an address, perhaps with a port, IPv6 in
-// brackets or not. Nothing where it is none.
+// Returns the last element of X-Forwarded-For, written by the nearest proxy; nothing if it is not an address. A port is
+// removed; IPv6 may be in brackets.
 [[nodiscard]] std::optional<asio::ip::address> last_forwarded_for(std::string_view header);
 
-// What stands for this address in a count: IPv6 by its first 64 bits, since a host may choose the others. Empty for
-// loopback, which is not counted.
+// Returns the key by which connections of this address are counted; empty for loopback, which is not counted.
+// IPv6 is counted by its first 64 bits: a host may choose the others.
 [[nodiscard]] std::string counting_key(const asio::ip::address& address);
 
-// IPv4 out of ::ffff:0:0/96.
+// Converts IPv4-mapped IPv6 (::ffff:0:0/96) to IPv4.
 [[nodiscard]] asio::ip::address without_mapping(const asio::ip::address& address);
 
 } // namespace ciel::gateway

@@ -37,7 +37,7 @@ Response refuse_token() {
     return response;
 }
 
-// A browser asks before it lets a listed origin's page POST JSON.
+// CORS preflight: browsers send it before a page of a listed origin may POST JSON.
 Response preflight(const Request& request, const Route& route) {
     Response response = sentence(204, "");
     response.body.clear();
@@ -48,7 +48,7 @@ Response preflight(const Request& request, const Route& route) {
     return response;
 }
 
-// A media type is the same in any case, and parameters such as a charset follow it (RFC 9110, 8.3.1).
+// Media types are case-insensitive and may have parameters such as a charset (RFC 9110, 8.3.1).
 bool is_json(std::string_view content_type) {
     std::string type(content_type.substr(0, content_type.find(';')));
     while (!type.empty() && (type.back() == ' ' || type.back() == '\t')) type.pop_back();
@@ -75,7 +75,7 @@ std::optional<Response> refusal(const Context& context, const Request& request, 
     return std::nullopt;
 }
 
-// Links of a prefix without its slash would miss.
+// Redirects "/ciel" to "/ciel/": relative links break without the slash.
 Response to_prefix(const Context& context, const Request& request) {
     Response response = sentence(308, "The client is at " + context.prefix + "/");
     const auto query = std::min(request.target.find('?'), request.target.size());

@@ -8,12 +8,12 @@
 namespace ciel::gateway {
 namespace {
 
-// Used on the stream's executor only.
+// For the stream's executor only.
 struct Pending {
     explicit Pending(const beast::tcp_stream::executor_type& executor) : answered(executor) {
         answered.expires_at(std::chrono::steady_clock::time_point::max());
     }
-    asio::steady_timer answered; // never expires: cancelled when the answer is there
+    asio::steady_timer answered; // never expires; cancelled when the answer arrives
     std::optional<std::string> answer;
     std::stop_source hung_up;
 };
@@ -22,10 +22,10 @@ void watch(beast::tcp_stream& stream, const std::shared_ptr<Pending>& pending, c
            asio::thread_pool& workers) {
     stream.socket().async_wait(asio::ip::tcp::socket::wait_read,
                                [&stream, pending, peer, &workers](const error_code& error) {
-                                   if (pending->answer) return; // the stream may be gone, too
+                                   if (pending->answer) return; // the stream may no longer exist
                                    error_code closed;
                                    if (!error && stream.socket().available(closed) > 0)
-                                       return; // it sends its next request already
+                                       return; // pipelined request, not a hang-up
                                    pending->hung_up.request_stop();
                                    asio::post(workers, [peer] { peer->closed(); });
                                });
@@ -51,7 +51,7 @@ asio::awaitable<Response> rpc_call(beast::tcp_stream& stream, const Request& req
     if (!pending->answer) watch(stream, pending, peer, workers);
     error_code ignored;
     while (!pending->answer) co_await pending->answered.async_wait(asio::redirect_error(asio::use_awaitable, ignored));
-    stream.socket().cancel(ignored); // the watch
+    stream.socket().cancel(ignored); // ends watch()
     const unsigned status = pending->answer->empty() ? 204 : 200;
     Response response = json(status, std::move(*pending->answer));
     add_common_headers(context, request, response);

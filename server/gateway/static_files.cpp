@@ -36,7 +36,7 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 18> mime_typ
     {".woff2", "font/woff2"},
 }};
 
-// FNV-1a, 64 bits: it tells versions of one file apart, nothing more.
+// ETag from FNV-1a, 64 bits. Only distinguishes versions of one file.
 std::string content_tag(std::string_view content) {
     std::uint64_t hash = 14695981039346656037U;
     for (const char c : content) hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211U;
@@ -46,21 +46,21 @@ std::string content_tag(std::string_view content) {
     return tag;
 }
 
-// Text and code; pictures and most fonts are compressed already.
+// True for text and code. Images and most fonts are already compressed.
 bool is_compressible(std::string_view mime) {
     return mime.starts_with("text/") || mime == "application/json" || mime == "application/wasm" ||
            mime == "application/manifest+json" || mime == "image/svg+xml" || mime == "image/x-icon" ||
            mime == "font/ttf";
 }
 
-// Empty where it would not be smaller.
+// Returns empty if the result would not be smaller.
 std::string gzipped(const std::string& content) {
     z_stream stream{};
     constexpr int gzip_header = 16, memory_level = 8;
     if (deflateInit2(&stream, Z_BEST_COMPRESSION, Z_DEFLATED, MAX_WBITS + gzip_header, memory_level,
                      Z_DEFAULT_STRATEGY) != Z_OK)
         return {};
-    std::string out(content.size(), '\0'); // more is not wanted
+    std::string out(content.size(), '\0'); // a larger result is useless
     stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(content.data()));
     stream.avail_in = static_cast<uInt>(content.size());
     stream.next_out = reinterpret_cast<Bytef*>(out.data());
@@ -71,7 +71,7 @@ std::string gzipped(const std::string& content) {
     return out;
 }
 
-// "gzip;q=0.5": 0.5; 1 without a weight; 0 where it is no number.
+// Returns 0.5 for "gzip;q=0.5"; 1 without a weight; 0 for a malformed one.
 double weight_of(std::string_view coding) {
     double weight = 1;
     any_part(coding, ';', [&](std::string_view parameter) {
@@ -84,7 +84,7 @@ double weight_of(std::string_view coding) {
     return weight;
 }
 
-// What the client's build writes: assets/NAME-HASH.EXT with eight characters of hash.
+// Names of the client's build: assets/NAME-HASH.EXT with an 8-character hash.
 bool is_hashed(const std::filesystem::path& relative) {
     const std::string stem = relative.stem().string();
     const auto dash = stem.size() < 9 ? std::string::npos : stem.size() - 9;

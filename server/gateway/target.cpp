@@ -81,7 +81,7 @@ std::string normal_prefix(const std::string& prefix) {
     std::string result = prefix;
     while (result.ends_with('/')) result.pop_back();
     if (!result.empty() && result.front() != '/') result.insert(result.begin(), '/');
-    for (const std::string_view removed : {"//", "/./", "/../"}) // by browsers, or by proxies
+    for (const std::string_view removed : {"//", "/./", "/../"}) // by browsers or proxies
         if ((result + '/').find(removed) != std::string::npos)
             throw Error("the prefix \"" + prefix + "\" may have no empty part and neither . nor ..");
     return result;

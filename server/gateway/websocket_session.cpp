@@ -19,11 +19,11 @@ namespace {
 namespace websocket = beast::websocket;
 using websocket::close_code;
 
-constexpr int unsent_bytes = 128 << 10;         // in the system's hands: a text cannot overtake them
-constexpr std::size_t close_reason_bytes = 123; // RFC 6455, 5.5.1: a control frame has 125, its code two of them
-constexpr unsigned last_close_code = 4999;      // RFC 6455, 7.4.2; Beast refuses those below that do not exist
+constexpr int unsent_bytes = 128 << 10;         // in the socket buffer: a text cannot overtake them
+constexpr std::size_t close_reason_bytes = 123; // RFC 6455, 5.5.1: 125 of a control frame less 2 of the code
+constexpr unsigned last_close_code = 4999;      // RFC 6455, 7.4.2; Beast refuses invalid codes below
 
-// Everything runs on the socket's strand, except what is handed to `workers` and the Client's callbacks.
+// Everything runs on the socket's strand, except work on `workers` and the Client's callbacks.
 class WebSocketSession : public std::enable_shared_from_this<WebSocketSession> {
 public:
     WebSocketSession(beast::tcp_stream stream, Context& context, asio::thread_pool& workers)
@@ -44,7 +44,7 @@ private:
     template <typename Part>
     void start(Part part);
 
-    // A timer that never expires serves as a condition: waiters look again whenever it is cancelled.
+    // The timer never expires and serves as a condition variable: cancelling it wakes all waiters.
     static asio::awaitable<void> changed(asio::steady_timer& timer) {
         error_code ignored;
         co_await timer.async_wait(asio::redirect_error(asio::use_awaitable, ignored));
@@ -75,16 +75,16 @@ private:
     std::deque<Inbound> inbox_;
     std::size_t inbox_bytes_ = 0;
     asio::steady_timer inbox_changed_, outbox_changed_, part_ended_;
-    std::optional<websocket::close_reason> close_; // wanted; sent when nothing is under way
+    std::optional<websocket::close_reason> close_; // requested; sent when nothing is in progress
     bool ended_ = false, closes_now_ = false, writing_ = false;
-    int parts_ = 0, unanswered_ = 0; // messages that were taken from the inbox
+    int parts_ = 0, unanswered_ = 0; // unanswered_: messages taken from the inbox
 };
 
 asio::awaitable<bool> WebSocketSession::accept(HttpRequest upgrade) {
     const auto& limits = context_.service.limits();
     beast::get_lowest_layer(socket_).expires_never(); // the WebSocket has its own time-outs
     ::setsockopt(beast::get_lowest_layer(socket_).socket().native_handle(), IPPROTO_TCP, TCP_NOTSENT_LOWAT,
-                 &unsent_bytes, sizeof unsent_bytes); // where it is missing, texts only wait longer
+                 &unsent_bytes, sizeof unsent_bytes); // optional: without it texts wait longer
     websocket::stream_base::timeout timeouts{};
     timeouts.handshake_timeout = std::chrono::milliseconds(500) * limits.drain_seconds;
     timeouts.idle_timeout = std::chrono::seconds(limits.websocket_idle_seconds);
@@ -98,7 +98,7 @@ asio::awaitable<bool> WebSocketSession::accept(HttpRequest upgrade) {
         if (kind == websocket::frame_type::close && socket_.reason().code > last_close_code) cut(); // no echo
     });
     socket_.read_message_max(limits.message_bytes);
-    socket_.auto_fragment(false); // frames leave in one piece, without a copy
+    socket_.auto_fragment(false); // writes each message as one WebSocket frame, without a copy
     error_code error;
     co_await socket_.async_accept(upgrade, asio::redirect_error(asio::use_awaitable, error));
     co_return !error;
@@ -158,7 +158,7 @@ asio::awaitable<void> WebSocketSession::read() {
         beast::flat_buffer buffer;
         error_code error;
         co_await socket_.async_read(buffer, asio::redirect_error(asio::use_awaitable, error));
-        if (error) co_return; // closed, gone, silent for too long; Beast has answered 1002, 1007 or 1009 where due
+        if (error) co_return; // closed, gone or idle too long; Beast has sent 1002, 1007 or 1009 where due
         if (close_) continue;
         if (socket_.got_text()) ++context_.counters.texts_received;
         inbox_bytes_ += buffer.size();
@@ -191,7 +191,7 @@ asio::awaitable<void> WebSocketSession::handle_in_order() {
     }
 }
 
-// Of a binary message; returns why the connection ends for it, or nothing.
+// Handles a binary message. Returns the reason to close the connection, or an empty text.
 std::string WebSocketSession::take_binary(std::string_view bytes, const Answer& reply) {
     const std::span message(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size());
     auto problem = peer_->binary(message);
@@ -199,7 +199,7 @@ std::string WebSocketSession::take_binary(std::string_view bytes, const Answer& 
     return problem.value_or(std::string());
 }
 
-// Slow methods answer later, from other threads, perhaps when the socket has gone; texts after theirs do not wait.
+// Slow methods answer later, from other threads, possibly after the socket has gone. Later texts do not wait for them.
 Answer WebSocketSession::answer() {
     return [weak = weak_from_this(), outbox = outbox_, executor = socket_.get_executor()](std::string text) {
         if (!text.empty()) outbox->push_text(std::move(text));
@@ -237,17 +237,17 @@ asio::awaitable<void> WebSocketSession::write() {
         context_.counters.bytes_sent += asio::buffer_size(bytes);
         if (outbox_->sent()) peer_->has_room();
     }
-    cut(); // also ends a read that waits for a peer who is gone
+    cut(); // also ends a read that waits for a lost peer
 }
 
-// The first time it waits for the answers and until they are read, the second time for neither, the third time not even
-// for the client's own close.
+// First call: closes after all answers have been read. Second call: closes without waiting for answers. Third call:
+// cuts without waiting for the client's close.
 void WebSocketSession::drain() {
     if (!close_) return request_close(close_code::going_away, "the server stops");
     const bool is_third = std::exchange(closes_now_, true);
     outbox_->close();
     if (writing_ || is_third)
-        cut(); // the client does not read, or does not answer: it would not see why
+        cut(); // the client does not read or answer: it would not see a close reason
     else
         outbox_changed_.cancel();
 }

@@ -1,5 +1,5 @@
-// A WebSocket: texts and pieces of uploads in, handled in order on a worker thread; answers, notifications and frames
-// out.
+// A WebSocket. Texts and upload pieces come in and are handled in order on worker threads; answers, notifications and
+// frames go out.
 #pragma once
 
 #include "gateway/asio.hpp"
@@ -9,8 +9,8 @@
 
 namespace ciel::gateway {
 
-// `client` comes with its address, user and token; the rest is filled in here. Ends when the connection, its last
-// method and its last write have ended.
+// `client` has remote, user and has_token set; the other members are set here. Ends after the connection, its last call
+// and its last write have ended.
 asio::awaitable<void> websocket_session(beast::tcp_stream stream, HttpRequest upgrade, Client client, OnDrain on_drain,
                                         Context& context, asio::thread_pool& workers);
 

@@ -8,9 +8,9 @@
 namespace ciel::geometry {
 namespace {
 
-constexpr double margin_of_side = 0.01;      // of the domain along that axis
-constexpr double finer_than_sides = 1.0 / 3; // length of a body's faces in those of the flat sides
-constexpr double most_of_boundary = 2.0 / 3; // more of its area is the domain's own boundary: pipes, channels
+constexpr double margin_of_side = 0.01;      // fraction of the domain's extent along the axis
+constexpr double finer_than_sides = 1.0 / 3; // edge length of a body's faces relative to flat sides
+constexpr double most_of_boundary = 2.0 / 3; // a larger patch is the domain's boundary: pipes, channels
 constexpr std::array<std::string_view, 18> no_walls{
     "inlet",  "outlet",   "inflow",    "outflow",   "farfield", "far-field", "far_field", "freestream", "symm",
     "cyclic", "periodic", "interface", "processor", "overset",  "opening",   "empty",     "interior",   "internal"};
@@ -58,7 +58,7 @@ bool is_flat_side(const Patch& patch, const BoundingBox& domain) {
 
 double length_of_faces(const Patch& patch) { return std::sqrt(patch.area / static_cast<double>(patch.faces)); }
 
-// Twice the area, along the normal (Newell).
+// Normal vector whose length is twice the area (Newell).
 Vec3d area_vector(const FaceMeshView& mesh, Index face) {
     const auto at = [&](Index vertex) {
         const float* p = &mesh.positions[std::size_t{3} * vertex];

@@ -1,4 +1,4 @@
-// Which boundary patches are bodies in the flow, and which are the outer sides of the domain.
+// Finds the boundary patches that are bodies in the flow, not outer sides of the domain.
 #pragma once
 
 #include "geometry/scene_geometry.hpp"
@@ -13,20 +13,21 @@ struct Patch {
     std::string name;
     BoundingBox box;
     double area = 0;       // in squared length units
-    std::size_t faces = 0; // its cell density: area / faces is the mean size of a face
-    std::string type = {}; // that the solver gives it; empty where it is not known
+    std::size_t faces = 0; // number of faces; area / faces is the mean area of a face
+    std::string type = {}; // from the solver; empty if not known
 };
 
-// Measures every patch of the mesh that has faces. Reads the points of all of them.
+// Measures every patch of the mesh that has faces. Reads all their points.
 [[nodiscard]] std::vector<Patch> patches_of(const store::Dataset& dataset, const store::Step& step);
 
-// The patches that are bodies: those that lie inside `domain` along two axes at least; and those that do not lie flat
-// in one of its sides and have faces of less than a third of the size of the flat ones (a terrain with buildings).
-// Where the source gives types, only patches of the type wall are; else those are none whose names say that something
-// flows through them, or that they are no surface at all.
+// Returns the patches that are bodies: walls that lie inside `domain` along at least two axes. A wall is also a body if
+// it does not lie flat in a side of the domain, its faces have less than a third of the edge length of those in flat
+// sides, and it has less than 2/3 of the boundary's area (a terrain with buildings).
+// If any patch has the type wall or mappedWall, only such patches are walls. Otherwise names decide: names of flow
+// through a patch, or of a patch that is no surface, exclude it.
 [[nodiscard]] std::vector<Patch> bodies_of(std::span<const Patch> patches, const BoundingBox& domain);
 
-// The box around them. REQUIRES: one patch at least.
+// Returns the bounding box of the patches. REQUIRES: at least one patch.
 [[nodiscard]] BoundingBox box_around(std::span<const Patch> patches);
 
 } // namespace ciel::geometry

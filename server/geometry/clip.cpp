@@ -9,10 +9,10 @@
 namespace ciel::geometry {
 namespace {
 
-// Of the diagonal: some fifty times the rounding of positions, and a fiftieth of a pixel of a large picture.
+// Fraction of the diagonal: about 50 times the rounding of positions, and 1/50 of a pixel of a large picture.
 constexpr double slack_of_diagonal = 5e-6;
 
-// Beyond any mesh, and still a float: an infinite distance is no distance to a graphics card, which drops everything.
+// Beyond any mesh, but a finite float: at an infinite distance, a graphics card drops everything.
 constexpr double farthest = 1e30;
 
 template <class F>
@@ -21,7 +21,7 @@ void for_planes(const scene::Scene& scene, F&& f) {
         if (const auto* clip = std::get_if<scene::ClipLayer>(&layer.kind); clip != nullptr && layer.visible) f(*clip);
 }
 
-// Nothing is in a sheet, but the caps that close both of its sides would be seen.
+// True if at most a sheet remains. It has no content, but the caps on both of its sides would be visible.
 bool leave_a_sheet_at_most(const std::vector<HalfSpace>& planes, const Geometry& geometry) {
     if (planes.empty()) return false;
     const double slack = clip_slack(geometry);

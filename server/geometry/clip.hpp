@@ -1,4 +1,4 @@
-// The clip planes of a scene as what they leave, and what of it polygons keep.
+// Clip planes of a scene as half-spaces, and polygons clipped by them.
 #pragma once
 
 #include "ciel/clip_surface.hpp"
@@ -6,18 +6,19 @@
 
 namespace ciel::geometry {
 
-// Of the visible clip layers, in drawing order, for positions and bounds of `geometry`. One that keeps nothing where
-// they leave no more than a sheet of the box, within clip_slack.
+// Returns the kept half-spaces of the visible clip layers, in drawing order, as offsets from the geometry's origin.
+// If at most a sheet of the bounding box remains, within clip_slack, returns one half-space that keeps nothing.
 [[nodiscard]] std::vector<HalfSpace> clip_planes(const scene::Scene& scene, const Geometry& geometry);
-// Those of them that close what they cut open.
+// Returns the visible clip layers that have caps, in drawing order.
 [[nodiscard]] std::vector<const scene::ClipLayer*> capping(const scene::Scene& scene);
 
-// What lies this near to a plane stays: caps and slices in the plane itself must not be cut to pieces by rounding.
+// Returns the distance in length units by which points beyond a plane are still kept. Without it, rounding would cut
+// caps and slices in the plane itself to pieces.
 [[nodiscard]] double clip_slack(const Geometry& geometry);
-// (normal, offset) of each plane moved out by the slack, for shaders: kept where dot(normal, position) + offset >= 0.
+// Returns the planes, moved out by the slack, as (normal, offset): kept where dot(normal, position) + offset >= 0.
 [[nodiscard]] std::vector<std::array<float, 4>> shader_planes(const Geometry& geometry);
 
-// What the picture shows of a drawable's polygons, with its scalars.
+// Returns a drawable's polygons, clipped by the planes of `geometry`, with their scalars.
 [[nodiscard]] ClippedSurface clipped(const Geometry& geometry, const Drawable& drawable);
 
 } // namespace ciel::geometry

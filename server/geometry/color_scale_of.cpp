@@ -7,15 +7,15 @@
 namespace ciel::geometry {
 namespace {
 
-constexpr double largest_of_range = 4e37; // the inverse of twice as much is no subnormal float
-constexpr double smallest_of_log = 1e-37; // smaller ones lose digits as floats, or are zero to a graphics card
+constexpr double largest_of_range = 4e37; // the inverse of twice this is not a subnormal float
+constexpr double smallest_of_log = 1e-37; // smaller floats lose digits, or a graphics card flushes them to zero
 
-// A range may be wider than a float: of its end what a graphics card can still divide by the width of.
+// Limits an end of a range so that a graphics card can divide by the range's width.
 double within_floats(double end) { return std::clamp(end, -largest_of_range, largest_of_range); }
 
 std::array<double, 2> range_above_zero(std::array<double, 2> range) {
     auto [low, high] = range;
-    if (!(high > 0)) return {1, 10}; // nothing is on it: is_shown_by
+    if (!(high > 0)) return {1, 10}; // no value has a place on it: is_shown_by
     if (!(low > 0)) low = high * std::pow(10, -log_decades);
     return {std::max(low, smallest_of_log), std::max(high, smallest_of_log)};
 }

@@ -1,5 +1,5 @@
-// From what a scene says of colors to the scale that is drawn: here the range of the data comes in. The browser's
-// legend follows the same rules (webclient/src/scene/color_range.ts).
+// Turns a scene's coloring and the range of the data into the color scale that is drawn. The browser's legend follows
+// the same rules (webclient/src/model/color_range.ts).
 #pragma once
 
 #include "color/color_scale.hpp"
@@ -9,15 +9,15 @@
 
 namespace ciel::geometry {
 
-// How far a logarithmic scale reaches down from the largest value of data that hold zero.
+// Decades below the maximum that a logarithmic scale covers if the minimum is not above zero.
 inline constexpr double log_decades = 6;
 
-// data_range: the array's, at the shown step.
+// `data_range`: of the array at the shown step.
 [[nodiscard]] color::ColorScale color_scale_of(const scene::Coloring& coloring, std::array<float, 2> data_range);
-// False where data without a value above zero stand against a logarithmic scale that is to take their range.
+// Returns false if a logarithmic scale takes its range from data without a value above zero.
 [[nodiscard]] bool is_shown_by(const scene::Coloring& coloring, std::array<float, 2> data_range);
 
-// The scale's members as in a scene's coloring, without map and range and without those that are the default.
+// Returns the scale's members as in a scene's coloring, without map, range and members with default values.
 [[nodiscard]] nlohmann::json json_of(const color::ColorScale& scale);
 
 } // namespace ciel::geometry

@@ -9,23 +9,23 @@ namespace ciel::geometry {
 
 [[nodiscard]] std::uint64_t unique_number(); // never 0, never twice
 
-// An iso-surface colored by its own array has one color, `value`: what interpolation makes of it would differ by
-// rounding, and so lie on both sides of a step's bound.
+// The array of an iso-surface. If the surface is colored by this array, all its vertices get `value`: interpolated
+// values would differ by rounding and lie on both sides of a color step's bound.
 struct OfArray {
     std::string array;
-    std::optional<double> value; // that the shape has everywhere of the array it is colored by
+    std::optional<double> value; // constant value of the coloring array, if it has one
 };
 
-// Scalars of one shape by one array, interpolated again only when either changes. Where the array is of
-// the cells or of the boundary's faces, the polygons share no vertices, and each has the value of its cell or face.
+// Scalars of one shape by one array, interpolated again only when shape, array or step changes. For arrays of cells or
+// boundary faces, polygons share no vertices, and each has the value of its cell or face.
 struct Painted {
     std::shared_ptr<const Shape> shape;
-    std::shared_ptr<const Shape> sound; // without the cells that blew up (sound_shape.hpp); mostly `shape` itself
-    std::shared_ptr<const Shape> flat;  // `sound` with separated polygons, where it is shown so
+    std::shared_ptr<const Shape> sound; // without cells that blew up (sound_shape.hpp); usually `shape` itself
+    std::shared_ptr<const Shape> flat;  // `sound` with separated polygons; null for point arrays
     std::string array;
     std::size_t step = 0;
     std::shared_ptr<const std::vector<float>> scalars;
-    bool missing = false; // some of them are no numbers
+    bool missing = false; // some scalars are NaN or infinite
     std::uint64_t identity = unique_number(), revision = 0;
 
     [[nodiscard]] std::size_t memory_bytes() const {
@@ -33,7 +33,7 @@ struct Painted {
                (sound && sound != shape ? bytes_of(*sound) : 0);
     }
     [[nodiscard]] const std::shared_ptr<const Shape>& shown() const { return flat ? flat : sound; }
-    // `of`: the array that the shape is an iso-surface of; cells without a number for it are left out, too.
+    // `of`: the array of the iso-surface; cells without a number for it are left out, too. Throws store::NotWritten.
     void paint(const std::shared_ptr<const Shape>& new_shape, const std::string& new_array, std::size_t new_step,
                store::LoadedDataset& loaded, const OfArray& of = {});
 
@@ -49,13 +49,13 @@ struct Outlined {
 
     [[nodiscard]] std::size_t memory_bytes() const { return edges ? edges->size() * sizeof(Index) : 0; }
     void follow(const std::shared_ptr<const Shape>& new_shape);
-    void forget() { *this = {}; } // nobody looks at them
+    void forget() { *this = {}; } // not shown
 };
 
 // Contour lines of one shape, found again only when the shape, the array, its step or the values change.
 struct Contoured {
     std::shared_ptr<const Shape> of, lines;
-    std::shared_ptr<const std::vector<float>> scalars; // a line's value at its points; null where it has one color
+    std::shared_ptr<const std::vector<float>> scalars; // per point the value of its line; null for a solid color
     std::string array;
     std::size_t step = 0;
     std::vector<double> values;
@@ -64,10 +64,10 @@ struct Contoured {
     [[nodiscard]] std::size_t memory_bytes() const;
     void follow(const std::shared_ptr<const Shape>& shape, const std::string& new_array, std::size_t new_step,
                 const std::vector<double>& new_values, bool colored, store::LoadedDataset& loaded);
-    void forget() { *this = {}; } // nobody looks at them
+    void forget() { *this = {}; } // not shown
 };
 
-// One nu of one field. `field` is declared before `query`, which reads it until it is destroyed.
+// One iso-value `nu` of one field. `query` reads `field` until it is destroyed, so `field` is declared first.
 struct Cut {
     store::ScalarField field;
     std::string field_name;
@@ -81,32 +81,34 @@ struct Cut {
     Contoured contoured;
 
     void use_field(const std::string& name, store::ScalarField new_field, Extraction extraction);
-    // False when stopped; the shape is then made anew by the next call.
+    // Returns false if stopped; the next call then extracts again.
     bool extract(double new_nu, bool new_normals, const std::stop_token& stop);
-    void show(std::shared_ptr<const Shape> made, double at_nu); // without normals, instead of what `extract` gives
+    void show(std::shared_ptr<const Shape> made, double at_nu); // replaces the extracted shape; no normals
     [[nodiscard]] std::size_t memory_bytes() const;
 };
 
 struct Boundary {
-    std::string key; // what it was made from
+    std::string key; // identifies its inputs
     std::shared_ptr<const Shape> shape;
     std::shared_ptr<const Shape> of;     // the whole cap that `shape` is a part of
-    std::vector<std::uint8_t> cells;     // flags of those that a threshold keeps; empty: no threshold
-    std::size_t thinned = 1, points = 0; // points: every so manyth of so many is in the shape
+    std::vector<std::uint8_t> cells;     // a flag per cell: kept by the threshold; empty: no threshold
+    std::size_t thinned = 1, points = 0; // of a points layer: one in `thinned` of `points` is shown
     Painted painted;
     Outlined outlined;
 
     [[nodiscard]] std::size_t memory_bytes() const;
 };
 
-// The faces of the patches, or of all cells or those kept; `kept` has a flag per cell or is empty.
+// Returns the faces of the patches `groups` that belong to kept cells. Without groups, returns the boundary of the
+// mesh, or of the kept cells. `kept` has a flag per cell or is empty: all cells.
 [[nodiscard]] Surface boundary_surface(const store::Dataset& dataset, const store::Step& step,
                                        const std::vector<std::string>& groups, std::span<const std::uint8_t> kept);
 [[nodiscard]] std::shared_ptr<const Shape> triangles_shape(Surface&& surface);
 // The edges of a boundary as lines: all, or those where it bends by more than `angle` degrees.
 [[nodiscard]] std::shared_ptr<const Shape> edges_shape(Surface&& boundary, std::optional<double> angle);
-// Its vertices, or those of all kept cells.
+// Returns one in `thinned` of the vertices.
 [[nodiscard]] std::shared_ptr<const Shape> points_shape(const Surface& boundary, std::size_t thinned);
+// Returns the vertices of all kept cells, without polygons.
 [[nodiscard]] Surface cell_vertices(const FaceMeshView& mesh, std::span<const std::uint8_t> kept);
 [[nodiscard]] std::shared_ptr<const Shape> outline_shape(Vec3d minimum, Vec3d maximum, Vec3d origin);
 

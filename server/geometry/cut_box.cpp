@@ -34,7 +34,7 @@ std::vector<HalfSpace> unit_length(std::vector<HalfSpace> planes) {
 
 } // namespace
 
-// They are where three of its planes meet inside all.
+// A corner is a point where three planes meet and that lies inside all the others.
 std::vector<Vec3d> corners_of_cut_box(const Geometry& geometry, const std::vector<HalfSpace>& cutting) {
     std::vector<HalfSpace> planes = unit_length(cutting);
     double size = 0;

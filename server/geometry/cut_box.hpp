@@ -1,12 +1,12 @@
-// What clip planes leave of a mesh's box.
+// The part of a mesh's bounding box that clip planes leave.
 #pragma once
 
 #include "geometry/scene_geometry.hpp"
 
 namespace ciel::geometry {
 
-// The corners of the convex body that is left, as offsets from the geometry's origin, some of them more than once; none
-// where nothing is left. `cutting`: of any length.
+// Returns the corners of the remaining convex body as offsets from the geometry's origin, possibly with duplicates.
+// Empty if nothing remains. `cutting`: normals of any length.
 [[nodiscard]] std::vector<Vec3d> corners_of_cut_box(const Geometry& geometry, const std::vector<HalfSpace>& cutting);
 
 } // namespace ciel::geometry

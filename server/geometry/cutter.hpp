@@ -1,4 +1,4 @@
-// What clip planes leave of points, lines and convex polygons, by the rule of the shaders (clip_slack).
+// Clips points, lines and convex polygons by the clip planes, with the tolerance of the shaders (clip_slack).
 #pragma once
 
 #include "geometry/scene_geometry.hpp"
@@ -11,7 +11,7 @@ public:
 
     [[nodiscard]] bool cuts() const { return !planes_.empty(); }
     [[nodiscard]] bool keeps(const Vec3f& point) const;
-    // The corners of what is left (Sutherland and Hodgman 1974); none where all is cut away.
+    // Returns the corners of the remaining part (Sutherland and Hodgman 1974); empty if all is cut away.
     [[nodiscard]] std::vector<Vec3d> rest_of(std::vector<Vec3d> corners) const;
     [[nodiscard]] const std::vector<HalfSpace>& planes() const { return planes_; }
 
@@ -21,6 +21,6 @@ private:
 
 [[nodiscard]] double distance(const HalfSpace& half, const Vec3d& point);
 [[nodiscard]] Vec3d wide(const Vec3f& point);
-[[nodiscard]] std::size_t corners_of(const Drawable& drawable); // three of a triangle, two of a line, one of a point
+[[nodiscard]] std::size_t corners_of(const Drawable& drawable); // three per triangle, two per line, one per point
 
 } // namespace ciel::geometry

@@ -23,7 +23,7 @@ struct Candidate {
     std::size_t step = 0;
 };
 
-// One scalar per point array that varies, at its first step that varies: vectors and tensors by their magnitude.
+// One scalar per point array that varies, at the first step at which it does. Vectors and tensors by their magnitude.
 std::vector<Candidate> candidates(const store::Dataset& dataset) {
     std::vector<Candidate> found;
     for (const store::ArrayInfo& array : dataset.info().arrays) {
@@ -61,7 +61,7 @@ double sensible_value(const std::vector<float>& values) {
     return (at(0) + at(1)) / 2;
 }
 
-// `thin`: straight along this axis, as a plane is drawn on paper.
+// `thin`: the camera looks straight along this axis, as on a drawing of the plane.
 json camera_of(const BoundingBox& box, std::optional<std::size_t> thin) {
     annotations::Camera camera = annotations::default_camera(box.low, box.high, default_aspect);
     if (thin) {
@@ -80,7 +80,7 @@ BoundingBox domain_of(const store::Dataset& dataset, const store::Step& step) {
     return {{b[0], b[2], b[4]}, {b[1], b[3], b[5]}};
 }
 
-// The cells that an array of the points was made from tell more of a run that blew up than the points do.
+// The cells that a point array was made from are checked, too: they show more of a run that blew up.
 bool is_finite(const store::Step& step, const std::string& array) {
     const auto written = step.arrays.find(array);
     if (written == step.arrays.end() || written->second.invalid > 0) return false;
@@ -89,8 +89,8 @@ bool is_finite(const store::Step& step, const std::string& array) {
     return std::isfinite(written->second.range[0]) && std::isfinite(written->second.range[1]);
 }
 
-// Of the steps with the most point arrays that are written and have finite values everywhere, the last: a run that blew
-// up is shown before that. REQUIRES: one step at least.
+// Returns the last of the steps with the most point arrays that are written and finite everywhere. So a run that blew
+// up is shown before it did. REQUIRES: at least one step.
 std::size_t last_whole_step(const store::Dataset& dataset) {
     std::size_t last = 0;
     std::ptrdiff_t most = -1;
@@ -111,8 +111,8 @@ bool has_name(const store::ArrayInfo& array, std::span<const std::string_view> n
     });
 }
 
-// The first of these names, in lower case, that a point array with so many components has at this step and varies; else
-// the first array that does; null without one.
+// Returns the first array of the points with `components` that varies at this step and has one of the names; else the
+// first such array of any name, or null. `names`: in lower case.
 const store::ArrayInfo* preferred(const store::Dataset& dataset, const store::Step& step, int components,
                                   std::span<const std::string_view> names) {
     const store::ArrayInfo* first = nullptr;
@@ -126,12 +126,12 @@ const store::ArrayInfo* preferred(const store::Dataset& dataset, const store::St
     return first;
 }
 
-// Through the middle of the bodies, across the axis along which they reach through the whole domain, as cylinders and
-// wings between walls do; else along which they are thinnest.
+// Returns the axis across which the slice lies: one along which the bodies span the whole domain, as cylinders and
+// wings between walls do, else the one along which they are thinnest.
 std::size_t axis_of_slice(const BoundingBox& bodies, const BoundingBox& domain) {
     constexpr double whole = 0.98, as_thin = 1.01;
     const auto length = [](const BoundingBox& box, std::size_t axis) { return box.high[axis] - box.low[axis]; };
-    std::size_t axis = 1; // seen from the default camera's side
+    std::size_t axis = 1; // such a slice faces the default camera
     for (const std::size_t other : {0U, 2U})
         if (as_thin * length(bodies, other) < length(bodies, axis)) axis = other;
     for (const std::size_t other : {0U, 1U, 2U})
@@ -139,7 +139,7 @@ std::size_t axis_of_slice(const BoundingBox& bodies, const BoundingBox& domain) 
     return axis;
 }
 
-// The axis along which a mesh is one layer of cells: one of its patches is said to be none of its boundary.
+// Returns the thinnest axis if a patch has the type empty or wedge: the mesh is one layer of cells along it.
 std::optional<std::size_t> thin_axis(std::span<const Patch> patches, const BoundingBox& domain) {
     if (std::ranges::none_of(patches,
                              [](const Patch& patch) { return patch.type == "empty" || patch.type == "wedge"; }))
@@ -167,8 +167,8 @@ constexpr std::array<std::string_view, 6> pressures{"p",     "pressure", "static
                                                     "p_rgh", "pmean"};
 constexpr std::array<std::string_view, 6> velocities{"u", "velocity", "v", "vel", "umean", "ux"};
 
-// What an engineer looks at first: pressure on the bodies, speed around them, at the end of the run. `thin`: where the
-// mesh is one layer of cells, the axis across it.
+// Adds the usual first view of an engineer: pressure on the bodies, speed around them, at the end of the run. `thin`:
+// the axis across a mesh of one layer of cells.
 void show_bodies(const store::Dataset& dataset, const store::Step& step, std::span<const Patch> bodies,
                  std::optional<std::size_t> thin, json& scene) {
     const store::ArrayInfo* scalar = preferred(dataset, step, 1, pressures);
@@ -186,14 +186,14 @@ void show_bodies(const store::Dataset& dataset, const store::Step& step, std::sp
     layers["slice"] = slice_across(axis, box, vector != nullptr ? vector : scalar);
 }
 
-// A mesh of one layer of cells: what lies in the layer.
+// Adds a slice within a mesh of one layer of cells.
 void show_layer(const store::Dataset& dataset, const store::Step& step, std::size_t axis, json& scene) {
     const store::ArrayInfo* vector = preferred(dataset, step, 3, velocities);
     const store::ArrayInfo* scalar = preferred(dataset, step, 1, pressures);
     scene["layers"]["slice"] = slice_across(axis, domain_of(dataset, step), vector != nullptr ? vector : scalar);
 }
 
-// Where there are no bodies: the boundary where nothing varies, else an iso-surface.
+// For meshes without bodies: adds an iso-surface, or the boundary if nothing varies.
 void show_iso_surface(store::LoadedDataset& loaded, const std::vector<Candidate>& scalars, json& scene) {
     const auto dataset = loaded.dataset();
     json& layers = scene["layers"];

@@ -8,16 +8,18 @@
 
 namespace ciel::geometry {
 
-struct DefaultScene {        // NOLINT(bugprone-exception-escape): of what a json moves, nothing throws
+struct DefaultScene {        // NOLINT(bugprone-exception-escape): moving a json does not throw
     nlohmann::json document; // with an explicit camera
     BoundingBox box;         // what the camera looks at: the bodies, or the whole mesh
 };
 
+// Returns the scene that a dataset is first shown with. `name`: of the dataset in the catalog. All have an outline.
 // With bodies (bodies.hpp): the last step whose arrays are written and finite; the bodies, colored by pressure or else
 // by the first scalar that varies; one slice through them, colored by speed; the camera on them.
-// Without: an iso-surface of the first point scalar that is not constant, at the first step where it is not, halfway
-// between the values that 5 % and 95 % of the vertices stay below: a plateau, such as the free stream, does not hold
-// it. Colored by another scalar where there is one. An outline in both. `name`: of the dataset in the catalog.
+// Without bodies, in a mesh of one layer of cells: a slice within the layer, at that step.
+// Otherwise: an iso-surface of the first point scalar that varies, at the first step at which it does, colored by
+// another scalar if there is one. Its value is halfway between the 5th and 95th percentile of the values at vertices:
+// so it is not that of a plateau, such as the free stream. If no scalar varies: the boundary.
 [[nodiscard]] DefaultScene default_scene(store::LoadedDataset& loaded, const std::string& name);
 
 } // namespace ciel::geometry

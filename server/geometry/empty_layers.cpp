@@ -24,8 +24,8 @@ bool is_seen(const Drawable& drawable, const Cutter& cutter) {
     return false;
 }
 
-// A volume fills its boundary: planes that leave none of it may still cut through the middle of one cell, so what all
-// of it lies beyond is asked of each plane by itself.
+// A volume is hidden if all its boundary vertices lie beyond one plane. Each plane is tested by itself: planes that
+// together remove all vertices may leave a part in the middle of a cell.
 bool is_seen(const SlabMesh& boundary, const Geometry& geometry) {
     const auto& vertices = boundary.vertices;
     return !vertices.empty() && std::all_of(geometry.clip.begin(), geometry.clip.end(), [&](const HalfSpace& plane) {
@@ -38,7 +38,7 @@ std::string range_text(const std::array<double, 2>& range) {
     return annotations::number_label(range[0]) + " to " + annotations::number_label(range[1]);
 }
 
-// Of a layer that has no polygons, lines or points at all.
+// Reason for a layer without any polygons, lines or points.
 struct Absence {
     const Geometry& geometry;
     const store::Dataset& dataset;

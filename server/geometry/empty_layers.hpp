@@ -1,13 +1,12 @@
-// Why nothing is seen of a layer that is switched on.
+// Reasons why a visible layer shows nothing.
 #pragma once
 
 #include "geometry/scene_geometry.hpp"
 
 namespace ciel::geometry {
 
-// Of the visible layers that have something to show at all (outlines and clips have not), those of which no picture of
-// `geometry` shows anything, whatever the camera, in their order. Those that `geometry.empty` holds already are left
-// out. Reads `geometry`'s shapes only where planes cut them: to the first point that stays.
+// Returns the visible layers of which `geometry` shows nothing from any camera, in layer order. Outlines, clips and
+// layers in `geometry.empty` are left out. Reads the shapes only if planes cut them, up to the first point that stays.
 [[nodiscard]] std::vector<EmptyLayer> empty_layers(const Geometry& geometry, const scene::Scene& scene,
                                                    const store::Dataset& dataset);
 

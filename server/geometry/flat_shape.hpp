@@ -5,11 +5,11 @@
 
 namespace ciel::geometry {
 
-// The same polygons, no two of which have a common vertex.
+// Returns the same polygons without shared vertices.
 [[nodiscard]] std::shared_ptr<const Shape> separated(const Shape& shape);
 
-// For each of its vertices the value of its polygon's item; `none` has store::no_value. `items`: one per polygon.
-// Throws Error where an item has no value.
+// Returns per vertex the value of its polygon's item; store::no_value if the item is `none`. `items`: one per polygon.
+// Throws Error if an item is not in `values`.
 [[nodiscard]] std::vector<float> flat_values(const Surface& separated, std::span<const Index> items,
                                              std::span<const float> values);
 

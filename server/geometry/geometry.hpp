@@ -1,4 +1,4 @@
-// What a scene shows: surfaces, lines, points and slabs of a volume, with what says how they are drawn.
+// Content of a scene: surfaces, lines, points and slabs of volumes, with their drawing attributes.
 #pragma once
 
 #include "ciel/clip_surface.hpp"
@@ -13,7 +13,7 @@
 
 namespace ciel::geometry {
 
-// Positions are offsets from Geometry::origin. A boundary surface has points with a == b: a mesh vertex itself.
+// Positions are offsets from Geometry::origin. Points of a boundary surface are mesh vertices: a == b.
 struct Shape {
     Surface surface;
     std::vector<Index> indices; // three per triangle, two per line, one per point
@@ -27,20 +27,20 @@ struct Drawable { // one iso-value, slice, boundary surface or outline of a laye
     float line_width = 1.5F;                           // pixels
     std::shared_ptr<const std::vector<float>> scalars; // one per surface vertex; null: the solid color
     std::string array;                                 // of the scalars
-    std::string units;                                 // of the array, empty where not known
-    std::vector<std::string> legend_lines;             // what a legend says of the array at this step besides
+    std::string units;                                 // of the array; empty if not known
+    std::vector<std::string> legend_lines;             // further lines of the legend, about the array at this step
     color::ColorScale scale;                           // of the scalars
-    bool missing = false;                              // some of the scalars are no numbers
-    bool all_left_out = false;                         // its polygons were all of cells that blew up
+    bool missing = false;                              // some scalars are NaN or infinite
+    bool all_left_out = false;                         // all its polygons were of cells that blew up
     std::array<float, 4> color{0.8F, 0.8F, 0.8F, 1};   // alpha: the layer's opacity
     bool lit = true;
-    bool contours = false;      // lines on the layer, whose colors are on a scale of their own
+    bool contours = false;      // contour lines on the layer, with their own color scale
     std::uint64_t identity = 0; // the same from one scene to the next, unique in the process
     std::uint64_t revision = 0; // changes with shape and scalars, unique in the process
 
     [[nodiscard]] bool lines() const { return edges != nullptr || shape->lines; }
     [[nodiscard]] bool points() const { return edges == nullptr && shape->points; }
-    [[nodiscard]] bool is_on_surface() const { return edges != nullptr || contours; } // that of its own layer
+    [[nodiscard]] bool is_on_surface() const { return edges != nullptr || contours; } // the surface of its own layer
     [[nodiscard]] bool polygons() const { return !lines() && !points(); }
     [[nodiscard]] std::span<const Index> indices() const { return edges ? *edges : shape->indices; }
 };
@@ -50,7 +50,7 @@ struct Slabs; // volume_cut.hpp
 struct VolumeDrawable {
     std::string layer;
     std::shared_ptr<const Slabs> slabs;
-    std::size_t stride = 1; // one slice in so many is drawn
+    std::size_t stride = 1; // one slice in `stride` is drawn
     std::string array, units;
     std::vector<std::string> legend_lines;
     bool all_left_out = false;
@@ -59,10 +59,10 @@ struct VolumeDrawable {
     double unit_length = 1;
     bool shaded = true;
     float opacity = 1;
-    std::uint64_t identity = 0, revision = 0; // as a Drawable's, of the slabs
+    std::uint64_t identity = 0, revision = 0; // of the slabs, as a Drawable's
 };
 
-struct EmptyLayer { // one that is switched on and shows nothing
+struct EmptyLayer { // a visible layer that shows nothing
     enum class Why { outside, threshold, clipped, opacity, missing, nothing };
 
     std::string layer;
@@ -77,25 +77,25 @@ struct BoundingBox { // in the dataset's coordinates
     bool operator==(const BoundingBox&) const = default;
 };
 
-// What one scene shows. Immutable, owns all its arrays, may be read from any thread.
+// Content of one scene. Immutable, owns all its arrays, may be read from any thread.
 struct Geometry {
     std::vector<Drawable> drawables;     // visible layers, in drawing order
     std::vector<VolumeDrawable> volumes; // likewise
-    std::vector<HalfSpace> clip;         // cut all volumes, and all drawables, which are whole (clip.hpp); of offsets
+    std::vector<HalfSpace> clip;         // for offsets; drawables and volumes are stored unclipped (clip.hpp)
     Vec3d origin{}, bounds_min{}, bounds_max{};
     std::array<double, 6> first_mesh_bounds{}; // of the dataset's first mesh, whatever is shown: x0, x1, y0, y1, z0, z1
     double time = 0;                           // of the step shown
     std::size_t step = 0;
-    std::string length_units; // empty where not known
+    std::string length_units; // empty if not known
     std::size_t triangles = 0, bytes = 0;
-    // A sentence for each layer that is left out, or left uncolored, because its array was not written at this step.
+    // One sentence per layer that is left out or uncolored because its array has no usable values at this step.
     std::vector<std::string> lacking;
-    std::vector<std::string> remarks; // likewise what is shown in another way than was asked for, or in part
-    std::vector<EmptyLayer> empty;    // those have no legend either
+    std::vector<std::string> remarks; // one sentence per part of the scene that is shown otherwise, or in part
+    std::vector<EmptyLayer> empty;    // these have no legend
 };
 [[nodiscard]] bool is_empty(const Geometry& geometry, const std::string& layer);
 
-// Throws store::NotWritten when something is lacking: for files of surfaces, which have no place for a remark.
+// Throws store::NotWritten if `lacking` is not empty. For surface files, which have no place for a remark.
 void require_complete(const Geometry& geometry);
 
 } // namespace ciel::geometry

@@ -28,7 +28,7 @@ std::string full_name(const store::Dataset& dataset, const std::string& scalar) 
 
 namespace {
 
-// Of a line in a legend, which is as narrow as a picture can be.
+// For a line in a legend, which must fit narrow pictures.
 std::string short_number(double value) {
     std::ostringstream text;
     text << std::setprecision(4) << value;

@@ -10,7 +10,7 @@
 namespace ciel::geometry {
 namespace {
 
-// In one plane, on whichever side what is kept lies.
+// True if both lie in one plane, whichever side is kept.
 bool coincide(const scene::SliceLayer& slice, const scene::ClipLayer& clip, double diagonal) {
     double cosine = 0, apart = 0;
     for (std::size_t axis = 0; axis < 3; ++axis) {

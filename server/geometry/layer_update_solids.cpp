@@ -9,14 +9,14 @@
 namespace ciel::geometry {
 namespace {
 
-// Of a cut through the whole mesh what belongs to the cells that are shown.
+// Returns the part of a cut through the whole mesh that belongs to the shown cells.
 std::shared_ptr<const Shape> cap_shape(const std::shared_ptr<const Shape>& cut,
                                        const std::vector<std::uint8_t>& cells) {
     if (cells.empty()) return cut;
     return triangles_shape(polygons_of_cells(cut->surface, cells));
 }
 
-// Of what a plane opens: values of patches are of the outside alone, those inside have the plain name.
+// Coloring of a cap. Patch values exist only on the boundary; values inside have the name without "patch:".
 scene::Coloring inner_color(const store::Dataset& dataset, scene::Coloring color) {
     constexpr std::string_view patch = "patch:";
     if (color.array.empty()) return color;
@@ -83,11 +83,11 @@ bool LayerUpdate::operator()(const scene::Layer& layer, const scene::SurfaceLaye
     add(kept->painted, kept->shape, surface.color, layer, true);
     add_edges(kept->outlined, kept->painted.sound, surface.edges, layer);
     count(before, kept->memory_bytes());
-    return !surface.groups.empty() || add_caps(layer, surface, *kept); // patches are no solid
+    return !surface.groups.empty() || add_caps(layer, surface, *kept); // patches enclose no solid
 }
 
-// Each is the whole slice of the mesh by its plane: the other planes cut it as they cut everything. A plane in a side
-// opens nothing: the boundary's faces are there.
+// Each cap is the whole slice of the mesh by its plane; the other planes clip it like everything else. A plane in a
+// side of the mesh gets no cap: the boundary's faces are there.
 bool LayerUpdate::add_caps(const scene::Layer& layer, const scene::SurfaceLayer& surface, const Boundary& solid) {
     for (std::size_t i = 0; i < caps.size(); ++i) {
         Cut& cut = cuts[{layer.id, i}];

@@ -36,7 +36,7 @@ struct NameOf {
     std::string operator()(const scene::EdgesLayer&) const { return "Edges"; }
     std::string operator()(const scene::PointsLayer&) const { return "Points"; }
     std::string operator()(const scene::VolumeLayer&) const { return "Volume"; }
-    std::string operator()(const scene::OutlineLayer&) const { return {}; } // has no legend, nor has a clip
+    std::string operator()(const scene::OutlineLayer&) const { return {}; } // outlines and clips have no legend
     std::string operator()(const scene::ClipLayer&) const { return {}; }
 };
 

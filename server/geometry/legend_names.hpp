@@ -1,5 +1,5 @@
-// What tells apart two legends of one array: the layers that have their colors. webclient/src/scene/legend_names.ts is
-// its twin, and both are held to tests/support/legend_cases.json.
+// Names that distinguish the legends of one array: the layers that have their colors. Same rules as
+// webclient/src/model/legend_names.ts; both are tested with tests/support/legend_cases.json.
 #pragma once
 
 #include "scene/scene.hpp"
@@ -9,15 +9,15 @@
 
 namespace ciel::geometry {
 
-// Short, for it stands over a color bar. `contours`: of the lines on the layer.
+// Returns a short name, to fit above a color bar. `contours`: for the contour lines on the layer.
 [[nodiscard]] std::string legend_name_of(const scene::Layer& layer, bool contours);
 
 struct NamedLegend {
     std::string array;
-    std::vector<std::string> names; // as legend_name_of has them
+    std::vector<std::string> names; // from legend_name_of
 };
 
-// Of each legend, empty where its array says it all.
+// Returns one name per legend; empty if no other legend has the same array.
 [[nodiscard]] std::vector<std::string> legend_names(const std::vector<NamedLegend>& legends);
 
 } // namespace ciel::geometry

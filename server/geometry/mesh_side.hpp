@@ -1,4 +1,4 @@
-// The sides of a mesh along a plane's normal: where the first and the last of its vertices lie.
+// The two sides of a mesh along a plane's normal: at its first and last vertices.
 #pragma once
 
 #include "ciel/extract.hpp"
@@ -9,12 +9,13 @@
 
 namespace ciel::geometry {
 
-// Where a plane at `nu` cuts if it lies in a side, or off it by no more than rounding. High means value >= nu, so at
-// the lower end itself nothing would be cut. `range`: of the distances along the normal.
+// Returns the nu to cut at if a plane at `nu` lies in a side of the mesh within rounding; else nothing. `range`: of the
+// distances along the normal. At the lower end it returns the next float above: high means value >= nu, so the end
+// itself would cut nothing.
 [[nodiscard]] std::optional<double> side_at(double nu, std::array<float, 2> range);
 
-// The boundary's faces in the side at `nu`, which side_at gave, for a field of distances; none where the mesh ends in
-// an edge or a point there.
+// Returns the boundary's faces in the side at `nu`, a result of side_at. Empty if the mesh ends there in an edge or a
+// point. `distances`: field of distances along the normal.
 [[nodiscard]] Surface side_surface(const store::ScalarField& distances, double nu);
 
 } // namespace ciel::geometry

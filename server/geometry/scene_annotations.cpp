@@ -30,10 +30,10 @@ public:
     std::vector<annotations::Legend> legends;
 
 private:
-    std::vector<NamedLegend> named_; // likewise
+    std::vector<NamedLegend> named_; // one per legend
 };
 
-// In the order of the layers, whether they are drawn as surfaces or as volumes.
+// In layer order, for surfaces and volumes alike.
 std::vector<annotations::Legend> legends_of(const Geometry& geometry, const scene::Scene& scene, LegendsOf wanted) {
     Legends found;
     for (const scene::Layer& layer : scene.layers) {
@@ -42,7 +42,8 @@ std::vector<annotations::Legend> legends_of(const Geometry& geometry, const scen
             if (drawable.layer == layer.id && drawable.scalars)
                 found.add(layer, legend_of(drawable, drawable.missing), drawable.contours);
         for (const VolumeDrawable& volume : geometry.volumes)
-            if (volume.layer == layer.id) found.add(layer, legend_of(volume, false), false); // leaves out
+            if (volume.layer == layer.id)
+                found.add(layer, legend_of(volume, false), false); // cells without values are left out
     }
     found.tell_apart();
     return std::move(found.legends);

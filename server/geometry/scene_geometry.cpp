@@ -16,7 +16,7 @@ namespace {
 Vec3d low(const store::MeshInfo& mesh) { return {mesh.bounds[0], mesh.bounds[2], mesh.bounds[4]}; }
 Vec3d high(const store::MeshInfo& mesh) { return {mesh.bounds[1], mesh.bounds[3], mesh.bounds[5]}; }
 
-// A scene that says no time has 0, and means the first step.
+// A scene without a time has time 0 and gets no remark.
 void remark_on_time(double wanted, Geometry& geometry) {
     const double off = std::abs(geometry.time - wanted);
     if (wanted == 0 || off <= 1e-6 * std::max(std::abs(geometry.time), std::abs(wanted))) return;
@@ -60,8 +60,8 @@ std::shared_ptr<const Geometry> SceneGeometry::update(const scene::CheckedScene&
     geometry->bounds_max = high(dataset->info().meshes[step.mesh]);
 
     geometry->clip = clip_planes(scene, *geometry);
-    forget_all_but(scene); // first, for what comes needs the room
-    // Any aspect: the default camera looks the same way.
+    forget_all_but(scene); // first, to free memory for new state
+    // The aspect is arbitrary: it does not affect the default camera's direction.
     LayerUpdate run{extraction_,
                     loaded,
                     dataset,
@@ -89,7 +89,7 @@ std::shared_ptr<const Geometry> SceneGeometry::update(const scene::CheckedScene&
 }
 
 void SceneGeometry::forget_all_but(const scene::Scene& scene) {
-    std::map<std::string, std::size_t> cuts_of; // how many stay
+    std::map<std::string, std::size_t> cuts_of; // number of cuts to keep
     std::set<std::string> shown;
     const std::size_t caps = capping(scene).size();
     for (const scene::Layer& layer : scene.layers) {

@@ -1,5 +1,4 @@
-// From a scene to what is drawn: one kernel Query per iso-value and slice, kept from one scene to the next, so that
-// only what changed is computed again.
+// Turns a scene into geometry. Keeps one kernel Query per iso-value and slice, so that only changes are computed again.
 #pragma once
 
 #include "geometry/geometry.hpp"
@@ -14,7 +13,7 @@ struct Cut; // cut.hpp
 struct Boundary;
 struct VolumeCut;
 
-// Not thread-safe: one at a time.
+// Not thread-safe.
 class SceneGeometry {
 public:
     explicit SceneGeometry(Extraction extraction);
@@ -22,9 +21,9 @@ public:
     SceneGeometry(SceneGeometry&&) noexcept;
     SceneGeometry& operator=(SceneGeometry&&) noexcept;
 
-    // Brings the geometry to `checked`. Returns null when `stop` was requested. Throws Error, or LimitReached as soon
-    // as what is kept needs more than `most_bytes`, which it passes by one surface at most; it can be called again with
-    // another scene then. `moving`: for a picture that others will follow at once.
+    // Returns the geometry of `checked`, or null if `stop` was requested. Throws Error. Throws limits::LimitReached
+    // when the kept state exceeds `most_bytes`, by at most one surface; another scene may be passed then. `moving`: for
+    // a picture that others follow at once.
     [[nodiscard]] std::shared_ptr<const Geometry> update(const scene::CheckedScene& checked,
                                                          const std::stop_token& stop = {},
                                                          std::size_t most_bytes = SIZE_MAX, bool moving = false);

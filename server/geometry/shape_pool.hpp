@@ -1,4 +1,4 @@
-// A shape's buffers, used again: a hand on a slider makes a surface per frame, each about as large as the last.
+// Reuses a shape's buffers: a moving slider makes a surface per frame, each about as large as the last.
 #pragma once
 
 #include "geometry/scene_geometry.hpp"
@@ -7,14 +7,14 @@
 
 namespace ciel::geometry {
 
-// Any thread: a shape comes back when the last who holds it lets go, which may be a picture under way. One is kept.
+// Thread-safe. A shape returns when its last owner releases it, possibly a picture in progress. At most one is kept.
 class ShapePool : public std::enable_shared_from_this<ShapePool> {
 public:
     [[nodiscard]] static std::shared_ptr<ShapePool> make() { return std::make_shared<ShapePool>(); }
 
-    // Empty but for what its buffers hold.
+    // Returns an empty shape, or the kept one with stale content.
     [[nodiscard]] std::shared_ptr<Shape> take();
-    void forget(); // the one that is kept
+    void forget(); // drops the kept shape
     [[nodiscard]] std::size_t memory_bytes() const;
 
 private:

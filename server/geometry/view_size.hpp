@@ -6,7 +6,7 @@ namespace ciel::geometry {
 
 struct ViewSize {
     std::uint32_t width = 0, height = 0;
-    double pixel_ratio = 1; // so many pixels are one of the widths of lines and points
+    double pixel_ratio = 1; // pixels per unit of line width and point size
 };
 
 } // namespace ciel::geometry

@@ -12,8 +12,7 @@ annotations::Camera camera_of(const Geometry& geometry, const scene::Scene& scen
     return {camera.position, camera.target, camera.up, camera.fov, camera.parallel, camera.parallel_height};
 }
 
-// Views look from where the scene's pictures do, whether they are written on or not: a pixel of one is the same pixel
-// of the other.
+// Views use the same camera as annotated pictures of the scene, so that pixels of both correspond.
 annotations::Camera default_view(const Geometry& geometry, const scene::Scene& scene, int width, int height,
                                  double fov_degrees, bool parallel, const std::optional<BoundingBox>& of) {
     annotations::AnnotatedPicture picture;

@@ -1,4 +1,4 @@
-// From where a scene is looked at.
+// Camera of a scene.
 #pragma once
 
 #include "annotations/camera.hpp"
@@ -9,14 +9,14 @@
 
 namespace ciel::geometry {
 
-// The scene's camera, or the default view of the bounds.
+// Returns the scene's camera, or annotations::default_camera of the bounds.
 [[nodiscard]] annotations::Camera camera_of(const Geometry& geometry, const scene::Scene& scene, double aspect);
-// Of the whole of the bounds, or of a box in them, from as far as what is written over pictures of that size needs
+// Returns a camera on the bounds, or on the box `of`, far enough away for the annotations of a picture of that size
 // (annotations/make_room.hpp). width, height: pixels. Throws Error when the font is not installed.
 [[nodiscard]] annotations::Camera default_view(const Geometry& geometry, const scene::Scene& scene, int width,
                                                int height, double fov_degrees = annotations::Camera{}.fov_degrees,
                                                bool parallel = false, const std::optional<BoundingBox>& of = {});
-// Of a picture of that size: the scene's camera, or default_view.
+// Returns the viewpoint of a picture of that size: the scene's camera, or default_view. Throws as default_view.
 [[nodiscard]] annotations::Viewpoint viewpoint_of(const Geometry& geometry, const scene::Scene& scene, int width,
                                                   int height);
 

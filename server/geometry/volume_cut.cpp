@@ -11,13 +11,13 @@
 namespace ciel::geometry {
 namespace {
 
-// About as many as software draws ten times a second of a mesh whose slices have a few thousand triangles. Those of
-// larger ones have more, by two thirds of an order for each order of vertices; fewer are drawn then, though not so much
-// fewer that a thick slab loses what the mesh shows.
+// Slices while moving: as many as software draws about ten times a second if they have a few thousand triangles each.
+// Slices of larger meshes have more, by two thirds of an order for each order of vertices. So fewer are drawn, but not
+// so few that a thick slab loses detail of the mesh.
 constexpr double most_slices = 24, least_slices = 8, usual_vertices = 200'000;
-// More where slabs would lose more than this: twice as many, and those of a small mesh for as long as that takes.
+// If a slab would lose more than usual_loss: up to twice as many, and for a small mesh as many as take the same time.
 constexpr double usual_loss = 0.25, times_more = 2, most_of_all = 96;
-// Of a still.
+// Slices of a still.
 constexpr double fewest_in_all = 200, most_in_all = 1000, large_mesh = 800'000, steep = 10;
 
 double moving_slices(std::size_t vertices, double loss) {
@@ -52,7 +52,7 @@ double steepness(std::span<const std::array<double, 2>> opacity_points) {
         const auto& [from, low] = opacity_points[i - 1];
         const auto& [to, high] = opacity_points[i];
         const double rise = std::abs(color::extinction_of(high) - color::extinction_of(low));
-        if (rise > 0) steepest = std::max(steepest, rise / (to - from)); // infinite of a step
+        if (rise > 0) steepest = std::max(steepest, rise / (to - from)); // infinite at a step
     }
     return steepest;
 }
@@ -73,7 +73,7 @@ VolumeCut::VolumeCut() : identity(unique_number()) {}
 void VolumeCut::use_property(const std::string& name, std::size_t step, store::LoadedDataset& loaded) {
     const std::string wanted = std::to_string(step) + " " + name;
     if (key == wanted) return;
-    const store::ScalarField field = loaded.scalar(name, step); // throws NotWritten before anything is given up
+    const store::ScalarField field = loaded.scalar(name, step); // throws NotWritten before any change
     key.clear();
     slabs = nullptr;
     slabs_key.clear();
@@ -129,8 +129,8 @@ scene::VolumeLayer::Direction slab_direction(const scene::Scene& scene) {
 
 namespace {
 
-// In the corners of a picture that is not wider than 16 : 9. No view of 30 degrees does along those across its nearest
-// axis, whatever it looks at.
+// True if a corner ray of a picture of at most 16 : 9 makes more than 85 degrees with the slabs' normal. Never true for
+// a field of view of 30 degrees and the axis nearest to the view.
 bool sees_along_slabs(const Vec3d& view, std::size_t axis, const annotations::Camera& camera) {
     constexpr double degree = std::numbers::pi / 180, widest = 85 * degree;
     const double corner = camera.parallel ? 0 : std::tan(camera.fov_degrees / 2 * degree) * std::hypot(1.0, 16.0 / 9.0);
@@ -149,7 +149,7 @@ Vec3d slab_normal(scene::VolumeLayer::Direction direction, const annotations::Ca
     using Direction = scene::VolumeLayer::Direction;
     Vec3d view{};
     for (std::size_t axis = 0; axis < 3; ++axis) view[axis] = camera.target[axis] - camera.position[axis];
-    // Planes that turn with the camera would have to be cut anew for each picture of a turning camera.
+    // While the camera moves, such planes would have to be cut again for each picture.
     if (direction == Direction::screen && !moving) return unit_vector(view);
     std::size_t axis = 0;
     for (std::size_t other = 1; other < 3; ++other)

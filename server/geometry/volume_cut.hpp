@@ -10,32 +10,34 @@
 
 namespace ciel::geometry {
 
-// Parallel slabs of one thickness that cover the mesh; slice i is the cut of slab i's middle plane. The direction and
-// places are of dot(normal, offset from the mesh's origin).
+// Parallel slabs of equal thickness that cover the mesh. Slice i is the cut by the middle plane of slab i. Places are
+// values of dot(normal, offset from the mesh's origin).
 struct Slabs {
     Vec3d normal{};
-    double first = 0, thickness = 1; // where slab 0 begins
-    std::vector<SlabMesh> slices;    // empty where not asked for yet
+    double first = 0, thickness = 1; // start of slab 0
+    std::vector<SlabMesh> slices;    // a slice is empty if not cut yet
     std::shared_ptr<const SlabMesh> boundary;
 
     [[nodiscard]] std::size_t memory_bytes() const;
 };
 
-// What a ray along `length` loses where the volume is densest, as an exponent.
+// Returns the optical depth of `length` at the largest opacity.
 [[nodiscard]] double largest_loss(std::span<const std::array<double, 2>> opacity_points, double unit_length,
                                   double length);
 
-// Of a volume whose scene gives no number: slabs as thick whatever they are across, so that a picture is as fine from
-// any side and takes as long. Thinner ones, if the mesh is not too large, where opacity rises steeply: that looks like
-// a surface, on which each slab is a step. `length`: of all slabs; `mean_edge`: of the mesh's bounds.
+// Returns the number of slices for a scene that gives none. Slabs have the same thickness in all directions, so that
+// pictures from all sides have equal detail and cost. `length`: of all slabs; `mean_edge`: of the mesh's bounds;
+// `steepest`: from steepness. If opacity rises steeply and the mesh is not too large, slabs are thinner: a steep rise
+// looks like a surface, with a step per slab.
 [[nodiscard]] std::size_t usual_slices(double length, double mean_edge, std::size_t vertices, double steepest);
-// How fast what a ray loses in a unit length, as an exponent, changes with the property, by the range of that.
+// Returns the steepest slope of the extinction per unit length. The range of the property counts as 1.
 [[nodiscard]] double steepness(std::span<const std::array<double, 2>> opacity_points);
 
-// While something moves, one slice in so many is drawn, each for a slab so many times as thick. Odd, so that the
-// slices of a still serve: the middle plane of the thick slab is that of one of the thin ones.
-// Larger for a mesh of more vertices, so that it can be turned as well. Smaller where a slab would take much of a ray's
-// light: of what changes within that, only what is in front should be seen. `loss`: of all slabs together.
+// Returns the stride of the slices that are drawn while something moves; each stands for a slab `stride` times as
+// thick.
+// The stride is odd: the middle plane of a thick slab is then that of a thin one, and slices of a still are reused.
+// It is larger for a mesh of more vertices, to keep it interactive. It is smaller where a slab would absorb much light:
+// of changes within it, only the front should be visible. `loss`: of all slabs together (largest_loss).
 [[nodiscard]] std::size_t moving_stride(std::size_t slices, std::size_t vertices, double loss);
 
 struct VolumeCut {
@@ -46,23 +48,23 @@ struct VolumeCut {
     std::shared_ptr<const SlabMesh> boundary;
     std::shared_ptr<const Slabs> slabs;
     std::string slabs_key;
-    std::size_t stride = 1; // of the slices that are there: all, or those that are drawn while something moves
+    std::size_t stride = 1; // of the slices present: 1, or that of moving pictures
     std::uint64_t identity, revision = 0;
 
     VolumeCut();
     void use_property(const std::string& name, std::size_t step, store::LoadedDataset& loaded);
-    // One slice in `every`, if not all are there. False when stopped; what was there before is kept then.
+    // Cuts one slice in `every`, unless all are present. Returns false if stopped; the earlier slices are kept then.
     bool cut(const std::string& place, const store::ScalarField& planes, Vec3d normal, std::size_t slices,
              std::size_t every, Extraction extraction, const std::stop_token& stop);
     [[nodiscard]] std::size_t memory_bytes() const;
 };
 
-// That of the first volume that is shown, for all of them: slabs across different directions cannot be mixed in their
-// order.
+// Returns the direction of the first visible volume, for all of them: slabs of two directions cannot be sorted
+// together.
 [[nodiscard]] scene::VolumeLayer::Direction slab_direction(const scene::Scene& scene);
-// The axis that was asked for, unless the camera looks along slabs across it somewhere: of a ray in one slab only its
-// end is known. Then, and of itself, the axis nearest to the view, its sign left out; or the view's own direction,
-// which is taken too for a still that looks along slabs across that axis somewhere.
+// Returns the unit normal of the slabs: the requested axis, unless some ray of the picture runs nearly along its slabs
+// (of a ray within one slab only the end is known). Else the axis nearest to the view, without its sign. A still uses
+// the view's own direction for `screen`, or if some ray runs nearly along the slabs of the chosen axis, too.
 [[nodiscard]] Vec3d slab_normal(scene::VolumeLayer::Direction direction, const annotations::Camera& camera,
                                 bool moving);
 

@@ -17,7 +17,7 @@ bool is_file(const fs::path& path) {
     return fs::is_regular_file(path, error);
 }
 
-// A running simulation may take a file away while it is looked at.
+// Returns the earliest time on an error: a running simulation may remove a file.
 Time time_of(const fs::path& path) {
     std::error_code error;
     const Time time = fs::last_write_time(path, error);
@@ -25,7 +25,7 @@ Time time_of(const fs::path& path) {
 }
 
 Time newest_below(const fs::path& directory) {
-    Time newest = time_of(directory); // a file more or less
+    Time newest = time_of(directory); // changes when a file is added or removed
     std::error_code error;
     for (auto entry = fs::recursive_directory_iterator(directory, error);
          !error && entry != fs::recursive_directory_iterator(); entry.increment(error))
@@ -48,7 +48,7 @@ Time newest_mesh(const fs::path& constant) {
     return newest;
 }
 
-// The case itself, or the part of it that one processor wrote.
+// `directory`: a case, or the part of it that one processor wrote.
 Time newest_of_case(const fs::path& directory) {
     Time newest = std::max(time_of(directory / "system" / "controlDict"), newest_mesh(directory / "constant"));
     std::error_code error;

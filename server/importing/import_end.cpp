@@ -20,7 +20,7 @@ std::string number(double value) {
 
 struct Words {
     std::string own;   // the importer's sentence
-    std::string other; // the last that a library, the loader or the runtime said
+    std::string other; // last line of a library, the loader or the runtime
 };
 
 Words last_words(const std::string& errors) {
@@ -35,7 +35,7 @@ Words last_words(const std::string& errors) {
     return words;
 }
 
-// The loader of the program's libraries and the C++ runtime say it in words of their own.
+// The dynamic loader and the C++ runtime report it in their own words.
 bool ran_out_of_memory(const processes::ChildEnd& end, const Words& last) {
     if (end.exit_code == import_out_of_memory) return true;
     if (!last.own.empty()) return false;

@@ -1,4 +1,4 @@
-// What the end of ciel-import means to the user who waits for it.
+// Explains to the user how ciel-import ended.
 #pragma once
 
 #include "importing/importer.hpp"
@@ -6,7 +6,7 @@
 
 namespace ciel::importing {
 
-// One sentence for an end that is not success. `input`: the first, by which the import is named.
+// Returns one sentence for an end without success. `input`: the first input, which names the import.
 [[nodiscard]] std::string describe_end(const processes::ChildEnd& end, const std::string& input,
                                        const ImportLimits& limits);
 

@@ -17,7 +17,7 @@ constexpr const char* extension = ".ciel";
 
 bool is_dataset(const fs::path& path) { return fs::exists(path / store::layout::commit_marker); }
 
-// Other folders hold datasets, or will.
+// A folder that is no OpenFOAM case holds datasets, perhaps later.
 bool is_folder_of_datasets(const fs::path& path) { return fs::is_directory(path) && !is_openfoam_case(path); }
 
 fs::path without_slash(const fs::path& path) {
@@ -33,19 +33,20 @@ std::string dataset_name(const fs::path& input) {
     return name.string();
 }
 
-// Inputs of one name in different places must not be taken for each other.
+// A checksum of the path separates inputs of the same name in different folders.
 fs::path target_of(const fs::path& input, const fs::path& folder) {
     const std::string path = fs::weakly_canonical(input).string();
     const std::string sum = store::checksum(std::as_bytes(std::span(path)));
     return without_slash(folder) / sum.substr(sum.find(':') + 1) / (dataset_name(input) + extension);
 }
 
-// The marker carries the time of the input that was imported (import_one).
+// import_one sets the marker's time to that of the imported input.
 bool is_imported(const fs::path& input, const fs::path& target) {
     return is_dataset(target) && fs::last_write_time(target / store::layout::commit_marker) >= last_change(input);
 }
 
-// Of a copy that an earlier version made. Where nothing can be written, nothing can be appended either.
+// Adds the file that names the input to a copy by an earlier version. Errors are ignored: appends to an unwritable copy
+// fail anyway.
 void complete_sign(const fs::path& input, const fs::path& target) {
     try {
         store::mark_as_copy(target, input);
@@ -54,17 +55,17 @@ void complete_sign(const fs::path& input, const fs::path& target) {
     }
 }
 
-// The importer's sentence; empty when a dataset stands at `target` now.
+// Returns the importer's sentence; empty if `target` is a dataset now. Throws Error if `cancel` is set.
 std::string import_one(const fs::path& input, const fs::path& target, const ImportLimits& limits,
                        const ImportListener& listener, const std::atomic<bool>& cancel) {
     store::make_directory(target.parent_path());
     listener.line("importing " + input.string());
-    const auto imported = last_change(input); // what changes from now on may come too late for this import
+    const auto imported = last_change(input); // read before the import, which may miss later changes
     const ImportValues values{{"inputs", {input.string()}}, {"output", {target.string()}}, {"force", {"yes"}}};
     const ImportEnd end = run_import(values, limits, listener, cancel);
     if (end.exit_code == 1 || end.exit_code == 2) {
         std::error_code error;
-        fs::remove(target.parent_path(), error); // when nothing is in it
+        fs::remove(target.parent_path(), error); // only if empty
         if (cancel) throw Error(end.problem);
         return end.problem;
     }

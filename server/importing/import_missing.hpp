@@ -1,4 +1,4 @@
-// What a server is asked to serve, made servable.
+// Imports the inputs of a server that are no datasets yet.
 #pragma once
 
 #include "importing/importer.hpp"
@@ -7,13 +7,13 @@ namespace ciel::importing {
 
 struct Servable {
     std::filesystem::path path;
-    std::string problem; // the importer's sentence, when it could not be imported; nothing stands at `path` then
+    std::string problem; // the importer's sentence if the import failed; then `path` does not exist
 };
 
-// Datasets, and folders other than OpenFOAM cases, come back as they are. Everything else is imported to
-// folder/KEY/NAME.ciel, where KEY stands for the input's path and NAME is its name without extension, unless it stands
-// there and the input has not been changed since (freshness.hpp). A file beside the copy says what it is one of. Throws
-// Error for a path that does not exist, before anything is imported, and when `cancel` is set.
+// Returns datasets, and folders other than OpenFOAM cases, unchanged. Imports everything else to folder/KEY/NAME.ciel,
+// unless that exists and the input has not changed since (freshness.hpp). KEY is a checksum of the input's path, NAME
+// its name without extension. A file beside the copy names its input. Throws Error for a path that does not exist,
+// before any import, and when `cancel` is set during an import.
 [[nodiscard]] std::vector<Servable> import_missing(const std::vector<std::filesystem::path>& data,
                                                    const std::filesystem::path& folder, const ImportLimits& limits,
                                                    const ImportListener& listener, const std::atomic<bool>& cancel);

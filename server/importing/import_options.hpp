@@ -11,7 +11,7 @@ namespace ciel::importing {
 struct ImportOption {
     std::string_view name;  // the key in ImportValues
     std::string_view names; // as on the command line
-    std::string_view value; // what it takes; empty: a flag
+    std::string_view value; // name of its value; empty: a flag
     bool required;          // positional
     bool several;
     std::string_view help;
@@ -36,10 +36,10 @@ inline constexpr ImportOption import_options[] = {
      "multi, single, records, stream, iblank, no-iblank, float32, float64, text."},
 };
 
-// Before the one sentence on standard error that ciel-import ends with when it fails.
+// Prefix of the sentence on standard error with which ciel-import ends when it fails.
 inline constexpr std::string_view import_error_prefix = "ciel-import: ";
 
-// Its exit code when an allocation failed; the supervisor knows what the limit was and says so.
+// Exit code of ciel-import when an allocation failed; the caller adds the memory limit to the message.
 inline constexpr int import_out_of_memory = 4;
 
 using ImportValues = std::map<std::string, std::vector<std::string>>; // by name; a given flag has one value

@@ -1,5 +1,5 @@
-// Imports by the program ciel-import, which reads foreign files in a process of its own: whatever they do to it, the
-// caller gets a sentence and nothing half-written stays.
+// Runs imports in the separate process ciel-import. If a file crashes it, the caller gets a sentence, and no partial
+// dataset remains.
 #pragma once
 
 #include "importing/import_options.hpp"
@@ -10,13 +10,13 @@
 
 namespace ciel::importing {
 
-// Four fifths of what the machine has, so that a damaged file cannot take the rest of it along.
+// Four fifths of the machine's memory, so that a damaged file cannot exhaust it.
 [[nodiscard]] double default_memory_gigabytes();
 
 struct ImportLimits { // 0: none
     double memory_gigabytes = default_memory_gigabytes();
     double seconds = 0;
-    // Without progress (child_process.hpp). The longest silence of a sound import is the building of a huge mesh.
+    // Without progress (child_process.hpp). The longest silence of a valid import is the building of a huge mesh.
     double stalled_seconds = 1800;
 };
 
@@ -30,8 +30,8 @@ struct ImportEnd {
     std::string problem; // a sentence; empty when done
 };
 
-// `values` as the options of import_options say. Removes what a failed import of values["output"] has left. Throws
-// Error when the program cannot be found or started. Thread-safe.
+// `values`: options by their names in import_options. Removes leftovers at values["output"] after a failure. Throws
+// Error if the program cannot be found or started. Thread-safe.
 [[nodiscard]] ImportEnd run_import(const ImportValues& values, const ImportLimits& limits,
                                    const ImportListener& listener, const std::atomic<bool>& cancel);
 

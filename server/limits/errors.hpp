@@ -1,4 +1,4 @@
-// Errors that a client can tell apart (the contract has a code for each); any other is an Error.
+// Errors with their own code in the contract. All others are plain Error.
 #pragma once
 
 #include "ciel/types.hpp"

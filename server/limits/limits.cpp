@@ -84,7 +84,7 @@ constexpr std::string_view size_letters = "KMGT";
 
 bool is_bytes(const LimitRow& row) { return row.unit == Unit::bytes || row.unit == Unit::memory; }
 
-// Throws Error when `text` is no such value.
+// Throws Error if `text` is not a value of the row.
 std::uint64_t number_of(const LimitRow& row, std::string_view text) {
     std::uint64_t value = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
@@ -137,7 +137,7 @@ std::string limit_text(const LimitRow& row, std::uint64_t value) {
     if (row.unit == Unit::pixels) return std::to_string(value) + " pixels";
     if (!is_bytes(row)) return std::to_string(value);
     std::size_t power = 0;
-    // Large sizes are rounded down: a share of the machine's memory is no round number.
+    // Rounds large sizes down: a share of the machine's memory is not a multiple of 1024.
     while (power < size_letters.size() && value >= 1024 && (value % 1024 == 0 || value >= 100 * 1024)) {
         value /= 1024;
         ++power;

@@ -1,5 +1,5 @@
-// Every limit of a server, in one table. `ciel serve` offers a row each as an option and an environment variable,
-// server.info tells clients. tests/unit/methods has a test of each, tests/unit/gateway those of sockets.
+// Every limit of a server, in one table. Each row is an option and an environment variable of `ciel serve`, and a
+// member of server.info. tests/unit/methods tests each limit, tests/unit/gateway those of sockets.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@
 
 namespace ciel::limits {
 
-// A share of what the machine, or the process's control group, has. Bytes.
+// Bytes: `percent` of the memory of the machine, or of the process's control group if that has less.
 [[nodiscard]] std::uint64_t memory_share(unsigned percent);
 
 // A new limit: a member here, and its row in limits.cpp.
@@ -64,16 +64,16 @@ struct LimitRow {
     std::uint64_t Limits::*member;
     Unit unit;
     std::string_view description;
-    std::uint64_t most;      // values above make no sense, or the contract refuses them
-    std::uint64_t least = 1; // a server with less serves nobody
+    std::uint64_t most;      // larger values are useless, or refused by the contract
+    std::uint64_t least = 1; // a server with less is unusable
 };
 
 [[nodiscard]] std::span<const LimitRow> limit_rows();
 [[nodiscard]] std::string option_of(const LimitRow& row);      // "--limit-message-bytes"
 [[nodiscard]] std::string environment_of(const LimitRow& row); // "CIEL_LIMIT_MESSAGE_BYTES"
 
-// A whole number from row.least to row.most; of bytes also with K, M, G or T (1024 each), of memory also as a share:
-// "25%". Throws Error with a sentence about the value.
+// Parses a whole number from row.least to row.most. Bytes may have a suffix K, M, G or T (powers of 1024), memory may
+// be a share: "25%". Throws Error for other texts.
 [[nodiscard]] std::uint64_t parse_limit(const LimitRow& row, std::string_view text);
 // "64", "1 MiB", "30 s".
 [[nodiscard]] std::string limit_text(const LimitRow& row, std::uint64_t value);

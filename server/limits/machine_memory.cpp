@@ -23,7 +23,7 @@ std::uint64_t physical_memory() {
 
 constexpr std::uint64_t unlimited = std::numeric_limits<std::uint64_t>::max();
 
-// A number in a file of a control group; nothing where it says "max" or is not there.
+// The number in a file of a control group; nothing if the file says "max" or does not exist.
 std::optional<std::uint64_t> number_in(const fs::path& file) {
     std::uint64_t number = 0;
     if (std::ifstream(file) >> number) return number;
@@ -35,7 +35,7 @@ struct GroupFiles {
     const char *limit, *used;
 };
 
-// Those of this process; version 2 has one hierarchy, which names no controllers.
+// The control groups of this process. Version 2 has a single hierarchy without controller names.
 std::vector<GroupFiles> control_groups() {
     std::vector<GroupFiles> found;
     std::ifstream groups("/proc/self/cgroup"); // lines of "number:controllers:group"
@@ -52,7 +52,7 @@ std::vector<GroupFiles> control_groups() {
     return found;
 }
 
-// Calls visit(directory, limit) for the group and those around it that have a limit.
+// Calls visit(directory, limit) for the group and its ancestors that have a limit.
 template <class Visit>
 void for_limits(const GroupFiles& files, Visit&& visit) {
     for (fs::path group = files.group;; group = group.parent_path()) {
@@ -62,7 +62,7 @@ void for_limits(const GroupFiles& files, Visit&& visit) {
     }
 }
 
-// Pages of files count as used, but are given up when memory is wanted.
+// Pages of files count as used but are reclaimable.
 std::uint64_t file_pages(const fs::path& directory) {
     std::ifstream statistics(directory / "memory.stat");
     std::uint64_t number = 0;
@@ -99,7 +99,7 @@ std::uint64_t machine_memory() {
 
 void give_back_free_memory() {
     constexpr std::size_t worth_it = std::size_t{64} << 20;
-    static std::atomic<std::size_t> given_back{0}; // free in the heap, but the system's
+    static std::atomic<std::size_t> given_back{0}; // heap bytes free after the last trim
     const auto free_bytes = [] { return ::mallinfo2().fordblks; };
     if (free_bytes() < given_back + worth_it) {
         given_back = std::min(given_back.load(), free_bytes());

@@ -14,18 +14,18 @@ enum class Held {
     scenes,   // documents of sessions and their histories
     surfaces, // query state and surfaces of scenes
     answers,  // of calls under way: files, pictures, texts of batches
-    unsent    // frames and answers that a socket has not taken yet
+    unsent    // frames and answers not yet accepted by a socket
 };
 inline constexpr std::array held_names{"scenes", "surfaces", "answers", "unsent"};
 
 // Thread-safe. Must outlive its charges.
 class Memory {
 public:
-    // dataset_bytes: what all datasets have in memory now. release: gives back datasets that nobody uses. Both are
-    // called from charging threads and must not charge.
+    // dataset_bytes: memory of all datasets now. release: frees unused datasets. Both are called from charging threads
+    // and must not charge.
     Memory(std::uint64_t most_bytes, std::function<std::uint64_t()> dataset_bytes, std::function<void()> release);
 
-    // What one holder has, until it is destroyed. Not thread-safe.
+    // Bytes counted for one holder; the destructor releases them. Not thread-safe.
     class Charge {
     public:
         Charge(Memory& memory, Held held) : memory_(memory), held_(held) {}
@@ -33,9 +33,9 @@ public:
         Charge(const Charge&) = delete;
         Charge& operator=(const Charge&) = delete;
 
-        // Before the memory is taken. Throws LimitReached and keeps the old figure where the total would be passed.
+        // Call before the allocation. Throws LimitReached and keeps the old count if the total would be exceeded.
         void change(std::size_t bytes);
-        void note(std::size_t bytes); // of what is there already: never refused
+        void note(std::size_t bytes); // for memory already allocated: never refused
         [[nodiscard]] std::size_t bytes() const { return bytes_; }
 
     private:
@@ -52,7 +52,7 @@ public:
 
 private:
     [[nodiscard]] std::uint64_t charged() const;           // REQUIRES: the lock
-    [[nodiscard]] bool add(Held held, std::uint64_t more); // false, and nothing is added, where it does not fit
+    [[nodiscard]] bool add(Held held, std::uint64_t more); // false if it does not fit; then adds nothing
     void add_or_throw(Held held, std::uint64_t more);
     void replace(Held held, std::size_t before, std::size_t after);
 

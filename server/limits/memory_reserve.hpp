@@ -1,11 +1,11 @@
-// Memory kept for the answer that says that there is no memory.
+// Memory reserved for the error answer after a failed allocation.
 #pragma once
 
 namespace ciel::limits {
 
-// Keeps some megabytes back, and again where they were given away since the last call. The first operator new of the
-// process that finds no memory gets them and tries once more; after that std::bad_alloc is thrown as ever, and what
-// answers, logs and clears up has the rest of them. Thread-safe.
+// Reserves 4 MiB, and again if they were used since the last call. The first operator new that fails releases them and
+// tries once more; later failures throw std::bad_alloc. The rest of the reserve serves to answer, log and clean up.
+// Thread-safe.
 void keep_memory_in_reserve();
 
 } // namespace ciel::limits

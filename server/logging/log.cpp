@@ -18,7 +18,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr std::size_t longest_text = 400; // bytes of a value: a reason may repeat what a client sent
+constexpr std::size_t longest_text = 400; // bytes of a value: a reason may repeat a client's text
 constexpr char separator = '\x1f';        // between the event and its fields, each a name, '=' and JSON
 
 std::string json_of(std::string_view text) { return json(text).dump(-1, ' ', false, json::error_handler_t::replace); }
@@ -27,7 +27,7 @@ bool is_plain(std::string_view quoted) {
     return quoted.size() > 2 && quoted.find_first_of(" \\=\"", 1) == quoted.size() - 1;
 }
 
-// What stands in a line behind time and level.
+// Writes the event and its fields, after time and level.
 class Payload : public spdlog::custom_flag_formatter {
 public:
     explicit Payload(LogFormat format) : format_(format) {}
@@ -37,7 +37,7 @@ public:
         const std::string_view event = take(rest);
         if (format_ == LogFormat::json)
             append(out, {"\"event\":", json_of(event)});
-        else // control characters of an event would begin another line
+        else // a control character could start a new line
             append(out, {printable(event)});
         while (!rest.empty()) {
             const std::string_view field = take(rest);

@@ -1,4 +1,4 @@
-// The operator's log: one line per event on stderr, times in UTC. The only unit that knows the form of a line.
+// The operator's log: one line per event on stderr, times in UTC. Only this unit defines the format of a line:
 //   text  2026-11-23T18:00:00.000Z warning call failed method=surface.export request=3f2a9c01-17 ms=12.5 reason="..."
 //   json  {"time":"2026-11-23T18:00:00.000Z","level":"warning","event":"call failed","method":"surface.export",...}
 // Never log a query, a cookie, a token or a whole session id.
@@ -15,10 +15,10 @@ namespace ciel::logging {
 enum class LogFormat { text, json };
 enum class LogLevel { debug, info, warning, error };
 
-// Sets the process's log, that of spdlog's own functions included. level: "debug", "info", "warn", "error" or "off".
+// Sets the process's log and the default log of spdlog. level: "debug", "info", "warn", "error" or "off".
 void start_log(const std::string& level, LogFormat format);
 
-// One name and value of an event. An empty text is left out of the line: it is not known.
+// One name and value of an event. An empty text means unknown and is left out of the line.
 struct LogField {
     LogField(std::string_view name_, std::string_view text);
     LogField(std::string_view name_, const std::string& text) : LogField(name_, std::string_view(text)) {}
@@ -33,13 +33,13 @@ private:
     static LogField of_number(std::string_view name, double number); // with three decimals
 };
 
-// Thread-safe. Writes the line when the level is wanted.
+// Writes the line if the level is enabled. Thread-safe.
 void log_event(LogLevel level, std::string_view event, std::initializer_list<LogField> fields);
 
-// What a log or /metrics may show of a session's id, which is its key: eight characters.
+// The first eight characters of a session's id. Logs and /metrics must not show more: the id is the session's key.
 [[nodiscard]] std::string short_id(std::string_view session);
 
-// Links a line to the answer that the client saw: unique in the process, and most likely among processes.
+// Returns a new id that links log lines to the client's answer. Unique in the process, and very likely among processes.
 [[nodiscard]] std::string next_request_id();
 
 } // namespace ciel::logging

@@ -1,4 +1,4 @@
-// For log lines that strangers can cause as often as they like: one a minute and topic.
+// Rate limit for log lines that any client can trigger: one per minute and topic.
 #pragma once
 
 #include <chrono>
@@ -8,7 +8,8 @@
 
 namespace ciel::logging {
 
-// Thread-safe. Remembers at most 4096 topics; while that many were heard of within the minute, new ones are not told.
+// Thread-safe. Remembers at most 4096 topics. If all of them were logged within the last minute, new topics are
+// refused.
 class LogLimiter {
 public:
     using Clock = std::chrono::steady_clock;

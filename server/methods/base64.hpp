@@ -11,7 +11,7 @@
 namespace ciel::methods {
 
 [[nodiscard]] std::string base64(std::span<const std::uint8_t> bytes);
-// Nothing unless `text` is what base64() makes of some bytes: padded, without blanks, its unused bits zero.
+// Returns the bytes; nothing if `text` is not canonical, that is padded, without blanks, with unused bits zero.
 [[nodiscard]] std::optional<std::vector<std::uint8_t>> from_base64(std::string_view text);
 
 } // namespace ciel::methods

@@ -14,8 +14,8 @@ class Server;
 
 namespace ciel::methods {
 
-// Thread-safe; never throws for any bytes. A piece that is not taken is answered by append.refused. Returns the reason
-// when the message is none that this connection may send: it should be closed.
+// Thread-safe; never throws for any bytes. A refused piece is answered with append.refused. Returns a reason if this
+// connection may not send the message; the caller should then close it.
 [[nodiscard]] std::optional<std::string> receive_binary(engine::Server& server, const sessions::Connection& connection,
                                                         std::span<const std::uint8_t> message);
 

@@ -1,4 +1,4 @@
-// The lowest and the highest value of the cells, as answers have them.
+// The lowest and the highest cell value in the form of an answer.
 #pragma once
 
 #include "methods/context.hpp"

@@ -1,4 +1,4 @@
-// What a method may reach, and how it fails.
+// The objects that a method may use, and its exceptions.
 #pragma once
 
 #include "engine/server.hpp"
@@ -12,18 +12,18 @@
 
 namespace ciel::methods {
 
-// Throws NotAllowed unless the server takes steps and the connection came with its token.
+// Throws NotAllowed unless the server accepts steps and the connection has its token.
 void check_may_append(const engine::Server& server, const sessions::Connection& connection);
 
-struct Context { // NOLINT(bugprone-exception-escape): of what a string moves, nothing throws
+struct Context { // NOLINT(bugprone-exception-escape): moving a string does not throw
     engine::Server& server;
     sessions::Connection& connection;
-    std::stop_token stop{};   // the connection has ended, or the server has given the call up
+    std::stop_token stop{};   // the connection has ended, or the server cancels the call
     std::string request_id{}; // of the call under way, in the log and in errors
     std::chrono::steady_clock::time_point begun{};
 
-    void begin();                              // a call
-    [[nodiscard]] double milliseconds() const; // since then
+    void begin();                              // starts a call: sets its id and time
+    [[nodiscard]] double milliseconds() const; // since begin()
     [[nodiscard]] engine::Caller caller() const { return {connection, request_id}; }
 
     [[nodiscard]] std::shared_ptr<engine::OpenSession> session(const std::string& id) const {
@@ -33,11 +33,11 @@ struct Context { // NOLINT(bugprone-exception-escape): of what a string moves, n
     void check_may_append() const { methods::check_may_append(server, connection); }
     [[nodiscard]] std::shared_ptr<engine::View> view(std::int64_t id) const;
     [[nodiscard]] std::shared_ptr<store::LoadedDataset> dataset(const std::string& name) const;
-    // The connection as views and subscriptions keep it; null over HTTP.
+    // The connection, shared with views and subscriptions; null over HTTP.
     [[nodiscard]] std::shared_ptr<sessions::Connection> streaming_connection() const;
 };
 
-// Params that the schema allows and the method does not. `path` is a JSON pointer into the params.
+// Params that satisfy the schema but not the method. `path` is a JSON pointer into the params.
 class InvalidParams : public std::runtime_error {
 public:
     InvalidParams(std::string path_, const std::string& reason) : std::runtime_error(reason), path(std::move(path_)) {}

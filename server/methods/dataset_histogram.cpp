@@ -13,11 +13,11 @@ std::array<double, 2> finite_range(const std::vector<float>& values) {
     return range;
 }
 
-// Bins are [low, high); the last one holds its upper end, too.
+// Bins are [low, high); the last one includes its upper end.
 void count(protocol::DatasetHistogramResult& result, const std::vector<float>& values) {
     const auto [low, high] = result.range;
     const auto bins = static_cast<double>(result.counts.size());
-    const double scale = std::isfinite(high - low) ? 1 : 0.5; // the widest ranges have no width that a double can hold
+    const double scale = std::isfinite(high - low) ? 1 : 0.5; // the width of the widest ranges overflows a double
     const double width = high * scale - low * scale;
     for (const float value : values) {
         if (!std::isfinite(value))

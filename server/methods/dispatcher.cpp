@@ -18,7 +18,7 @@ namespace {
 using nlohmann::json;
 using Turn = engine::SlowCalls::Turn;
 
-// Deeper than `limit`? Looked at before parsing, so that no parser or destructor recurses that deep.
+// Checked before parsing, so that no parser or destructor recurses deeper than `limit`.
 bool is_deeper_than(std::string_view text, std::size_t limit) {
     std::size_t depth = 0;
     bool in_string = false;
@@ -43,7 +43,7 @@ bool is_deeper_than(std::string_view text, std::size_t limit) {
 // A name from a file system may not be UTF-8.
 std::string text_of(const json& answer) { return answer.dump(-1, ' ', false, json::error_handler_t::replace); }
 
-// With an id that a json would change, as it came.
+// Inserts the literal text of an id that the parser would change.
 std::string text_of(const json& answer, const std::string& id) {
     if (id.empty() || !answer["id"].is_number()) return text_of(answer);
     json rest = answer;
@@ -51,19 +51,19 @@ std::string text_of(const json& answer, const std::string& id) {
     return text_of(rest).insert(1, "\"id\":" + id + ",");
 }
 
-// Integers of 64 bits come back as they are, but for -0.
+// Whether the parser changes the id. It keeps 64-bit integers except -0.
 bool changes_id(const json& request) {
     const auto id = request.is_object() ? request.find("id") : request.end();
     if (!request.is_object() || id == request.end()) return false;
     return id->is_number_float() || (id->is_number_integer() && !id->is_number_unsigned() && *id == 0);
 }
 
-struct Read { // NOLINT(bugprone-exception-escape): of what a string moves, nothing throws
+struct Read { // NOLINT(bugprone-exception-escape): moving a string does not throw
     json requests;
-    std::vector<std::string> ids; // of raw_ids, or empty when the requests have them all as they came
+    std::vector<std::string> ids; // of raw_ids; empty if the parser changed no id
 };
 
-// The requests of one text, in order: quick ones on the thread that comes by, each slow one when its turn has come.
+// Handles the requests of one text in order: quick ones on the current thread, slow ones in the queue of slow calls.
 class Requests : public std::enable_shared_from_this<Requests> {
 public:
     Requests(engine::Server& server, std::shared_ptr<sessions::Connection> connection, Read read, Answer answer)
@@ -121,14 +121,14 @@ private:
         }
     }
 
-    // As text at once: a batch holds no second copy of its answers.
+    // Converts to text at once, so that a batch holds no second copy of its answers.
     void add(std::optional<json> one) {
         if (!one) return;
         const std::string id = ids_.empty() ? std::string() : ids_[next_];
         answered_.push_back({(*one)["id"], id});
         try {
             append(text_of(*one, id));
-        } catch (...) { // too much for the batch, or for the server
+        } catch (...) { // over the limit of the batch or the server's memory
             append(text_of(refuse(context_, requests_[next_]).value_or(json()), id), true);
         }
     }
@@ -147,11 +147,11 @@ private:
     void finish() {
         if (is_batch_ && !text_.empty()) text_ += ']';
         if (connection_->is_streaming() && text_.size() > wire::longest_message) refuse_as_too_long(text_.size());
-        held_.note(0); // from here on it is counted by who sends it
+        held_.note(0); // from here on, the sender counts it
         answer_(std::move(text_));
     }
 
-    // Every answer of a batch is refused: which of them made it too long does not help who asks.
+    // Refuses every answer of a batch: it does not help the client to know which one made it too long.
     void refuse_as_too_long(std::size_t bytes) {
         const std::string reason = "the answer is " + std::to_string(bytes) +
                                    " bytes long, and a message of a WebSocket " +
@@ -167,7 +167,7 @@ private:
 
     struct Answered {
         json id;
-        std::string as_it_came; // where the json would change it
+        std::string as_it_came; // if the parser would change it
     };
     struct Stop {
         std::stop_source& source;
@@ -183,7 +183,7 @@ private:
     const Answer answer_;
     const std::stop_callback<Stop> on_hang_up_{connection_->stop, Stop{stop_}};
     const std::stop_callback<Stop> on_server_end_{context_.server.call_stop(), Stop{stop_}};
-    std::vector<Answered> answered_; // in text_
+    std::vector<Answered> answered_; // answers in text_
     std::string text_;
     limits::Memory::Charge held_; // text_
     std::size_t next_ = 0;
@@ -198,7 +198,7 @@ void note_ids(Read& read, std::string_view text, const std::map<std::size_t, std
     for (const auto& [request, id] : large) read.ids.at(request) = id;
 }
 
-// Throws what json::parse does, but for ids beyond a double.
+// Throws the exceptions of json::parse, but accepts ids beyond a double.
 void read_requests(const limits::Limits& limits, std::string_view text, Read& read) {
     try {
         read.requests = scene::read_json(text);
@@ -211,7 +211,7 @@ void read_requests(const limits::Limits& limits, std::string_view text, Read& re
     }
 }
 
-// The error of a text that holds no requests, else nothing, and they are read.
+// Parses the text into `read`. Returns the error of an invalid text, else nothing.
 std::optional<json> refusal(const limits::Limits& limits, std::string_view text, Read& read) {
     if (text.size() > limits.message_bytes)
         return limit_error("a message may have at most " + std::to_string(limits.message_bytes) + " bytes");

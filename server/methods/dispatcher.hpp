@@ -1,4 +1,4 @@
-// JSON-RPC 2.0 text in, text out: the one door to all methods, for WebSocket, HTTP POST and tests alike.
+// JSON-RPC 2.0 text in, text out: the only entry to all methods, for WebSocket, HTTP POST and tests.
 #pragma once
 
 #include "sessions/connection.hpp"
@@ -9,12 +9,12 @@
 #include <string_view>
 
 namespace ciel::engine {
-class Server; // datasets, sessions, limits: everything a method may reach
+class Server; // datasets, sessions, limits: everything a method may use
 }
 
 namespace ciel::methods {
 
-// An empty text when nothing is to be answered (only notifications). Must not throw.
+// Gets an empty text if there is no answer (only notifications). Must not throw.
 using Answer = std::function<void(std::string text)>;
 
 // Thread-safe. Handles single requests, notifications and batches exactly as the specification says. Never throws for
@@ -22,7 +22,7 @@ using Answer = std::function<void(std::string text)>;
 // later and from another thread. The requests of a batch are handled in order.
 void dispatch(engine::Server& server, std::shared_ptr<sessions::Connection> connection, std::string_view text,
               Answer answer);
-// The same, for those who can wait.
+// The same, but waits for the answer and returns it.
 [[nodiscard]] std::string dispatch(engine::Server& server, sessions::Connection& connection, std::string_view text);
 
 } // namespace ciel::methods

@@ -16,7 +16,7 @@ public:
 [[nodiscard]] nlohmann::json invalid_request(const std::string& reason);
 [[nodiscard]] nlohmann::json limit_error(const std::string& reason);
 [[nodiscard]] nlohmann::json too_long_error(const std::string& reason);
-// To be called in a handler. Every exception has an answer.
+// Call it inside a catch block. Handles every exception.
 [[nodiscard]] nlohmann::json error_of_current_exception();
 
 } // namespace ciel::methods

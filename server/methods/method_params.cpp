@@ -10,7 +10,7 @@ namespace {
 
 using nlohmann::json;
 
-struct ParamsSchema { // NOLINT(bugprone-exception-escape): of what a json moves, nothing throws
+struct ParamsSchema { // NOLINT(bugprone-exception-escape): moving a json does not throw
     std::vector<std::string> order;
     json schema; // of the params as one object
 };

@@ -17,7 +17,7 @@ geometry::ViewSize size_of(const Context& context, const protocol::ProbePointPar
     return {static_cast<std::uint32_t>(*params.width), static_cast<std::uint32_t>(*params.height)};
 }
 
-// What of the scene is under the pixel at that position.
+// Adds what the scene shows at the pixel and position.
 void name_what_is_there(protocol::ProbePointResult& result, const geometry::Geometry& geometry,
                         const scene::Scene& scene, geometry::ViewSize size, const protocol::ProbePointParams& params,
                         const store::Dataset& dataset) {
@@ -55,7 +55,7 @@ protocol::ProbePointResult probe_point(Context& context, const protocol::ProbePo
     std::optional<Vec3d> position = params.position;
     std::shared_ptr<const geometry::Geometry> geometry;
     if (params.pixel) {
-        geometry = source.geometry(); // not on the worker, which draws others meanwhile
+        geometry = source.geometry(); // not on the worker, which serves other calls meanwhile
         position = context.server.picture_workers().run([&](engine::Worker& worker) {
             context.check_wanted();
             return frames::position_under(*geometry, source.version().scene(), size, *params.pixel, *locator,

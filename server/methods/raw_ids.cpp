@@ -15,7 +15,7 @@ public:
     bool boolean(bool) override { return value(); }
     bool string(string_t&) override { return value(); }
     bool binary(binary_t&) override { return value(); }
-    // A number that begins with a minus comes here; -0 is the only one that would lose it.
+    // Called for numbers with a minus sign; only -0 would lose it.
     bool number_integer(number_integer_t number) override { return value(number == 0 ? "-0" : std::to_string(number)); }
     bool number_unsigned(number_unsigned_t number) override { return value(std::to_string(number)); }
     bool number_float(number_float_t, const string_t& token) override { return value(token); } // also beyond 64 bits
@@ -40,13 +40,13 @@ public:
         return false;
     }
 
-    // The id at which reading stopped, and where it ends in the text; none: an empty token.
+    // The end in the text and the token of the id at which reading stopped; empty token: none.
     [[nodiscard]] const std::pair<std::size_t, std::string>& large() const { return large_; }
     [[nodiscard]] std::size_t request() const { return ids_.size() - 1; }
 
 private:
     bool value(const std::string& number = {}) {
-        if (depth_ == request_depth_) ids_.emplace_back(); // a request, or what stands in the place of one
+        if (depth_ == request_depth_) ids_.emplace_back(); // a request, or an invalid element in its place
         if (is_id_) ids_.back() = number;
         is_id_ = false;
         return true;

@@ -15,7 +15,7 @@ namespace {
 using nlohmann::json;
 
 constexpr int internal_error = -32603;
-constexpr double slow_quick_call_ms = 1000, slow_call_ms = 10'000; // the latter of methods with x-slow
+constexpr double slow_quick_call_ms = 1000, slow_call_ms = 10'000; // the latter for methods with x-slow
 
 json answer(const json& id, const char* member, json content) {
     return {{"jsonrpc", "2.0"}, {"id", id}, {member, std::move(content)}};
@@ -23,7 +23,7 @@ json answer(const json& id, const char* member, json content) {
 
 bool is_id(const json& id) { return id.is_string() || id.is_number() || id.is_null(); }
 
-// The id of a request as far as it can be told, else null.
+// The id of a request if it is valid, else null.
 json id_of(const json& request) {
     if (!request.is_object()) return nullptr;
     const auto id = request.find("id");
@@ -59,13 +59,13 @@ json call(Context& context, const json& request) {
     }
 }
 
-// The server's own failures are warnings or errors; what a client may not do is information.
+// The server's failures are warnings or errors; mistakes of a client are information.
 logging::LogLevel level_of(int code) {
     if (code == internal_error) return logging::LogLevel::error;
     return code == protocol::Failed || code == protocol::Limit ? logging::LogLevel::warning : logging::LogLevel::info;
 }
 
-// A name of the contract: others are the client's text, which may be anything.
+// Returns "unknown" for names outside the contract, which are arbitrary text of the client.
 std::string method_of(const json& request) {
     if (!is_request(request)) return {};
     const auto& name = request["method"].get_ref<const std::string&>();

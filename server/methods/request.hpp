@@ -8,16 +8,16 @@ namespace ciel::methods {
 
 struct Context; // context.hpp
 
-// Its method waits for its turn: x-slow in the contract.
+// Whether its method is queued: x-slow in the contract.
 [[nodiscard]] bool is_slow(const nlohmann::json& request);
 
 // The answer to a text that holds no request.
 [[nodiscard]] nlohmann::json refuse_text(Context& context, nlohmann::json error);
 
-// Does what is asked and answers; nothing when there is nothing to be answered. Never throws for any input. Failures
-// and slow calls are logged. waited: seconds until its turn came.
+// Calls the method and returns the answer, or nothing for a notification. Never throws for any input. Logs failures and
+// slow calls. waited: seconds in the queue.
 [[nodiscard]] std::optional<nlohmann::json> handle(Context& context, const nlohmann::json& request, double waited = 0);
-// The answer to one that is not handled for the reason that is the current exception; to be called in a handler.
+// Returns the error answer for the current exception, or nothing for a notification. Call it inside a catch block.
 [[nodiscard]] std::optional<nlohmann::json> refuse(Context& context, const nlohmann::json& request);
 
 } // namespace ciel::methods

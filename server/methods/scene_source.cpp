@@ -12,7 +12,7 @@ SceneSource::SceneSource(const Context& context, const std::optional<std::string
         version_ = session_->status().version;
     else
         throw InvalidParams("/session", "give a session, or a scene");
-    if (scene) session_ = nullptr; // its own geometry: another scene would throw the session's away
+    if (scene) session_ = nullptr; // separate geometry: it would replace the session's
 }
 
 std::shared_ptr<const geometry::Geometry> SceneSource::geometry() {

@@ -1,4 +1,4 @@
-// Pictures, probes and exports work on a session's scene or on one given in place.
+// The scene of a picture, probe or export: a session's, or one given in the call.
 #pragma once
 
 #include "methods/context.hpp"
@@ -9,13 +9,13 @@ namespace ciel::methods {
 
 class SceneSource {
 public:
-    // Throws InvalidParams when there is neither a session nor a scene; scene::Invalid, NotFound.
+    // Throws InvalidParams without a session and a scene; scene::Invalid, NotFound. Borrows `context`.
     SceneSource(const Context& context, const std::optional<std::string>& session,
                 const std::optional<nlohmann::json>& scene);
 
     [[nodiscard]] const sessions::SceneVersion& version() const { return *version_; }
-    // A session's geometry is kept and shared with its views; without a session it is made for this call, and counted
-    // as long as this object lives. Throws LimitReached, and Error when the connection ends meanwhile.
+    // Returns the session's geometry, which is shared with its views. A given scene's geometry is made for this call
+    // and counted as long as this object lives. Throws LimitReached, and Error if the connection ends meanwhile.
     [[nodiscard]] std::shared_ptr<const geometry::Geometry> geometry();
 
 private:

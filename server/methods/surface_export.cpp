@@ -10,7 +10,7 @@
 namespace ciel::methods {
 namespace {
 
-// What the picture shows of a drawable: its own surface where no plane cuts it.
+// The part of a drawable that the picture shows: the whole surface without clip planes.
 struct Shown {
     ClippedSurface cut;
     bool is_cut = false;
@@ -29,8 +29,7 @@ Shown shown_of(const geometry::Geometry& geometry, const geometry::Drawable& dra
     return shown;
 }
 
-// The layer's iso-values as one surface, one after the other. Throws LimitReached before there is more than a file may
-// have.
+// Joins the layer's drawables to one surface, in order. Throws LimitReached before the file's limit is exceeded.
 wire::JoinedSurface joined(const Context& context, const geometry::Geometry& geometry, const std::string& layer,
                            wire::SurfaceFormat format, bool triangles) {
     const std::size_t limit = context.server.limits().export_bytes;
@@ -57,7 +56,7 @@ bool has_polygons(const scene::Layer& layer) {
            std::holds_alternative<scene::SurfaceLayer>(layer.kind);
 }
 
-// The stream, the file, and as base64 in the result, its JSON and its text: 2 + 3 * 4 / 3.
+// The stream, the file, and three base64 copies (result, JSON, text): 2 + 3 * 4 / 3.
 constexpr std::size_t copies_of_a_file = 6;
 
 struct File {

@@ -11,7 +11,7 @@ namespace {
 
 constexpr Index cells_per_box = 128; // cells lie on a space-filling curve, so that runs of them are compact
 constexpr std::size_t locators_kept = 4;
-constexpr double rounding = 1e-6; // in 4 pi; a point on a face, an edge or in a corner is inside each cell by a part
+constexpr double rounding = 1e-6; // in units of 4 pi; a point on a face, edge or corner is partly in each cell
 
 // Of the triangle a, b, c seen from the origin.
 double solid_angle(const Vec3d& a, const Vec3d& b, const Vec3d& c) {
@@ -63,7 +63,7 @@ std::vector<Index> Locator::vertices(Index cell) const {
     }
     std::sort(all.begin(), all.end());
     all.erase(std::unique(all.begin(), all.end()), all.end());
-    if (all.empty()) mesh_.face_offset.refuse(); // around a cell that holds a point
+    if (all.empty()) mesh_.face_offset.refuse(); // a cell that contains a point has vertices
     return all;
 }
 

@@ -16,7 +16,7 @@ float scalar_at(std::span<const float> values, const store::ArrayInfo& array, In
     return store::scalar_of(array, values.subspan(width * item, width), name);
 }
 
-// The corners of a cell that blew up have the values of its neighbours.
+// True if the cell blew up. Its corners have the values of its neighbours and do not show that.
 bool went_wrong(const store::Dataset& dataset, std::size_t step, const store::ArrayInfo& array, Index cell) {
     const std::string of_cells = store::cell_scalar(dataset, store::scalar_names(array).front());
     if (of_cells.empty()) return false;

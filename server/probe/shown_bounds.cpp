@@ -66,7 +66,7 @@ bool has_threshold(const scene::Layer& layer) {
         layer.kind);
 }
 
-// Whether the layer shows a part of the mesh's boundary, or of its points, and not all of it.
+// True if the layer shows only a part of the mesh's boundary or points.
 bool shows_part(const scene::Layer& layer) {
     if (has_threshold(layer)) return true;
     return std::visit(

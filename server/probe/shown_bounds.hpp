@@ -1,4 +1,4 @@
-// What a view of "everything" frames: the box around what is left of the mesh, or around what is drawn.
+// Boxes that a view of "everything" frames: around the remaining mesh, or around the drawn geometry.
 #pragma once
 
 #include "geometry/scene_geometry.hpp"
@@ -8,19 +8,19 @@
 
 namespace ciel::probe {
 
-// Of all visible layers together. A layer with a threshold counts with the cells that it keeps, any other with the
-// whole box: an iso-surface or a plane that moves moves no view. Outlines count where nothing else is shown. Planes cut
-// all of them. The mesh's own bounds where nothing is left. Reads all points of layers with a threshold.
+// Returns the box of all visible layers together, cut by the clip planes. A layer with a threshold counts with the
+// cells that it keeps. Any other counts with the whole box: a moving iso-surface or plane must not move the view.
+// Outlines count if nothing else is shown. Returns the mesh's bounds if nothing is left. Reads all points of layers
+// with thresholds.
 [[nodiscard]] geometry::BoundingBox shown_bounds(const geometry::Geometry& geometry, const scene::Scene& scene);
 
-// Of what the visible layers draw, cut by the planes. Where a part of the boundary is drawn (patches, or cells within a
-// threshold), it is that part and the iso-surfaces: a slice through the far field would make a body in it a speck.
-// Volumes count with the whole box, outlines where nothing else is drawn. Where nothing is drawn it is shown_bounds.
-// Reads all points that are drawn.
+// Returns the box of the drawn geometry, cut by the clip planes. If a part of the boundary is drawn (patches, or cells
+// within a threshold), only that part and iso-surfaces count: a slice through the far field would make a body a speck.
+// Volumes count with the whole box. If nothing is drawn but outlines, returns shown_bounds. Reads all drawn points.
 [[nodiscard]] geometry::BoundingBox drawn_bounds(const geometry::Geometry& geometry, const scene::Scene& scene);
 
-// The same of the points alone that a picture of this size shows, hidden or not; none where there are none. An outline
-// never counts, nor does a volume.
+// Returns the box of the drawn points in a picture of this size, hidden or not; nothing if there are none. If a part of
+// the boundary is in view, only that part counts. Outlines and volumes do not count.
 [[nodiscard]] std::optional<geometry::BoundingBox> bounds_in_view(const geometry::Geometry& geometry,
                                                                   const scene::Scene& scene, geometry::ViewSize size);
 

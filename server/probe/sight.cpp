@@ -14,7 +14,7 @@
 namespace ciel::probe {
 namespace {
 
-// Of the diagonal of the bounds: the depth buffer's error, with room for a view along the surface.
+// Fraction of the bounds' diagonal: the depth buffer's error, with room for a view along the surface.
 constexpr double same_place = 2e-3;
 
 struct Ray { // from the nearest depth that is drawn to the farthest, as offsets from the geometry's origin

@@ -18,14 +18,14 @@ struct Crossing {
     std::array<Index, 3> corners{}; // of the triangle, in the drawable's surface
 };
 
-// The pixel is counted from the top left. Ascending by distance, without what clip planes cut away and what the view
-// cannot show. Lines, points and volumes are not met. Tests every triangle.
+// Returns the crossings by ascending distance, without those that clip planes cut away or that the view cannot show.
+// The pixel is counted from the top left. Lines, points and volumes are ignored. Tests every triangle.
 [[nodiscard]] std::vector<Crossing> crossings(const geometry::Geometry& geometry, const scene::Scene& scene,
                                               geometry::ViewSize size, std::array<double, 2> pixel);
-// The one nearest to a position that the depth buffer gave; none where no polygon is there, but a line or a point.
+// Returns the crossing nearest to a position from the depth buffer; nothing if a line or a point was drawn there.
 [[nodiscard]] std::optional<Crossing> crossing_at(const std::vector<Crossing>& crossings,
                                                   const geometry::Geometry& geometry, const Vec3d& position);
-// The patch that a surface layer shows there; none on any other layer, and where no patch has the face.
+// Returns the patch that a surface layer shows there; nothing on other layers, caps, and faces that are in no patch.
 [[nodiscard]] std::optional<std::string> patch_of(const Crossing& crossing, const geometry::Geometry& geometry,
                                                   const scene::Scene& scene, const store::Dataset& dataset);
 

@@ -11,9 +11,9 @@
 namespace ciel::probe {
 namespace {
 
-constexpr int frame_height = 1000; // any: only the shape of the picture counts
+constexpr int frame_height = 1000; // arbitrary: only the aspect counts
 
-// Of the places that a view shows: all of them without one, and none that a clip plane has taken away.
+// Range of the values at places in view that are not clipped. Without an aspect, all places count.
 class SeenValues {
 public:
     SeenValues(const geometry::Geometry& geometry, const scene::Scene& scene, std::optional<double> aspect)

@@ -1,13 +1,13 @@
-// The values that are in view: what a color range is narrowed to, so that what one looks at has all the colors.
+// Range of the values in view. A color range is narrowed to it, so that the visible part has all the colors.
 #pragma once
 
 #include "geometry/scene_geometry.hpp"
 
 namespace ciel::probe {
 
-// Smallest and largest finite scalar at the vertices of these layers, of a volume at those of its slices and boundary;
-// nothing where there is none. With an aspect, of those vertices that lie in the view's pyramid and that no clip plane
-// takes away, whether something hides them or not. Of contour lines on the layers alone, or of all but those.
+// Returns the smallest and largest finite scalar at the vertices of these layers; nothing if there is none. A volume
+// has the vertices of its slices and boundary. With an aspect, only vertices in the view's pyramid count that no clip
+// plane removes, hidden or not. `of_contours`: only contour lines on the layers, else all but those.
 [[nodiscard]] std::optional<std::array<double, 2>> visible_range(const geometry::Geometry& geometry,
                                                                  const scene::Scene& scene,
                                                                  const std::vector<std::string>& layers,

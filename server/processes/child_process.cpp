@@ -43,10 +43,10 @@ void limit(int resource, rlim_t value) {
     ::setrlimit(static_cast<__rlimit_resource>(resource), &limits);
 }
 
-// Between fork and exec: only what is safe after a fork of a process with threads.
+// Runs between fork and exec: only async-signal-safe calls, since the parent has threads.
 [[noreturn]] void become(char* const* arguments, const ChildLimits& limits, int output, int errors, pid_t parent) {
     ::prctl(PR_SET_PDEATHSIG, SIGKILL);
-    if (::getppid() != parent) ::_exit(could_not_start); // it died before the line above
+    if (::getppid() != parent) ::_exit(could_not_start); // the parent died before prctl
     ::setpgid(0, 0);
     ::dup2(output, STDOUT_FILENO);
     ::dup2(errors, STDERR_FILENO);
@@ -74,7 +74,7 @@ public:
         output_.write = store::Descriptor();
         errors_.write = store::Descriptor();
     }
-    ~Child() { // on the way out of an exception
+    ~Child() { // kills a child that still runs after an exception
         if (reaped_) return;
         signal(SIGKILL);
         reap(0);
@@ -86,7 +86,7 @@ public:
         if (!reaped_) ::kill(pid_, number);
     }
 
-    // Waits for output at most a moment; false at the end of both streams.
+    // Waits for output for at most poll_milliseconds. Returns false at the end of both streams.
     bool read(std::string& output, std::string& errors) {
         std::array<pollfd, 2> polled{pollfd{output_.read.get(), POLLIN, 0}, pollfd{errors_.read.get(), POLLIN, 0}};
         if (::poll(polled.data(), polled.size(), poll_milliseconds) < 0 && errno != EINTR) return false;
@@ -95,7 +95,7 @@ public:
         return output_.read.get() >= 0 || errors_.read.get() >= 0;
     }
 
-    // Bytes read and written so far, of whatever the kernel counts; 0 where it does not tell.
+    // Bytes read and written so far (rchar and wchar of the kernel); 0 if unavailable.
     [[nodiscard]] std::uint64_t transferred() const {
         std::ifstream counters("/proc/" + std::to_string(pid_) + "/io");
         std::uint64_t total = 0, count = 0;
@@ -131,7 +131,7 @@ private:
 
 double seconds_since(Clock::time_point time) { return std::chrono::duration<double>(Clock::now() - time).count(); }
 
-// Ends the child when it should end.
+// Ends the child on cancel, at a time limit, or when it stalls.
 class Watch {
 public:
     Watch(const Child& child, const ChildLimits& limits, const std::atomic<bool>& cancel)
@@ -182,7 +182,7 @@ void pass_lines(std::string& text, const std::function<void(std::string_view)>& 
         begin = end + 1;
     }
     text.erase(0, begin);
-    if (text.size() > max_line) text.clear(); // no line is as long as that
+    if (text.size() > max_line) text.clear(); // not a line: no valid line is that long
 }
 
 } // namespace
@@ -200,11 +200,11 @@ ChildEnd run_child(const std::vector<std::string>& arguments, const ChildLimits&
     while (child.read(output, end.errors)) {
         if (end.errors.size() > max_errors) end.errors.resize(max_errors);
         pass_lines(output, take_line);
-        watch.look(end); // at once, when a line made the caller cancel
+        watch.look(end); // after the lines: one may make the caller cancel
     }
     pass_lines(output, take_line);
     std::optional<int> status = child.reap(WNOHANG);
-    for (; !status; status = child.reap(WNOHANG)) { // it closed its streams but goes on
+    for (; !status; status = child.reap(WNOHANG)) { // it closed its streams but still runs
         watch.look(end);
         ::usleep(poll_milliseconds * 1000 / 10);
     }

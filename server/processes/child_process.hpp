@@ -1,4 +1,4 @@
-// A program started, watched and ended: its lines as they come, its limits, its end in words a caller can act on.
+// Runs a child process with limits, passes its output line by line, and reports how it ended.
 #pragma once
 
 #include <atomic>
@@ -17,19 +17,19 @@ struct ChildLimits {
 };
 
 struct ChildEnd {
-    int exit_code = -1; // when it exited by itself
-    int signal = 0;     // when a signal ended it
+    int exit_code = -1; // if it exited by itself
+    int signal = 0;     // if a signal ended it
     bool timed_out = false;
     bool stalled = false;
     bool cancelled = false;
     std::string errors; // its standard error, at most 64 KiB
 };
 
-// Runs arguments[0] (a path) to its end. `on_line` gets the lines of standard output on the calling thread. When
-// `cancel` becomes true or a time is over it is asked to end (SIGTERM), and killed when it has not after 5 s. It is
-// killed too when the calling thread dies, and gets no terminal signals of its own. Reading and writing without a line
-// of output counts as getting on for eight times stalled_seconds: a file that is read over and over must end too.
-// Throws Error when it cannot be started. Thread-safe.
+// Runs arguments[0] (a path) to its end. `on_line` gets the lines of standard output on the calling thread.
+// When `cancel` becomes true or a time limit is over, it gets SIGTERM, and SIGKILL 5 s later if it still runs. It is
+// also killed when the calling thread dies. It gets no signals from the terminal. Transferred bytes without output
+// count as progress for at most 8 * stalled_seconds, so that a program that reads a file over and over ends, too.
+// Throws Error if it cannot be started. Thread-safe.
 [[nodiscard]] ChildEnd run_child(const std::vector<std::string>& arguments, const ChildLimits& limits,
                                  const std::function<void(std::string_view line)>& on_line,
                                  const std::atomic<bool>& cancel);

@@ -15,9 +15,9 @@ std::string text_of(const Gl& gl, GLenum name) {
     return text != nullptr ? reinterpret_cast<const char*>(text) : "";
 }
 
-constexpr int limits_unit = 2, occlusion_unit = 2; // behind those of the color scales
+constexpr int limits_unit = 2, occlusion_unit = 2; // after those of the color scales
 
-// A software rasteriser pays for what its programs could do, not for what they do.
+// Whether the plain program suffices. A software rasteriser also pays for features of a program that are not used.
 bool is_plain(const Primitives& mesh, const Frame& frame) {
     return !mesh.lines && !mesh.points && mesh.scalars.empty() && !mesh.normals.empty() && frame.clip.empty();
 }
@@ -47,7 +47,7 @@ const Image& Painter::draw(const Frame& frame, const AfterStage& after) {
     }
 }
 
-// What a picture begins with and leaves behind.
+// Sets the GL state that every picture starts with and leaves.
 void Painter::set_first_state() {
     for (const GLenum off : {GL_BLEND, GL_SCISSOR_TEST, GL_CULL_FACE, GL_STENCIL_TEST, GL_DEPTH_CLAMP})
         gl_.Disable(off);
@@ -112,7 +112,7 @@ const Image& Painter::draw_paced(const Frame& frame, const AfterStage& after) {
     return image;
 }
 
-// Not for the background: its shader has no distances to the planes.
+// Must be off for the background: its shader has no distances to the planes.
 void Painter::enable_clip_planes(bool on) {
     for (std::size_t i = 0; i < clip_planes_; ++i) {
         const auto plane = static_cast<GLenum>(GL_CLIP_DISTANCE0 + i);
@@ -155,7 +155,7 @@ void Painter::upload(const Frame& frame) {
     transparent_points_.load(points, depth_row);
 }
 
-// Those that hold a mesh have it again, wherever it stands in this frame.
+// Buffers keep their mesh, at any place in the frame. Buffers of removed meshes are reused.
 void Painter::assign_buffers(const Frame& frame) {
     std::unordered_map<std::uint64_t, PrimitiveBuffers*> holding;
     std::vector<PrimitiveBuffers*> rest;
@@ -177,7 +177,7 @@ void Painter::assign_buffers(const Frame& frame) {
     }
 }
 
-// A volume's pixels, and those of several samples, take so much longer than the rest that all are drawn anew.
+// Volumes and multisampled frames touch all tiles: their drawing takes much longer than clearing and reading.
 TouchedTiles Painter::touched_by(const Frame& frame) const {
     TouchedTiles touched(frame.width, frame.height);
     if (frame.samples > 1 || !frame.volumes.empty()) {
@@ -199,7 +199,7 @@ void Painter::use(const Program& program, const Frame& frame) {
     gl_.Uniform1f(program.scale, static_cast<float>(transform_.scale));
     gl_.Uniform1f(program.parallel, frame.camera.parallel ? 1.0F : 0.0F);
     gl_.Uniform3f(program.lights, frame.lighting.ambient, frame.lighting.headlight, frame.lighting.key_light);
-    // Those that are not there let everything through: llvmpipe may go on with a plane after it was disabled.
+    // Unused planes keep everything: llvmpipe may still clip by a plane after it was disabled.
     std::array<std::array<float, 4>, most_clip_planes> planes{};
     planes.fill({0, 0, 0, 1});
     std::copy(frame.clip.begin(), frame.clip.end(), planes.begin());
@@ -210,7 +210,7 @@ void Painter::use(const Program& program, const Frame& frame) {
     scales_.bind();
 }
 
-// Of the plain program, which has no attribute but the normal.
+// Sets uniforms of the plain program. Its only attribute besides the position is the normal.
 void Painter::use_look(const Frame& frame, const Primitives& mesh) {
     const glm::dmat4& projection = transform_.projection;
     const bool parallel = frame.camera.parallel;
@@ -248,14 +248,14 @@ void Painter::draw_meshes(const Frame& frame, const Program& program, bool befor
     }
 }
 
-// `factor`: of what is drawn to a pixel of the picture.
+// `factor`: drawn pixels per pixel of the picture.
 void Painter::use_line(const Program& program, const Primitives& mesh, float factor) const {
     gl_.Uniform1f(program.half_width, factor * mesh.line_width / 2);
     gl_.Uniform1f(program.on_opaque, mesh.on_opaque ? 1.0F : 0.0F);
 }
 
-// Under sorted transparent triangles, which are drawn later and only where no line is before them, soft edges would be
-// holes to what is behind all of them: so edges leave no depth, and the rest is whole.
+// Sorted transparent triangles are drawn later, and not behind the depth of a line. A soft edge with depth would be a
+// hole in them. So the outer half of an edge writes no depth, and the inner half is drawn at full coverage.
 void Painter::draw_lines(const Frame& frame) {
     if (is_peeled(frame) || transparent_.is_empty()) return draw_meshes(frame, lines_);
     const auto draw_part = [&](float part) {
@@ -280,7 +280,7 @@ void Painter::draw_opaque(const Frame& frame) {
     draw_meshes(frame, is_occluded ? occluded_ : triangles_);
 }
 
-// For the lines and points on surfaces.
+// Finds the slopes of surfaces, for lines and points on them.
 void Painter::find_slopes(const Frame& frame) {
     slopes_.begin();
     if (std::ranges::none_of(frame.primitives, is_overlay)) return;

@@ -1,4 +1,4 @@
-// Draws frames with the GL objects of one context, which all live and die with it.
+// Draws frames with the GL objects of one context. They live as long as the context.
 #pragma once
 
 #include "annotations/camera.hpp"
@@ -23,14 +23,15 @@ namespace ciel::render {
 
 class Painter {
 public:
-    explicit Painter(const Gl& gl); // the context is current, here and in every other call
+    explicit Painter(const Gl& gl); // the context must be current in this and every other call
     Painter(const Painter&) = delete;
     Painter& operator=(const Painter&) = delete;
 
-    // Until the next, which is as it would have been whatever this one throws.
+    // Returns the picture, valid until the next draw. An exception does not affect the next draw. Throws as
+    // Renderer::draw, except for memory.
     const Image& draw(const Frame& frame, const AfterStage& after);
     bool pick(int x, int y, Vec3d& position);
-    // Of the last frame: what it does not show in full, as sentences.
+    // Sentences about what the last frame does not show in full.
     [[nodiscard]] const std::vector<std::string>& remarks() const { return remarks_; }
     [[nodiscard]] const std::string& renderer_name() const { return renderer_name_; }
     [[nodiscard]] const std::string& version() const { return version_; }
@@ -81,7 +82,7 @@ private:
     AmbientOcclusion occlusion_;
     SurfaceSlopes slopes_;
     std::list<PrimitiveBuffers> buffers_;  // one per mesh of the largest frame so far
-    std::vector<PrimitiveBuffers*> slots_; // of the frame's meshes; null where they are in one of the next two
+    std::vector<PrimitiveBuffers*> slots_; // of the frame's meshes; null for transparent triangles and points
     TransparentTriangles transparent_;
     TransparentPoints transparent_points_;
     DepthPeeling peeling_;
@@ -91,7 +92,7 @@ private:
     std::size_t clip_planes_ = 0; // of the last frame
     Vec3d origin_{};
     int width_ = 0, height_ = 0;           // of the last frame, 0 before the first
-    bool transparent_depth_drawn_ = false; // transparent surfaces leave no depth while they are drawn
+    bool transparent_depth_drawn_ = false; // draw() leaves no depth of transparent surfaces; pick() adds it
 };
 
 } // namespace ciel::render

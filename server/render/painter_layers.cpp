@@ -1,11 +1,11 @@
-// Of the painter: points, volumes, and what one can see through, in their order.
+// Painter: points, volumes, and transparent primitives in depth order.
 #include "render/frame/frame_parts.hpp"
 #include "render/painter.hpp"
 
 namespace ciel::render {
 namespace {
 
-// As point_shaders.cpp says, in layers' pixels, so many to one of the picture.
+// Returns `line_reach` of point_shaders.cpp, in drawn pixels. `factor`: drawn pixels per pixel of the picture.
 float line_reach(const Frame& frame, float factor) {
     const float width = widest_line(frame);
     return width > 0 ? (factor * width + 1) / 2 : 0;
@@ -13,8 +13,7 @@ float line_reach(const Frame& frame, float factor) {
 
 } // namespace
 
-// Opaque points are surfaces: they come before the lines, whose soft edges are mixed with them, and volumes end on
-// them.
+// Opaque points are drawn before the lines, whose soft edges blend with them. Volumes end on them, as on surfaces.
 void Painter::draw_opaque_points(const Frame& frame) {
     if (!has(frame, is_opaque_points) || has_overlays_in_layers(frame)) return;
     draw_points(frame, target_.sample_places());
@@ -41,14 +40,14 @@ void Painter::draw_points(const Frame& frame, const std::vector<std::array<float
     draw_opaque_points_with(frame);
 }
 
-// With the program that is in use.
+// Draws with the program in use.
 void Painter::draw_opaque_points_with(const Frame& frame) {
     for (std::size_t i = 0; i < frame.primitives.size(); ++i)
         if (const Primitives& mesh = frame.primitives[i]; is_opaque_points(mesh)) buffers(i).draw(mesh, scale_rows_[i]);
 }
 
-// Lines leave no depth that a volume ends on: their soft edges would cut it off. So they are seen through it, and those
-// in front of it are drawn again.
+// Volumes do not end on lines, whose soft edges would cut them off. So lines are drawn before the volumes, and those in
+// front are drawn again.
 void Painter::draw_volumes(const Frame& frame) {
     enable_clip_planes(false); // the volumes' programs cut rays, not triangles
     volumes_.draw(frame, transform_, target_);
@@ -74,7 +73,7 @@ void Painter::draw_transparent(const Frame& frame) {
     gl_.DepthMask(GL_TRUE);
 }
 
-// For pick: layers leave none.
+// For pick: peeled layers write no depth to the target.
 void Painter::draw_depth_of_overlays(const Frame& frame) {
     gl_.ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
     draw_meshes(frame, lines_);
@@ -134,7 +133,7 @@ void Painter::peel_transparent(const Frame& frame) {
     enable_clip_planes(true);
 }
 
-// Of lines or points, which are as large in the picture whatever the layers' resolution; returns that.
+// Sets up a program of lines or points. Returns layer pixels per picture pixel: sizes are multiplied by it.
 float Painter::use_in_layers(const Frame& frame, const Program& program, bool joining) {
     const auto factor = static_cast<float>(peeling_.layer_pixels());
     use(program, frame);
@@ -145,7 +144,7 @@ float Painter::use_in_layers(const Frame& frame, const Program& program, bool jo
     return factor;
 }
 
-// In their order too: drawn before the surfaces, their soft edges would keep what is transparent from being seen.
+// Lines are among the layers: drawn before the surfaces, their soft edges would hide transparent surfaces.
 void Painter::draw_lines_of_layer(const Frame& frame, bool joining) {
     const Program& program = peeling_.lines();
     const float factor = use_in_layers(frame, program, joining);
@@ -158,7 +157,7 @@ void Painter::draw_lines_of_layer(const Frame& frame, bool joining) {
     }
 }
 
-// All that there are in fog, through which each is seen by itself; without, those that are not blended between layers.
+// Draws the opaque points; with volumes also the transparent ones, which are otherwise blended between layers.
 void Painter::draw_points_of_layer(const Frame& frame) {
     const Program& program = peeling_.points();
     use_for_points(frame, program);

@@ -6,14 +6,14 @@
 namespace ciel::render {
 namespace {
 
-// Bytes a pixel.
+// Bytes per pixel; `scene` is in bytes.
 constexpr std::uint64_t color_and_depth = 8;
-constexpr std::uint64_t image = 6;        // RGB, and once more encoded
-constexpr std::uint64_t layers = 36;      // color, two depths, sum, depths of what is opaque (depth_peeling.hpp)
+constexpr std::uint64_t image = 6;        // RGB and its encoding
+constexpr std::uint64_t layers = 36;      // color, two depths, sum, opaque depths (depth_peeling.hpp)
 constexpr std::uint64_t lines = 16;       // records of both layers
-constexpr std::uint64_t occlusion = 48;   // depth, normals, found and even light (ambient_occlusion.hpp)
+constexpr std::uint64_t occlusion = 48;   // depth, normals, raw and averaged light (ambient_occlusion.hpp)
 constexpr std::uint64_t volumes = 72;     // pictures of 4 floats, rays, reach and coverage (volume_painter.hpp)
-constexpr std::uint64_t scene = 24 << 20; // what the GL keeps of the triangles that it draws at a time
+constexpr std::uint64_t scene = 24 << 20; // the GL's copy of the triangles being drawn
 
 std::uint64_t bytes_of(const Primitives& mesh) {
     return mesh.positions.size_bytes() + mesh.normals.size_bytes() + mesh.scalars.size_bytes() +

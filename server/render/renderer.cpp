@@ -13,13 +13,13 @@
 namespace ciel::render {
 namespace {
 
-// The stills of a large screen stay below: nobody waits for a new context there.
+// A context that drew a larger picture is recreated. Stills of a large screen are smaller, so they need not wait.
 constexpr std::int64_t most_kept_pixels = 12 << 20;
 
-// For whatever else the process does while it draws, and for the shaders that are compiled for a picture.
+// For other work of the process during a draw, and for shaders compiled for the picture.
 constexpr std::uint64_t reserve = std::uint64_t{96} << 20;
 
-// That a new llvmpipe reserves, mostly for the stacks and heaps of its threads; little of it is ever used.
+// Address space that a new llvmpipe reserves, mostly stacks and heaps of its threads. Little of it is used.
 std::uint64_t addresses_of_a_context() {
     constexpr std::uint64_t whole = 240, of_thread = 136; // MB; 463 measured with 2 threads
     return (whole + of_thread * std::min(32U, std::max(1U, std::thread::hardware_concurrency()))) << 20;
@@ -38,14 +38,14 @@ struct Renderer::State {
     std::function<Spare()> spare;
     std::string selection, renderer_name, version;
     Gl gl;
-    std::unique_ptr<Context> context; // null while nothing is kept
+    std::unique_ptr<Context> context; // null before the next draw creates it
     std::optional<Painter> painter;
     std::int64_t drawn_pixels = 0; // of the last frame
     std::uint64_t kept = 0;        // bytes of the largest picture of this context
 
     State(Backend backend, std::function<Spare()> ask) : wanted(backend), spare(std::move(ask)) { start(); }
 
-    // The same back end as before: a server must not go on in software without anybody having been told.
+    // Restarts with the same back end: a server must not silently fall back to software.
     void start() {
         if (const std::uint64_t left = spare ? spare().address_space : UINT64_MAX; left < addresses_of_a_context())
             throw Error("to draw at all needs about " + megabytes(addresses_of_a_context()) +
@@ -70,7 +70,7 @@ struct Renderer::State {
         return !painter || !make_current(*context) ||
                (gl.GetGraphicsResetStatus != nullptr && gl.GetGraphicsResetStatus() != GL_NO_ERROR);
     }
-    // Objects of the GL live as long as their context, so what a very large picture has taken goes with that.
+    // GL objects live as long as their context, so memory of a very large picture is freed with the context.
     [[nodiscard]] bool is_much_larger_than(const Frame& frame) const {
         return drawn_pixels > most_kept_pixels && pixels_of(frame) < drawn_pixels / 2;
     }
@@ -80,7 +80,7 @@ struct Renderer::State {
     }
     void check_memory(const Frame& frame) const {
         const std::uint64_t needed = picture_memory(frame);
-        if (!spare || !is_software() || (painter && needed <= kept)) return; // what is kept is there
+        if (!spare || !is_software() || (painter && needed <= kept)) return; // fits in the kept memory
         const std::uint64_t more = needed - std::min(needed, kept) + reserve;
         const Spare left = spare();
         const std::uint64_t addresses = more + (painter ? 0 : addresses_of_a_context());
@@ -90,10 +90,10 @@ struct Renderer::State {
                     " of memory, and " + megabytes(lacks_memory ? left.memory : left.address_space) +
                     " are left to the server; ask for a smaller picture, show less in it, or give the server more");
     }
-    // Whether an allocation failed since it was asked last.
+    // Returns whether an allocation failed since the last call.
     [[nodiscard]] bool ran_out_of_memory() const {
         bool failed = false;
-        for (int i = 0; i < 8; ++i) { // a lost context may give errors without end
+        for (int i = 0; i < 8; ++i) { // a lost context may return errors forever
             const GLenum error = gl.GetError();
             failed = failed || error == GL_OUT_OF_MEMORY;
             if (error == GL_NO_ERROR) break;
@@ -112,7 +112,7 @@ struct Renderer::State {
             refused = std::current_exception();
         }
         if (failed || ran_out_of_memory()) {
-            stop(); // what it kept of this picture is of no use to the next
+            stop(); // the next picture cannot use a part of this one
             throw Error("the server ran out of memory while it drew a picture of " + size_of(frame) +
                         "; ask for a smaller picture, or show less in it");
         }
@@ -136,7 +136,7 @@ const Image& Renderer::draw(const Frame& frame, const AfterStage& after) {
     state_->kept = std::max(state_->kept, picture_memory(frame));
     const Image& image = state_->draw(frame, after);
     if (!state_->is_lost()) return image;
-    state_->stop(); // while drawing: what was read is no picture
+    state_->stop(); // lost while drawing: the image is invalid
     state_->start();
     return state_->draw(frame, after);
 }
@@ -169,7 +169,7 @@ std::vector<Backend> available_backends() {
             const Renderer renderer(backend);
             available.push_back(backend);
         } catch (const Error&) {
-            continue; // asking whether it is there is what this is for
+            continue; // not available
         }
     }
     return available;

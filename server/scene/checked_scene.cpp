@@ -13,8 +13,8 @@ struct Check {
     const store::Dataset& dataset;
     std::string path; // of the layer
 
-    // why_points: what an array of the cells cannot be used for; empty where it can. has_faces: of the boundary, which
-    // alone have values of patches.
+    // why_points: reason to refuse cell arrays; empty: they are allowed. has_faces: the layer shows boundary faces, so
+    // arrays on them are allowed.
     void scalar(const std::string& name, const std::string& place, const char* why_points,
                 bool has_faces = false) const {
         try {

@@ -1,4 +1,4 @@
-// A scene whose names are all there: what geometry is made of.
+// A scene whose names all exist in its dataset: the input of geometry.
 #pragma once
 
 #include "scene/scene.hpp"
@@ -8,12 +8,12 @@
 
 namespace ciel::scene {
 
-// A scene with its dataset as it stood when the scene was checked. Immutable, may be read from any thread. Steps that
-// are appended later are seen by a scene that is checked later.
+// A scene with its dataset at the time of the check. Immutable, so thread-safe. Steps appended later are not visible in
+// it.
 class CheckedScene {
 public:
-    // loaded: of scene.dataset; the caller opened it. Throws Invalid when the scene names an array, patch or color map
-    // that is not there, or an array whose association its layer cannot show.
+    // loaded: scene.dataset, opened by the caller. Throws Invalid when the scene names an array, patch or color map
+    // that does not exist, or an array with an association that its layer cannot show.
     CheckedScene(Scene scene, std::shared_ptr<store::LoadedDataset> loaded);
 
     [[nodiscard]] const Scene& scene() const { return scene_; }

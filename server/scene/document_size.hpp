@@ -1,4 +1,4 @@
-// How large a scene document is: for the limits on what is accepted and kept.
+// Sizes of scene documents, for the limits on accepted and stored documents.
 #pragma once
 
 #include <cstddef>

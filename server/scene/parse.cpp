@@ -76,7 +76,7 @@ std::vector<ColorPoint> color_points_of(const json& color, const std::string& pa
     return points;
 }
 
-// What no range at all could be drawn with.
+// Refuses a given range that reaches zero or below on a logarithmic scale.
 void check_scale(const Coloring& coloring, const std::string& path) {
     if (!coloring.log || coloring.symmetric) return;
     if (coloring.range && (*coloring.range)[0] <= 0)
@@ -159,7 +159,7 @@ struct Plane {
     Point origin{}, normal{};
 };
 
-// `what` it is of: "slice".
+// `what`: the kind of layer for messages, such as "slice".
 Plane plane_of(const json& object, const std::string& path, const std::string& what) {
     Plane plane;
     const bool by_axis = object.contains("axis") && object.contains("value");
@@ -252,7 +252,7 @@ SurfaceLayer surface_of(const json& object, const std::string& path) {
 
 OutlineLayer outline_of(const json& object, const std::string& path) { return {coloring_of(object, path)}; }
 
-// Bytes: a character of the contract's maxLength has up to four.
+// Counts bytes, since the contract's maxLength counts characters of up to four bytes.
 void check_name(const std::string& name, const std::string& path, const char* what) {
     if (name.size() > most_name_bytes)
         throw Invalid(path, std::string(what) + " may have at most " + std::to_string(most_name_bytes) +
@@ -359,7 +359,7 @@ void check_clip_planes(const std::vector<Layer>& layers) {
                                                                  " clip planes can cut at a time; hide or remove one");
 }
 
-// Documents that were saved before `annotations` had it.
+// Refuses documents saved before `legend` became a member of `annotations`.
 void refuse_old_legend(const json& document) {
     if (document.is_object() && document.contains("legend"))
         throw Invalid("/legend",

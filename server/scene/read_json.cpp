@@ -9,7 +9,7 @@ namespace ciel::scene {
 
 nlohmann::json read_json(std::string_view text) {
     using nlohmann::json;
-    std::vector<std::set<std::string>> names; // of the objects that are open
+    std::vector<std::set<std::string>> names; // member names of the open objects
     return json::parse(text.begin(), text.end(), [&](int, json::parse_event_t event, json& parsed) {
         if (event == json::parse_event_t::object_start)
             names.emplace_back();

@@ -1,4 +1,4 @@
-// A JSON text (RFC 8259) that somebody wrote by hand.
+// Reads hand-written JSON text (RFC 8259) and refuses duplicate members.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -7,13 +7,13 @@
 
 namespace ciel::scene {
 
-// One object has two members of one name: RFC 8259, section 4 lets a parser choose one of them, and the other layer
-// would be gone without a word.
+// An object has two members of the same name. RFC 8259, section 4, lets a parser drop one of them; a layer would be
+// lost silently.
 struct TwiceNamed : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-// Throws TwiceNamed, a sentence that names the member, and what nlohmann::json::parse throws. Thread-safe.
+// Throws TwiceNamed, which names the member, and the exceptions of nlohmann::json::parse. Thread-safe.
 [[nodiscard]] nlohmann::json read_json(std::string_view text);
 
 } // namespace ciel::scene

@@ -1,4 +1,4 @@
-// The scene document: everything a viewer wants to see, as one JSON document (components/schemas/Scene in
+// The scene document: everything that a view shows, as one JSON document (components/schemas/Scene in
 // protocol/openrpc.json states its form, defaults and limits). A change is an RFC 7396 merge patch.
 #pragma once
 
@@ -18,7 +18,7 @@ struct Camera {
     std::array<double, 3> position{}, target{}, up{0, 0, 1};
     double fov = 30; // vertical, degrees
     bool parallel = false;
-    double parallel_height = 1; // of the view, in scene units, when parallel
+    double parallel_height = 1; // height of the view in scene units, when parallel
 };
 
 using Rgb8 = std::array<std::uint8_t, 3>;
@@ -31,27 +31,27 @@ struct ColorPoint {
 struct Coloring { // by a scalar through a map, or solid when `array` is empty
     std::string array;
     std::string map = "viridis";
-    std::vector<ColorPoint> points;             // none, or two and more in ascending order, which are the map then
-    std::optional<std::array<double, 2>> range; // none: the array's at the shown time; above zero when `log` alone
-    bool reverse = false, symmetric = false, log = false; // both: logarithmic on either side of zero
+    std::vector<ColorPoint> points;             // empty, or at least two, ascending, which replace the map
+    std::optional<std::array<double, 2>> range; // none: the array's at the shown time; above zero if only `log`
+    bool reverse = false, symmetric = false, log = false; // symmetric and log: logarithmic on both sides of zero
     int steps = 0;                                        // 0: smooth
     Rgb8 nan{128, 128, 128};
     std::optional<Rgb8> below, above; // none: the color of that end
     std::array<float, 3> solid{0.8F, 0.8F, 0.8F};
 };
 
-struct LineStyle { // of polygon edges and the like: one color, a width in pixels
+struct LineStyle { // of polygon edges and contour lines; width in pixels
     std::array<float, 3> color{0x1a / 255.0F, 0x1a / 255.0F, 0x1a / 255.0F};
     float width = 1;
 };
 
-struct Contours { // where an array takes values on a slice
+struct Contours { // lines of constant value on a slice
     std::string array;
     std::vector<double> values;
-    int count = 10; // of values evenly inside the range; 0 where `values` says it
+    int count = 10; // number of values, evenly spaced in the range; 0 if `values` is given
     std::optional<std::array<double, 2>> range;
     LineStyle line{{0x1a / 255.0F, 0x1a / 255.0F, 0x1a / 255.0F}, 1.5F};
-    std::optional<Coloring> coloring; // by their values, instead of the line's color
+    std::optional<Coloring> coloring; // by value, instead of the line's color
 };
 
 struct IsoLayer {
@@ -70,7 +70,7 @@ struct SliceLayer {
 struct Threshold { // cells whose values lie in a range
     std::string array;
     std::array<double, 2> range{};
-    bool any = false; // of a cell's vertices; else all
+    bool any = false; // any vertex of a cell is in the range; else all are
 };
 struct SurfaceLayer { // boundary faces; all of them when `groups` is empty
     std::vector<std::string> groups;
@@ -83,22 +83,22 @@ struct OutlineLayer { // the bounding box
 };
 
 struct ClipLayer {                                   // a plane that cuts all layers
-    std::array<double, 3> origin{}, normal{1, 0, 0}; // the normal points to what is cut away
-    bool caps = true;                                // where it cuts the mesh's surface layers open
+    std::array<double, 3> origin{}, normal{1, 0, 0}; // normal: points to the removed side
+    bool caps = true;                                // closes the cuts through the mesh's surface layers
     std::optional<Coloring> color;                   // of the caps; none: the surface layer's
 };
 inline constexpr std::size_t most_name_bytes = 256; // of a layer id, a title, a gesture; the contract counts characters
-inline constexpr std::size_t most_clip_planes = 6;  // visible ones: what every OpenGL has at least, less two
+inline constexpr std::size_t most_clip_planes = 6;  // visible ones: two fewer than every OpenGL has at least
 
 struct EdgesLayer { // of the boundary's faces
     std::vector<std::string> groups;
     std::optional<Threshold> threshold;
-    std::optional<double> angle; // degrees: only where the boundary bends by more
+    std::optional<double> angle; // degrees: only edges where the boundary bends by more
     float width = 1.5F;
     Coloring color;
 };
 struct PointsLayer {  // the mesh's vertices
-    bool all = false; // else those of the boundary's faces
+    bool all = false; // else only those of boundary faces
     std::vector<std::string> groups;
     std::optional<Threshold> threshold;
     float size = 4;
@@ -112,10 +112,10 @@ struct VolumeLayer {
 
     std::string array;
     Coloring color; // its map and range
-    // (place between the ends of the range, opacity of a ray that runs one unit length through this value); ascending.
+    // (place between the ends of the range, opacity of one unit length along a ray); ascending places.
     std::vector<std::array<double, 2>> opacity_points{{0, 0}, {1, 0.9}};
     std::optional<double> unit_length; // none: a tenth of the bounds' diagonal
-    std::optional<std::size_t> slices; // none: as geometry/volume_cut.hpp finds fitting
+    std::optional<std::size_t> slices; // none: chosen by geometry/volume_cut.hpp
     Direction direction = Direction::automatic;
     bool shaded = true;
 };
@@ -146,7 +146,7 @@ struct AmbientOcclusion {
 };
 struct Lighting { // of surfaces
     bool on = true;
-    float ambient = 1; // strength of the light from everywhere
+    float ambient = 1; // strength of the ambient light
     Light headlight, key_light;
     AmbientOcclusion ambient_occlusion;
 };
@@ -161,19 +161,19 @@ struct Scene {
     std::vector<Layer> layers; // sorted by (order, id)
 };
 
-// What is wrong and where: `path` is a JSON pointer (RFC 6901) into the document.
+// A document breaks a rule. `path` is a JSON pointer (RFC 6901) to the place.
 class Invalid : public std::runtime_error {
 public:
     Invalid(std::string path_, const std::string& sentence) : std::runtime_error(sentence), path(std::move(path_)) {}
     std::string path;
 };
 
-// Throws Invalid. Says nothing about whether arrays exist: that needs the dataset (session/).
+// Throws Invalid. Does not check that arrays exist: that needs the dataset (checked_scene.hpp).
 [[nodiscard]] Scene parse(const nlohmann::json& document);
-// RFC 7396. Returns the patched document; the caller parses it before it replaces the old one. What it returns holds no
-// nulls where the patch reached: null and absent mean the same in a scene.
+// RFC 7396. Returns the patched document, without nulls in members that the patch sets: null and absent mean the same
+// in a scene. The caller parses it before it replaces the old one.
 [[nodiscard]] nlohmann::json merge_patch(nlohmann::json document, const nlohmann::json& patch);
-// The patch that leads from one document to another: what undo sends back. `to` must hold no nulls.
+// Returns the merge patch that turns `from` into `to`, as undo sends it. `to` must have no nulls.
 [[nodiscard]] nlohmann::json diff(const nlohmann::json& from, const nlohmann::json& to);
 
 } // namespace ciel::scene

@@ -15,7 +15,7 @@ namespace {
 using nlohmann::json;
 using Result = std::optional<Violation>;
 
-// Integers travel through double in browsers, and a conversion from a larger one would be undefined.
+// Browsers hold integers in doubles, and converting a larger double would be undefined.
 constexpr double largest_integer = 9007199254740992.0; // 2^53
 
 bool is_integer(const json& value) {
@@ -24,7 +24,7 @@ bool is_integer(const json& value) {
     return std::trunc(number) == number && std::abs(number) <= largest_integer;
 }
 
-// With both its limits where the schema has them: who wrote 0.5 wants to know how far the whole numbers go.
+// States both limits if the schema has them.
 std::string whole_number(const json& schema) {
     if (schema.contains("minimum") && schema.contains("maximum"))
         return "must be a whole number from " + schema["minimum"].dump() + " to " + schema["maximum"].dump();
@@ -58,7 +58,7 @@ Result check_const(const json& rule, const json& value, const json&, const std::
     return Violation{path, "must be " + rule.dump()};
 }
 
-// One limit on a number, or on the size of a string, array or object.
+// Checks a limit on a number, or on the size of a string, array or object.
 template <class Applies, class Measure, class Compare>
 Result check_limit(const json& rule, const json& value, const std::string& path, Applies applies, Measure measure,
                    Compare compare, const char* reason) {
@@ -66,7 +66,7 @@ Result check_limit(const json& rule, const json& value, const std::string& path,
     return Violation{path, reason + rule.dump()};
 }
 
-// Likewise of a size, which is so many of `things`.
+// check_limit for a size; the message counts `things`.
 template <class Applies, class Measure, class Compare>
 Result check_size(const json& rule, const json& value, const std::string& path, Applies applies, Measure measure,
                   Compare compare, const char* reason, const char* things) {
@@ -81,14 +81,14 @@ constexpr auto is_array = [](const json& v) { return v.is_array(); };
 constexpr auto is_object = [](const json& v) { return v.is_object(); };
 constexpr auto number_of = [](const json& v) { return v.get<double>(); };
 constexpr auto size_of = [](const json& v) { return static_cast<double>(v.size()); };
-// Code points, as JSON Schema counts them: bytes that do not continue one.
+// Number of code points, as JSON Schema counts: bytes that are no continuation bytes.
 constexpr auto length_of = [](const json& v) {
     const auto& text = v.get_ref<const std::string&>();
     return static_cast<double>(
         std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
 };
 
-// The contract's patterns in words; a regular expression is no sentence.
+// Describes the contract's patterns in words.
 std::string form_of(const std::string& pattern) {
     if (pattern == "^#[0-9a-fA-F]{6}$") return "must be a color of the form #rrggbb";
     if (pattern == "^[A-Za-z0-9_-]{1,64}$") return "must be 1 to 64 of the characters A-Z, a-z, 0-9, _ and -";
@@ -151,7 +151,7 @@ Result check_additional(const json& rule, const json& value, const json& schema,
     return {};
 }
 
-// The names are not repeated: one may be as long as the message.
+// Messages do not repeat the names, which may be as long as the request.
 Result check_names(const json& rule, const json& value, const json&, const std::string& path) {
     if (!value.is_object()) return {};
     for (const auto& [name, member] : value.items())
@@ -166,8 +166,8 @@ const json& resolve(const json& schema) {
     return contract().at(json::json_pointer(reference->get_ref<const std::string&>().substr(1)));
 }
 
-// What is wrong when no option fits: an option whose constant "type" agrees was meant, and its violation is the one
-// that helps; so is one that got further into the value than the others.
+// The violation to report if no option fits. An option whose constant "type" matches, or whose violation lies inside
+// the value, was meant: its violation is returned. Otherwise lists all types or reasons.
 Violation best_of(const json& options, const json& value, const std::vector<Violation>& violations,
                   const std::string& path) {
     static const json::json_pointer discriminator("/properties/type/const");

@@ -1,4 +1,4 @@
-// JSON Schema, the part of it that openrpc.json uses, checked as data. Errors name the place as a JSON pointer.
+// Checks values against JSON Schema, limited to the keywords that openrpc.json uses.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -16,15 +16,15 @@ struct Violation {
     std::string reason; // the rest of a sentence: "must be a number"
 };
 
-// The first violation, or nothing. "$ref" is looked up in contract(). Keywords that are not in schema_keywords() are
-// annotations and decide nothing. Thread-safe. Recursion follows the schema, so the depth of the value costs nothing.
+// Returns the first violation, or nothing. "$ref" is looked up in contract(). Keywords that are not in
+// schema_keywords() are ignored. Thread-safe. Recursion follows the schema, not the depth of the value.
 [[nodiscard]] std::optional<Violation> check_schema(const nlohmann::json& schema, const nlohmann::json& value,
                                                     const std::string& path = "");
 
-// Every keyword that is understood: a test holds the contract against it.
+// All supported keywords; a test compares them with the contract's.
 [[nodiscard]] std::vector<std::string> schema_keywords();
 
-// `token` as one more step of a JSON pointer, with ~ and / escaped.
+// Appends `token` to a JSON pointer, with ~ and / escaped.
 [[nodiscard]] std::string pointer_step(const std::string& path, const std::string& token);
 
 } // namespace ciel::scene

@@ -1,4 +1,4 @@
-// One client's way back: what the gateway gives the lower layers so that frames and notifications can leave.
+// Callbacks to one client, by which the lower layers send frames and notifications.
 #pragma once
 
 #include <cstdint>
@@ -10,21 +10,21 @@
 
 namespace ciel::sessions {
 
-// A WebSocket has both ways; an HTTP POST has neither (both empty), and methods that need one answer with an error.
-// The callbacks may be called from any thread until the Connection is destroyed, never block, and may drop frames of a
-// view newest-wins when the socket is slow (the frame loop waits for acknowledgements anyway).
+// A WebSocket has both send functions. For an HTTP POST both are empty, and methods that need them answer with an
+// error. The callbacks may be called from any thread until the Connection is destroyed, and never block. When the
+// socket is slow, a newer frame of a view may replace an unsent one; the frame loop waits for acknowledgements anyway.
 struct Connection {
     std::uint64_t id = 0;
     std::string remote;     // for logs
     std::string user;       // for logs; empty: not known
-    std::string request;    // id of the HTTP request that the calls came in; empty: each call gets one of its own
-    bool has_token = false; // it came with the server's token, which is more than being let in
-    std::stop_token stop;   // requested when the connection has ended: what is being made for it is given up
+    std::string request;    // id of the HTTP request; empty: each call gets its own id
+    bool has_token = false; // authenticated with the server's token, not merely admitted
+    std::stop_token stop;   // requested when the connection has ended; cancels its work
     std::function<void(std::string text)> send_text;
     std::function<void(std::shared_ptr<const std::vector<std::uint8_t>> bytes)> send_binary;
 
-    // Whether frames of so many bytes may be sent now. Once it was false, the views are told when there is room again
-    // (Sessions::connection_has_room). Empty: always.
+    // Whether frames of this size may be sent now. After it was false, Sessions::connection_has_room is called when
+    // there is room again. Empty: always.
     std::function<bool(std::size_t bytes)> has_room;
 
     [[nodiscard]] bool may_send(std::size_t bytes) const { return !has_room || has_room(bytes); }

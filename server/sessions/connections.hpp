@@ -17,7 +17,7 @@ public:
         open_[id] = std::move(connection);
     }
     void remove(std::uint64_t id) {
-        std::shared_ptr<Connection> last; // its destructor may call anything: not under the lock
+        std::shared_ptr<Connection> last; // destroyed after the lock is released
         const std::scoped_lock lock(mutex_);
         if (const auto found = open_.find(id); found != open_.end()) {
             last = std::move(found->second);

@@ -62,7 +62,7 @@ void History::forget_oldest(Steps& of) {
     of.pop_front();
 }
 
-// The front of redo_ is the newest change: the one that is farthest from what is shown.
+// The front of redo_ is the newest change, the farthest from the current document.
 void History::keep_limits() {
     while (undo_.size() + redo_.size() > steps_ || bytes_ > most_bytes_) forget_oldest(undo_.empty() ? redo_ : undo_);
 }

@@ -11,18 +11,18 @@ namespace ciel::sessions {
 
 using Document = std::shared_ptr<const nlohmann::json>;
 
-// Not thread-safe: its session has a lock. Copies share the documents.
+// Not thread-safe; the session locks. Copies share the documents.
 class History {
 public:
-    // Beyond `steps` documents or `bytes` of heap the oldest are forgotten.
+    // Drops the oldest documents beyond `steps` in number or `bytes` of heap.
     History(std::size_t steps, std::size_t bytes) : steps_(steps), most_bytes_(bytes) {}
 
-    // `before` is about to be replaced. Changes in a row with the same gesture (not empty) are one step.
+    // Records `before`, which is about to be replaced. Consecutive changes with the same nonempty gesture are one step.
     void record(Document before, const std::string& gesture);
-    // Puts a step before the oldest, or behind the newest that can be redone; false where the limits leave no room.
+    // Adds a step before the oldest undo, or after the last redo step. Returns false if the limits leave no room.
     bool append_undo(Document document);
     bool append_redo(Document document);
-    // The document to show, or null when there is none; `now` is what it replaces.
+    // Returns the document to show, or null if there is none. `now`: the current document, which it replaces.
     [[nodiscard]] Document undo(Document now);
     [[nodiscard]] Document redo(Document now);
     [[nodiscard]] bool can_undo() const { return !undo_.empty(); }

@@ -1,4 +1,4 @@
-// A notification of the contract as JSON-RPC text.
+// Notifications as JSON-RPC text.
 #pragma once
 
 #include "protocol/json.hpp"

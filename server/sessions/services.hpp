@@ -1,4 +1,4 @@
-// What sessions use of the process; all of it outlives them and is thread-safe.
+// Process-wide objects that sessions use. They are thread-safe and outlive all sessions.
 #pragma once
 
 #include "limits/limits.hpp"

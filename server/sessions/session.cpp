@@ -16,11 +16,12 @@ std::string scene_changed(const std::string& session, const SceneVersion& versio
     note.scene.emplace(*version.document);
     std::string text = notification_text(note);
     if (text.size() <= wire::longest_message) return text;
-    note.scene.reset(); // the client asks for it
+    note.scene.reset(); // too long: the client requests it
     return notification_text(note);
 }
 
-// The documents that the patches lead to, one after the other, as long as `take` returns true.
+// Applies the patches one after the other and passes each document to `take`. Stops when `take` returns false or a
+// document exceeds most_bytes of text.
 template <class Take>
 void follow(nlohmann::json document, const std::vector<nlohmann::json>& patches, std::size_t most_bytes, Take take) {
     for (const nlohmann::json& patch : patches) {
@@ -100,14 +101,14 @@ SessionStatus Session::redo(std::uint64_t author) { return move_in_history(&Hist
 
 SessionStatus Session::move_in_history(Document (History::*move)(Document), std::uint64_t author) {
     const std::scoped_lock lock(mutex_);
-    History after = history_; // the old one stays when there is nothing that can be shown
+    History after = history_; // a copy: history_ stays unchanged if no step can be shown
     std::exception_ptr refused;
     Document document = version_->document;
     while ((document = (after.*move)(document))) {
         try {
             auto next = make_version(services_, *document, version_->revision + 1);
             return change(std::move(next), after, author);
-        } catch (const std::exception&) { // its dataset is gone, or has other arrays: the step before may do
+        } catch (const std::exception&) { // dataset gone or changed: tries the next step
             if (!refused) refused = std::current_exception();
         }
     }
@@ -161,8 +162,7 @@ void Session::dataset_changed() {
     try {
         version_ = make_version(services_, *version_->document, version_->revision);
     } catch (const std::exception&) {
-        // The scene does not fit what stands there now: the next patch is told so, and what is mapped can still be
-        // shown.
+        // The scene does not fit the new dataset. The next patch reports that; the mapped data can still be shown.
     }
     for (const auto& [id, viewer] : viewers_) viewer.offer(version_);
 }

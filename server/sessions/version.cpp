@@ -29,13 +29,13 @@ void check_limits(const scene::Scene& scene, const limits::Limits& limits) {
 
 std::shared_ptr<const SceneVersion> make_version(const Services& services, nlohmann::json document,
                                                  std::uint64_t revision) {
-    // Null and absent mean the same in a scene; a merge patch can only make the latter, so only the latter is kept.
+    // Null and absent mean the same in a scene. Removes nulls, since merge patches cannot make them.
     document = scene::merge_patch(nlohmann::json::object(), document);
     check_size(document, services.limits);
     scene::Scene scene = scene::parse(document);
     check_limits(scene, services.limits);
     auto loaded = open_dataset(services.catalog, scene.dataset);
-    const std::size_t bytes = 2 * scene::heap_bytes(document); // parsed it has about as much
+    const std::size_t bytes = 2 * scene::heap_bytes(document); // the parsed scene has about the same size
     return std::make_shared<const SceneVersion>(
         SceneVersion{revision, std::make_shared<const nlohmann::json>(std::move(document)),
                      scene::CheckedScene(std::move(scene), std::move(loaded)), bytes, Clock::now()});

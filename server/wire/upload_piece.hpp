@@ -11,7 +11,7 @@ using UploadId = std::array<std::uint8_t, 16>;
 
 struct UploadPiece {
     UploadId upload{};
-    std::uint32_t array = 0;             // in the order of append.begin
+    std::uint32_t array = 0;             // index in the order of append.begin
     std::uint64_t offset = 0;            // of the first byte among the array's values
     std::span<const std::uint8_t> bytes; // borrowed from the message
 };

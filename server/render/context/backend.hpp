@@ -1,4 +1,4 @@
-// Where OpenGL comes from.
+// The libraries and platforms that can provide OpenGL.
 #pragma once
 
 #include <string>

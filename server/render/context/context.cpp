@@ -21,7 +21,7 @@ thread_local Context* current = nullptr;
 } // namespace
 
 ChosenContext make_context(Backend backend) {
-    if (current != nullptr) { // else a library that finds another's context current gets confused while making its own
+    if (current != nullptr) { // a library may fail to create one while another library's is current
         current->release();
         current = nullptr;
     }

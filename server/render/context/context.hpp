@@ -17,16 +17,16 @@ public:
     Context& operator=(const Context&) = delete;
     virtual ~Context() = default;
 
-    // False when the context has been lost; only destroying it is left then.
+    // Returns false when the context is lost. It can then only be destroyed.
     [[nodiscard]] virtual bool make_current() = 0;
     virtual void release() = 0;
-    // Takes the context away as a reset of the GPU does: make_current fails from now on.
+    // Loses the context as a reset of the GPU does: make_current fails from now on.
     virtual void lose() = 0;
     [[nodiscard]] virtual Gl::Loader loader() const = 0;
     [[nodiscard]] virtual std::string description() const = 0; // which device, for logs
 };
 
-// Each throws Error saying why there is none.
+// Each throws Error with the reason when it cannot create a context.
 [[nodiscard]] std::unique_ptr<Context> make_egl_device_context();
 [[nodiscard]] std::unique_ptr<Context> make_egl_surfaceless_context();
 [[nodiscard]] std::unique_ptr<Context> make_osmesa_context();
@@ -34,14 +34,14 @@ public:
 struct ChosenContext {
     std::unique_ptr<Context> context;
     Backend backend;
-    std::string selection; // a sentence for logs: what was chosen and why what comes before it was not
+    std::string selection; // for logs: the choice, and why earlier back ends failed
 };
-// `automatic` tries them in the order of the enumeration. Throws Error naming each that was tried and why it failed.
+// `automatic` tries them in the order of the enumeration. Throws Error naming each back end tried and why it failed.
 [[nodiscard]] ChosenContext make_context(Backend backend);
 
-// Makes `context` the thread's current one and releases the one before it, even of another library: two libraries
-// that share Mesa's dispatch table must not both believe theirs is current. False when it is lost.
+// Makes `context` current on this thread and releases the previous one, even one of another library. Two libraries
+// that share Mesa's dispatch table must not both have a current context. Returns false when `context` is lost.
 [[nodiscard]] bool make_current(Context& context);
-void forget_current(const Context& context); // before it is destroyed
+void forget_current(const Context& context); // call before destroying it
 
 } // namespace ciel::render

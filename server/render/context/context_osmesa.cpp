@@ -52,7 +52,7 @@ public:
 private:
     const OsMesa& library_;
     OSMesaContext context_;
-    std::array<std::uint8_t, 4> pixel_{}; // OSMesa wants a default framebuffer; nothing is drawn to it
+    std::array<std::uint8_t, 4> pixel_{}; // the default framebuffer that OSMesa requires; not drawn to
 };
 
 } // namespace

@@ -28,7 +28,7 @@ public:
     void release() override { egl_.MakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT); }
     void lose() override {
         if (context_ == EGL_NO_CONTEXT) return;
-        release(); // a current context would live on until it no longer is
+        release(); // EGL does not destroy a context while it is current
         egl_.DestroyContext(display_, context_);
         context_ = EGL_NO_CONTEXT;
     }
@@ -58,7 +58,7 @@ EGLContext create_context(const Egl& egl, EGLDisplay display, EGLConfig config) 
     std::vector<EGLint> attributes{
         EGL_CONTEXT_MAJOR_VERSION,           3,       EGL_CONTEXT_MINOR_VERSION, 3, EGL_CONTEXT_OPENGL_PROFILE_MASK,
         EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE};
-    // A context that reports a reset of the GPU where the driver can; software ones never have any.
+    // Requests reports of GPU resets, where the driver has them; software is never reset.
     std::vector<EGLint> robust{EGL_CONTEXT_OPENGL_ROBUST_ACCESS, EGL_TRUE,
                                EGL_CONTEXT_OPENGL_RESET_NOTIFICATION_STRATEGY, EGL_LOSE_CONTEXT_ON_RESET};
     robust.insert(robust.end(), attributes.begin(), attributes.end());

@@ -1,4 +1,4 @@
-// What both EGL platforms share: the library and a context without a surface on a display.
+// Shared by both EGL platforms: the library, and a context without a surface on a display.
 #pragma once
 
 #include "render/context/context.hpp"
@@ -23,7 +23,7 @@ struct Egl {
     PFNEGLMAKECURRENTPROC MakeCurrent;
     PFNEGLGETPLATFORMDISPLAYEXTPROC GetPlatformDisplay;
 
-    static const Egl& instance(); // opens the library once; throws Error when it is not there
+    static const Egl& instance(); // opens the library once; throws Error when it is missing
     [[nodiscard]] bool has_client_extension(std::string_view name) const;
     [[nodiscard]] std::string last_error() const; // "EGL error 0x3001"
 
@@ -33,8 +33,8 @@ private:
 
 [[nodiscard]] bool has_word(const char* words, std::string_view word); // in an extension string, which may be null
 
-// OpenGL 3.3 core on the display, which stays initialised for the life of the process: displays are shared, and ending
-// one would end every context on it. Throws Error.
+// Creates an OpenGL 3.3 core context on the display. Throws Error when that fails.
+// The display is never terminated: displays are shared, and terminating one would end every context on it.
 [[nodiscard]] std::unique_ptr<Context> make_egl_context(const Egl& egl, EGLDisplay display, std::string description);
 
 } // namespace ciel::render

@@ -1,5 +1,5 @@
-// OpenGL 3.3 core as one table of entry points, got from the context's own loader: nothing of GL is linked, so the
-// program starts where no GL is installed, and contexts of different libraries live side by side.
+// Table of the OpenGL 3.3 core functions, from the context's own loader. GL is not linked, so the program starts
+// without it, and contexts of different libraries can coexist.
 #pragma once
 
 #include <GL/glcorearb.h>
@@ -95,9 +95,9 @@ struct Gl {
 #define CIEL_GL_MEMBER(name, type) type name = nullptr;
     CIEL_GL_FUNCTIONS(CIEL_GL_MEMBER)
 #undef CIEL_GL_MEMBER
-    PFNGLGETGRAPHICSRESETSTATUSPROC GetGraphicsResetStatus = nullptr; // null where the context cannot tell
+    PFNGLGETGRAPHICSRESETSTATUSPROC GetGraphicsResetStatus = nullptr; // null where the context cannot report resets
 
-    Pacing* pacing = nullptr; // of draw_elements; null: there is none
+    Pacing* pacing = nullptr; // null: draws and uploads are not divided (pacing.hpp)
 
     using Loader = std::function<void (*(const char* name))()>;
     // Throws Error naming the first function that is missing.

@@ -5,10 +5,10 @@
 
 namespace ciel::render {
 
-// Never closed: Mesa and drivers leave thread-local data and exit handlers behind that must not point into the void.
+// Never closed: Mesa and drivers leave thread-local data and exit handlers that point into the library.
 class Library {
 public:
-    explicit Library(const char* name); // throws Error with the loader's words
+    explicit Library(const char* name); // throws Error with the loader's message
     template <typename Function>
     [[nodiscard]] Function get(const char* symbol) const {
         return reinterpret_cast<Function>(address(symbol));

@@ -7,8 +7,8 @@
 namespace ciel::render {
 namespace {
 
-constexpr std::chrono::duration<double> between_waits{0.1}; // so long a picture goes on after nobody wants it
-constexpr std::size_t first_piece = 1536;                   // indices; of whole points, lines and triangles
+constexpr std::chrono::duration<double> between_waits{0.1}; // a cancelled picture stops after about this time
+constexpr std::size_t first_piece = 1536;                   // indices: whole points, lines and triangles
 constexpr std::size_t most_growth = 4;
 constexpr std::size_t piece_of_buffer = std::size_t{4} << 20U; // bytes
 
@@ -37,12 +37,12 @@ void Pacing::pass() {
 }
 
 std::size_t Pacing::piece_of(std::size_t count) const {
-    constexpr std::size_t whole = 6; // lines and triangles
+    constexpr std::size_t whole = 6; // indices of whole lines and triangles
     const std::size_t left = (until_wait_ - drawn_ + whole - 1) / whole * whole;
     return std::min(count, left);
 }
 
-// As many the next time as the GL does in that time, as far as is known by now.
+// Adapts the number of indices until the next wait, so that the GL takes between_waits for them.
 void Pacing::drawn(std::size_t count) {
     drawn_ += count;
     if (drawn_ >= until_wait_) {

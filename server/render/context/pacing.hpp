@@ -1,6 +1,6 @@
-// So that a picture that nobody waits for any more can be given up in its middle: what draws it asks every so often,
-// and draws what is large in pieces. The GL takes commands much faster than it carries them out, so now and then what
-// it has taken is waited for, or the question would come too early to mean anything.
+// Cancels a picture that is no longer wanted. Drawing code calls check_wanted regularly, and divides large draws and
+// uploads into pieces. The GL accepts commands much faster than it executes them, so Pacing waits for it now and then;
+// otherwise the checks would come too early.
 #pragma once
 
 #include "render/context/gl.hpp"
@@ -18,13 +18,14 @@ public:
     Pacing(const Pacing&) = delete;
     Pacing& operator=(const Pacing&) = delete;
 
-    // As Frame::check_wanted, for the picture that follows. Empty: nothing is asked, waited for or divided.
+    // Starts a picture with its Frame::check_wanted. Empty: no check, no wait, no pieces.
+    // begin(), pass() and drawn() pass on what it throws.
     void begin(const std::function<void()>& check_wanted);
     void end() { check_wanted_ = nullptr; }
-    // Between two passes: what comes may take longer by far than what was.
+    // Call between two passes. Begins with a small piece again: the next pass may be much slower.
     void pass();
     [[nodiscard]] bool is_asking() const { return static_cast<bool>(check_wanted_); }
-    // Of `count` indices, so many may be drawn now; then the same is told to drawn().
+    // Returns how many of `count` indices to draw now. Call drawn() with this number afterwards.
     [[nodiscard]] std::size_t piece_of(std::size_t count) const;
     void drawn(std::size_t count);
 
@@ -34,15 +35,15 @@ private:
 
     const Gl& gl_;
     std::function<void()> check_wanted_;
-    Clock::time_point waited_;               // last
-    std::size_t drawn_ = 0, until_wait_ = 0; // indices, since then
+    Clock::time_point waited_;               // time of the last wait
+    std::size_t drawn_ = 0, until_wait_ = 0; // indices since the last wait
 };
 
-// Between two passes, where the GL has a pacing.
+// Calls Pacing::pass, if the GL has a pacing.
 void next_pass(const Gl& gl);
 
 // Calls work(begin, end) for consecutive pieces of [0, count), a few milliseconds each, and next_pass after each.
-// Copies and sorts on the CPU go through it, so that they can be given up too.
+// Makes copies and sorts on the CPU cancellable.
 template <typename Work>
 void in_pieces(const Gl& gl, std::size_t count, const Work& work) {
     constexpr std::size_t piece = std::size_t{1} << 16U;
@@ -52,20 +53,20 @@ void in_pieces(const Gl& gl, std::size_t count, const Work& work) {
     }
 }
 
-// Fills the buffer bound to `target`, as glBufferData with GL_STREAM_DRAW does; in pieces where the GL's pacing asks.
-// Given up, the buffer holds a part of the data.
+// Fills the buffer bound to `target`, as glBufferData with GL_STREAM_DRAW does; in pieces if the GL's pacing is asking.
+// If cancelled, the buffer holds only a part of the data.
 void fill_buffer(const Gl& gl, GLenum target, std::size_t bytes, const void* data);
-// As glDrawElementsBaseVertex does, of Index; in pieces where the GL's pacing asks for it.
+// Draws as glDrawElementsBaseVertex does, with indices of type Index; in pieces if the GL's pacing is asking.
 void draw_elements(const Gl& gl, GLenum primitive, std::size_t first, std::size_t count, GLint base = 0);
 
-// Asks whether anything that is drawn during its life is seen.
+// Occlusion query: whether any sample drawn during its lifetime passes the depth test.
 class AnySamples {
 public:
     AnySamples(const Gl& gl, GLuint query) : gl_(gl), query_(query) { gl_.BeginQuery(GL_ANY_SAMPLES_PASSED, query_); }
     ~AnySamples() { end(); }
     AnySamples(const AnySamples&) = delete;
     AnySamples& operator=(const AnySamples&) = delete;
-    // Ends it, and waits for the answer.
+    // Ends the query and waits for its result.
     [[nodiscard]] bool passed();
 
 private:

@@ -1,4 +1,4 @@
-// A linked program whose uniforms are set by name: for those that are set a few times a frame.
+// A linked program whose uniforms are set by name: for uniforms that are set a few times per frame.
 #pragma once
 
 #include "render/context/gl.hpp"
@@ -14,11 +14,11 @@
 
 namespace ciel::render {
 
-// One triangle that covers the picture.
+// Vertex shader: one triangle that covers the picture.
 extern const char* const cover_vertex;
 
 using Stage = std::pair<GLenum, std::string>; // kind and source of a shader
-// Throws Error with the compiler's words.
+// Throws Error with the compiler's message.
 [[nodiscard]] GLuint link_stages(const Gl& gl, const std::vector<Stage>& stages);
 
 class ShaderProgram {
@@ -27,7 +27,7 @@ public:
     ShaderProgram(const Gl& gl, GLuint id) : gl_(&gl), id_(id) {}
 
     void use() const { gl_->UseProgram(id_); }
-    // Of the program in use.
+    // Sets a uniform. The program must be in use.
     void set(const char* name, int value) const { gl_->Uniform1i(at(name), value); }
     void set(const char* name, float value) const { gl_->Uniform1f(at(name), value); }
     void set(const char* name, glm::vec2 value) const { gl_->Uniform2f(at(name), value.x, value.y); }
@@ -47,9 +47,9 @@ private:
     GLuint id_ = 0;
 };
 
-// Each throws Error with the compiler's words.
+// Each throws Error with the compiler's message.
 [[nodiscard]] ShaderProgram make_shader_program(const Gl& gl, const std::string& vertex, const std::string& fragment);
-// For every pixel of the picture, by DrawArrays of three vertices without attributes.
+// Runs for every pixel of the picture: call DrawArrays with three vertices and no attributes.
 [[nodiscard]] ShaderProgram make_cover_program(const Gl& gl, const std::string& fragment);
 
 } // namespace ciel::render

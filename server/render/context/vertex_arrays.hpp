@@ -8,7 +8,7 @@
 
 namespace ciel::render {
 
-struct VertexArrays { // names, which live as long as their context
+struct VertexArrays { // names of GL objects, which live as long as their context
     GLuint array = 0, vertices = 0, indices = 0;
 };
 

@@ -1,4 +1,4 @@
-// What a picture is drawn from, as values: meshes, volumes, lights and the camera. No GL.
+// Input of a picture as values: meshes, volumes, lights and the camera. No GL.
 #pragma once
 
 #include "annotations/annotations.hpp"
@@ -20,13 +20,13 @@ inline constexpr std::size_t most_clip_planes = 6;
 // Triangles, lines or points with per-vertex attributes; borrowed for the duration of a draw.
 struct Primitives {
     std::span<const Vec3f> positions; // offsets from the frame's origin
-    std::span<const Vec3f> normals;   // triangles are wound about them; empty: flat shading from the triangle
+    std::span<const Vec3f> normals;   // triangles are counterclockwise around them; empty: flat shading
     std::span<const float> scalars;   // empty: solid color
     std::span<const Index> indices;   // 3 per triangle, 2 per line, 1 per point
     bool lines = false, points = false;
     float line_width = 1.5F, point_size = 4; // pixels
-    bool on_opaque = false;  // lines known to lie on an opaque surface, so on no transparent one in front of it
-    color::ColorScale scale; // of the scalars
+    bool on_opaque = false;                  // lines on an opaque surface: slopes of transparent surfaces are ignored
+    color::ColorScale scale;                 // of the scalars
     std::array<float, 4> color{0.8F, 0.8F, 0.8F, 1}; // alpha is the opacity, also of mapped colors
     std::uint64_t revision = 0;                      // same non-zero revision: same buffers, may be kept on the GPU
     std::uint64_t identity = 0;                      // which layer the buffers belong to
@@ -34,19 +34,19 @@ struct Primitives {
 };
 
 struct Frame : annotations::AnnotatedPicture { // positions are offsets from its origin
-    // Opaque triangles, then points, then lines, then transparent triangles of all meshes, sorted from the back to the
-    // front; or peeled with lines and points among them, where there are several samples or volumes or one can see
-    // through those.
+    // Drawn in this order: opaque triangles, opaque points, lines, transparent triangles of all meshes sorted back to
+    // front. With several samples, volumes, or transparent lines or points, the transparent triangles are peeled
+    // instead, with lines and points among the layers (depth_peeling.hpp).
     std::vector<Primitives> primitives;
-    // In front of what is behind them and behind what is in front, mixed where they are in the same place. All have
-    // slabs across one direction.
+    // In depth order with the primitives; overlapping volumes are mixed. All must have the same normal.
     std::vector<Volume> volumes;
     int samples = 1; // 4: multisampled, for stills
-    // At most most_clip_planes: only what has dot(xyz, position) + w >= 0 is drawn, and of meshes found by pick.
+    // At most most_clip_planes. Only positions with dot(xyz, position) + w >= 0 are drawn, and found by pick on meshes.
     std::vector<std::array<float, 4>> clip;
-    Lighting lighting;   // of what is lit
-    Occlusion occlusion; // likewise, of opaque triangles
-    // Called every so often while the picture is drawn, on its thread: to throw gives it up, and is handed on.
+    Lighting lighting;   // of lit primitives
+    Occlusion occlusion; // of lit opaque triangles
+    // Called regularly while the picture is drawn, on the drawing thread. May throw to cancel the picture; draw passes
+    // the exception on.
     std::function<void()> check_wanted;
 };
 

@@ -1,4 +1,4 @@
-// What a frame holds, as to how it is drawn.
+// Properties of a frame that decide how it is drawn.
 #pragma once
 
 #include "render/frame/frame.hpp"
@@ -7,10 +7,10 @@
 
 namespace ciel::render {
 
-// While something moves, what is behind so many layers is not waited for.
+// Layers beyond this count are dropped; fewer are drawn while something moves.
 inline constexpr int most_layers = 32, most_moving_layers = 8;
 
-// Indices of one primitive.
+// Number of indices of one primitive.
 [[nodiscard]] inline std::size_t corners_of(const Primitives& mesh) { return mesh.points ? 1 : mesh.lines ? 2 : 3; }
 [[nodiscard]] bool is_transparent(const Primitives& mesh); // triangles or points
 [[nodiscard]] bool is_opaque(const Primitives& mesh);      // triangles, and there are some
@@ -26,11 +26,11 @@ template <typename Is>
 [[nodiscard]] float widest_line(const Frame& frame); // 0 without lines
 [[nodiscard]] bool has_transparent_lines(const Frame& frame);
 [[nodiscard]] bool has_transparent_overlays(const Frame& frame);
-// Stills, because triangles that are sorted by their centres show where they cross or enclose each other; where
-// surfaces are inside volumes; and lines and points that one can see through: the ones' joints are seen twice else, the
-// others have no order.
+// True for stills, for frames with volumes, which may contain surfaces, and with transparent lines or points. Triangles
+// sorted by their centres are in the wrong order where they cross or enclose each other. Without peeling, joints of
+// transparent lines would be blended twice, and transparent points would have no order.
 [[nodiscard]] bool is_peeled(const Frame& frame);
-// Where something is peeled, lines and points are among it.
+// True if lines and points are among the peeled layers.
 [[nodiscard]] bool has_overlays_in_layers(const Frame& frame);
 
 } // namespace ciel::render

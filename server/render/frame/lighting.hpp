@@ -10,7 +10,7 @@ struct Lighting {
     float key_light = 1; // over the viewer's left shoulder
 };
 
-// Opaque lit surfaces are darker where others keep out light from everywhere (ambient_occlusion.hpp).
+// Darkens lit opaque surfaces where others block the ambient light (ambient_occlusion.hpp).
 struct Occlusion {
     double radius = 0; // length within which surfaces shade each other; 0: none
     float strength = 1;

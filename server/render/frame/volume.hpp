@@ -11,30 +11,29 @@
 
 namespace ciel::render {
 
-// Slab i lies between first + i * thickness and that plus thickness, as measured by dot(normal, position); slice i is
-// the cut of its middle plane. Borrowed for the duration of a draw. Meshes wound the wrong way round or with gaps in
-// their boundary give a wrong thickness there and nothing worse.
+// Slab i begins at dot(normal, position) = first + i * thickness; slice i is the cut by its middle plane. Borrowed for
+// the duration of a draw. Where the boundary has gaps or the wrong winding, only the thickness is wrong.
 struct Volume {
     std::span<const SlabMesh> slices;   // positions: offsets from the frame's origin
-    const SlabMesh* boundary = nullptr; // of all that is filled, wound outwards
+    const SlabMesh* boundary = nullptr; // of the filled region, wound outwards
     Vec3d normal{0, 0, 1};              // of unit length
     double first = 0, thickness = 1;
-    std::size_t stride = 1; // odd: one slice stands for so many slabs
+    std::size_t stride = 1; // odd: number of slabs per slice drawn
 
     color::ColorScale scale; // of the property
-    // (place between the ends of the range, opacity of a ray that runs one unit length through it); by place.
+    // (place between the ends of the range, opacity of one unit length along a ray); sorted by place.
     std::vector<std::array<double, 2>> opacity_points{{0, 0}, {1, 1}};
     double unit_length = 1;
     bool shaded = true;
-    // Of the whole: the picture of all volumes is faded by the largest of theirs, and a volume with less has so much
-    // less of its points' opacity.
+    // Of the whole volume. The picture of all volumes is multiplied by the largest one. The opacity points of each
+    // volume are multiplied by its ratio to the largest.
     float opacity = 1;
-    // Resolution of the volumes' picture is that of the frame divided by the largest of this.
+    // The largest one divides the resolution of the volumes' picture.
     int coarseness = 1;
-    // Slabs are added up in bytes instead of floats, where all volumes of the frame ask for it: what the mappers do
-    // that benches compare with. Slabs that lose less than half of 1/255 are then lost themselves.
+    // Blends slabs in bytes instead of floats, if all volumes of the frame ask for it, as the mappers in benchmarks do.
+    // Slabs that absorb less than half of 1/255 then have no effect.
     bool in_bytes = false;
-    std::uint64_t identity = 0, revision = 0; // as a mesh's
+    std::uint64_t identity = 0, revision = 0; // as of Primitives
 };
 
 } // namespace ciel::render

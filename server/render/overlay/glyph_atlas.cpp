@@ -32,7 +32,7 @@ bool GlyphAtlas::clear() {
     return can_grow;
 }
 
-// On shelves: rows as high as their highest glyph, filled from the left.
+// Packs glyphs in rows, each as high as its highest glyph, from left to right.
 std::optional<AtlasGlyph> GlyphAtlas::placed(const fonts::GlyphImage& image) {
     if (image.width > side_) return {};
     if (shelf_x_ + image.width > side_) {

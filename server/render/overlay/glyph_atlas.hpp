@@ -1,4 +1,4 @@
-// Letters as they are on the screen, each drawn once and kept in one texture.
+// Cache of rasterized glyphs in one texture.
 #pragma once
 
 #include "fonts/font.hpp"
@@ -18,11 +18,11 @@ class GlyphAtlas {
 public:
     GlyphAtlas(const Gl& gl, fonts::Font& font);
 
-    // Null when the texture is full: call clear and begin the frame's text again.
+    // Returns null when the texture is full. Then call clear() and add the frame's text again.
     [[nodiscard]] const AtlasGlyph* find(std::uint32_t glyph, int pixels);
-    // Forgets all glyphs; the next texture is larger, up to the limit. False when it was as large already.
+    // Removes all glyphs and doubles the texture's side. Returns false if it has the largest side already.
     bool clear();
-    // Binds the texture, brought up to date, to the active unit.
+    // Uploads new glyphs, and binds the texture to the active unit.
     void bind();
     [[nodiscard]] int side() const { return side_; }
 
@@ -36,8 +36,8 @@ private:
     int side_ = 0;
     std::vector<std::uint8_t> texels_;                     // two bytes each, as in GlyphImage
     std::unordered_map<std::uint64_t, AtlasGlyph> glyphs_; // by size and glyph
-    int shelf_top_ = 0, shelf_height_ = 0, shelf_x_ = 0;   // of the row of glyphs that is being filled
-    int changed_top_ = 0, changed_bottom_ = 0;             // rows that the texture does not have yet
+    int shelf_top_ = 0, shelf_height_ = 0, shelf_x_ = 0;   // of the row of glyphs being filled
+    int changed_top_ = 0, changed_bottom_ = 0;             // rows not uploaded yet
 };
 
 } // namespace ciel::render

@@ -88,7 +88,7 @@ void OverlayPainter::add_quad(const Vertex& vertex, const annotations::Box& box,
     }
 }
 
-// The box, and around it four sides and four corners.
+// Adds the box, and four sides and four corners around it.
 void OverlayPainter::add(const annotations::Plate& back) {
     const annotations::Box& box = back.box;
     const std::array<double, 4> xs{box.left - back.edge, box.left, box.right, box.right + back.edge};
@@ -118,7 +118,7 @@ void OverlayPainter::add(const annotations::Stroke& stroke, double width, const 
     if (!(length > 0)) return;
     const double reach = width / 2 + 0.5;
     const annotations::Place along{dx / length * width / 2,
-                                   dy / length * width / 2}; // square ends, so that strokes that meet close
+                                   dy / length * width / 2}; // square ends, so that strokes that meet leave no gap
     const annotations::Place across{-dy / length * reach, dx / length * reach};
     for (const auto& [end, side] : {std::pair(0, -1), {1, -1}, {1, 1}, {0, -1}, {1, 1}, {0, 1}}) {
         const annotations::Place at = end == 1 ? annotations::Place{stroke.to.x + along.x, stroke.to.y + along.y}
@@ -146,7 +146,7 @@ bool OverlayPainter::add(const annotations::Label& label, bool halo, const annot
     return true;
 }
 
-// All halos first: that of one letter must not lie on the letter before it.
+// Adds all halos first: the halo of a letter must not cover the letter before it.
 bool OverlayPainter::add_labels(const annotations::Overlay& overlay) {
     for (const bool halo : {true, false})
         for (const annotations::Label& label : overlay.labels)
@@ -162,7 +162,7 @@ void OverlayPainter::build(const annotations::Overlay& overlay) {
     for (const annotations::Stroke& stroke : overlay.strokes) add(stroke, stroke.width, stroke.ink);
     for (const annotations::Triangle& triangle : overlay.triangles) add(triangle);
     const std::size_t marks = vertices_.size();
-    // Once more from an empty atlas that is as large as it gets; what does not fit even then is not shown.
+    // Retries with a larger atlas. After the largest one, labels that do not fit are not drawn.
     while (!add_labels(overlay)) {
         const bool may_fit = atlas_.clear();
         vertices_.resize(marks);

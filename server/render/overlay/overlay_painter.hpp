@@ -16,8 +16,8 @@ public:
 
     // Lays the annotations out. Throws Error when the font is not installed.
     void prepare(const Frame& frame);
-    void touch(TouchedTiles& touched, int height) const; // those of what was prepared
-    // What was prepared, into the bound target, of which it leaves the depth alone. Nothing without annotations.
+    void touch(TouchedTiles& touched, int height) const; // touches tiles of the prepared annotations
+    // Draws the prepared annotations onto the bound target, without its depth. Nothing if there are none.
     void draw(const Frame& frame);
 
 private:

@@ -8,7 +8,7 @@
 namespace ciel::render {
 namespace {
 
-// A radius that is larger in the picture counts as this share of its height: its samples would lie too far apart.
+// The largest radius, as a share of the picture's height. The samples of a larger one would lie too far apart.
 constexpr double most_reach = 0.25;
 
 enum Unit : int { found_unit = 0, depth_unit = 1, normals_unit = 2 };

@@ -1,12 +1,11 @@
-// How much light from everywhere reaches opaque surfaces, as far as the picture shows what is in its way: from depth
-// and normal of every pixel, by the highest thing that is seen from it along some lines through the picture, and the
-// light that comes over that in closed form. After Jimenez, Wu, Pesce, Jarabo: "Practical real-time strategies for
-// accurate indirect occlusion", SIGGRAPH 2016 courses; the sum is divided by that of a plane without anything on it, so
-// that such a plane has exactly all light whatever its angle and however few the lines.
+// Screen-space ambient occlusion of opaque surfaces, from the depth and normal of each pixel.
+// It finds the horizon along some lines through the pixel, and integrates the light above it in closed form.
+// After Jimenez, Wu, Pesce, Jarabo: "Practical real-time strategies for accurate indirect occlusion", SIGGRAPH 2016
+// courses. The sum is divided by that of an unoccluded plane. So such a plane has exactly all light, at any angle and
+// with any number of lines.
 //
-// What one pixel lacks in lines its neighbours have: 4 x 4 pixels turn them through all angles, in a pattern that
-// stands still, and the mean of any 4 x 4 pixels of one surface is taken. So there is neither noise nor a change from
-// frame to frame.
+// 4 x 4 pixels rotate the lines through all angles, in a fixed pattern. The mean of any 4 x 4 pixels of one surface is
+// taken. So there is neither noise nor a change from frame to frame.
 #pragma once
 
 #include "annotations/camera.hpp"
@@ -16,19 +15,20 @@
 
 namespace ciel::render {
 
-// Its GL objects live as long as their context; sheets are allocated anew when the size changes.
+// Its GL objects live as long as their context; textures are reallocated when the size changes.
 class AmbientOcclusion {
 public:
     explicit AmbientOcclusion(const Gl& gl);
     AmbientOcclusion(const AmbientOcclusion&) = delete;
     AmbientOcclusion& operator=(const AmbientOcclusion&) = delete;
 
-    // From depth and normals of the frame's size: a pixel for two by two of the picture's where the frame has one
-    // sample, which has the same mean. Leaves another framebuffer and viewport bound, depth test on, blending off.
+    // Computes light() from `opaque`, which has depth and normals of the frame's size. Frames with one sample use half
+    // the resolution, which has the same mean. Throws Error when the GL cannot draw to this size.
+    // Needs blending off. Leaves another framebuffer and viewport bound, and depth test on.
     void find(const Frame& frame, const annotations::ViewTransform& transform, const OpaqueDepth& opaque);
 
-    // For the program of the surfaces (shaders.hpp): RG32F, share of the light and depth in units of the radius; and
-    // how many of the picture's pixels one of it stands for along a side.
+    // Input of make_occluded_program() (shaders.hpp). RG32F: share of the light, depth in units of the radius.
+    // stride(): picture pixels per texel along a side.
     [[nodiscard]] GLuint light() const { return even_.texture; }
     [[nodiscard]] int stride() const { return stride_; }
 

@@ -3,7 +3,7 @@
 namespace ciel::render {
 namespace {
 
-// Of 4 x 4 pixels no two turn their lines by the same angle, or begin at the same distance.
+// No two of 4 x 4 pixels rotate their lines by the same angle, or begin at the same distance.
 constexpr const char* occlusion_fragment = R"(#version 330 core
 uniform sampler2D depths;  // of the window, 1 where nothing is
 uniform sampler2D normals; // towards the viewer

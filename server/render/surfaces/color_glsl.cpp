@@ -2,11 +2,11 @@
 
 namespace ciel::render {
 
-// Values are less the scale's origin (ScaleRow), and so are the numbers of a row of scale_rules: (low, 1 / width,
-// steps, way), (lowest inside, highest inside), below, above, NaN. The way is 0 for linear, 1 for logarithmic, and less
-// than zero where it is logarithmic on both sides of zero: less the width of the nearly linear part; `low` and `width`
-// are then of the logarithms to base 2. Missing values are told by their bits: compilers may assume that x != x never
-// holds.
+// The scale's origin (ScaleRow) is subtracted from values, from `low`, and from the limits of the inside.
+// A row of scale_rules: (low, 1 / width, steps, way), (lowest inside, highest inside), below, above, NaN.
+// way: 0 linear; 1 logarithmic; negative: logarithmic on both sides of zero, -way is the width of the nearly linear
+// part. For the last two, `low` and `width` are logarithms to base 2.
+// Missing values are detected by their bits: compilers may assume that x != x never holds.
 const char* const color_scale_glsl = R"(
 uniform sampler2D scale_colors;
 uniform sampler2D scale_rules;

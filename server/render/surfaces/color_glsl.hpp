@@ -1,5 +1,5 @@
-// color_scale.hpp's rule in GLSL 3.30: `vec3 scale_color(float value, float row)`, and `base_color`, which takes the
-// solid color where the row is negative. Needs the two textures that ColorScales binds.
+// color_scale.hpp's rule in GLSL 3.30: `vec3 scale_color(float value, float row)`, and `base_color`, which returns
+// the solid color for a negative row. Needs the two textures that ColorScales binds.
 #pragma once
 
 namespace ciel::render {

@@ -9,7 +9,7 @@
 namespace ciel::render {
 namespace {
 
-constexpr int row_size = 1024; // points may lie as close as that, and be told apart
+constexpr int row_size = 1024; // texels per scale; limits how close color points may lie
 constexpr int rule_size = 5;
 static_assert(color::most_color_steps <= row_size);
 
@@ -35,10 +35,10 @@ void append_color(std::vector<float>& rules, const color::Rgb8& color) {
     rules.push_back(1);
 }
 
-constexpr double largest_factor = 3e38; // of a range of subnormal numbers it would be infinite, and 0 times it nothing
+constexpr double largest_factor = 3e38; // 1 / a subnormal width is infinite, and 0 times that is NaN
 
 float origin_of(const color::ColorScale& scale) {
-    constexpr double farthest = 1e37; // beyond it, a value less the origin may be more than a float holds
+    constexpr double farthest = 1e37; // beyond it, value - origin may overflow a float
     return scale.log || std::abs(scale.range[0]) > farthest ? 0 : static_cast<float>(scale.range[0]);
 }
 
@@ -80,7 +80,7 @@ ColorScales::ColorScales(const Gl& gl)
 ScaleRow ColorScales::row_of(const color::ColorScale& scale) {
     const auto found = std::find(next_.begin(), next_.end(), scale);
     if (found != next_.end()) return {static_cast<float>(found - next_.begin()), origin_of(scale)};
-    static_cast<void>(color::color_map_index(scale.map)); // an unknown one is refused before anything is drawn
+    static_cast<void>(color::color_map_index(scale.map)); // throws for an unknown map before anything is drawn
     next_.push_back(scale);
     return {static_cast<float>(next_.size() - 1), origin_of(scale)};
 }

@@ -1,4 +1,4 @@
-// The color scales of one frame as textures: what color_glsl.hpp looks up.
+// The color scales of one frame as textures, which color_glsl.hpp reads.
 #pragma once
 
 #include "color/color_scale.hpp"
@@ -9,10 +9,10 @@
 
 namespace ciel::render {
 
-// What a mesh's values are looked up by. They are carried to the pixels less `origin`, or those of a small range beside
-// them, such as 101,325 and a little, would lose their digits on the way.
+// The color scale of a mesh. `origin` is subtracted from values before they are interpolated to the pixels.
+// Otherwise a small range at a large offset, such as 101,325 and a little, would lose its digits.
 struct ScaleRow {
-    float row = -1; // of the frame's ColorScales; -1: a solid mesh
+    float row = -1; // in the frame's ColorScales; -1: a solid mesh
     float origin = 0;
     bool operator==(const ScaleRow&) const = default;
 };
@@ -29,9 +29,9 @@ public:
     ColorScales& operator=(const ColorScales&) = delete;
 
     void begin() { next_.clear(); }
-    // Equal scales share one. Throws Error when there is no such color map.
+    // Returns the row of the scale; equal scales share one. Throws Error for an unknown color map.
     [[nodiscard]] ScaleRow row_of(const color::ColorScale& scale);
-    // After the last row_of: uploads the rows unless they are there from the frame before.
+    // Call after the last row_of(). Uploads the rows unless they equal the last upload.
     void upload();
     // To texture units 0 and 1, for the samplers scale_colors and scale_rules.
     void bind() const;

@@ -10,17 +10,18 @@
 namespace ciel::render {
 namespace {
 
-// A layer's pixels take 20 bytes: with twice the resolution those of a large screen, two thirds of a gigabyte.
+// Layers take up to 32 bytes per pixel without records: 1.06 GB at twice this resolution.
 constexpr int most_pixels_at_twice_the_resolution = 3840 * 2160;
 
-// Whether the volumes are drawn for a layer, up to it. Later ones, to which little light comes through, are seen
-// through as much of the volumes as the one before.
+// Returns whether the volumes in front of a layer are drawn for it. Other layers reuse the last picture of the volumes:
+// little of their light comes through.
 bool has_volumes_of_its_own(int layer, bool dense) {
     if (dense) return std::has_single_bit(static_cast<unsigned>(layer)) || layer == 0;
     return layer < 8 || layer % 4 == 0;
 }
 
-// Behind those of the color scales, but for what is added up; surface_slopes.cpp has 4 and 5.
+// Programs of surfaces, lines and points have color scales in 0 and 1, and surface_slopes.cpp in 4 and 5. Full-screen
+// programs have neither.
 enum Unit : int {
     layer_unit = 0,
     opaque_unit = 1,
@@ -76,7 +77,7 @@ void DepthPeeling::attach(GLuint framebuffer, GLuint color, GLuint depth) const 
     gl_.BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
     gl_.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, color, 0);
     gl_.FramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, depth, 0);
-    // A framebuffer of depth alone is only copied to, which asks for less.
+    // A framebuffer with depth only is just the target of copies, which require less.
     if (color != 0 && gl_.CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
         throw Error("the GL driver cannot draw transparent surfaces to a picture of this size; ask for a smaller one");
 }
@@ -92,11 +93,11 @@ void DepthPeeling::resize(const Scene& scene) {
     allocate(color_, GL_RGBA16F, factor * width_, factor * height_);
     attach(color_framebuffer_, color_, 0);
     for (const Layer& layer : layers_) {
-        // Exactly what the program compares it with.
+        // 32 bits: exactly the depth that the program compares.
         allocate(layer.depth, GL_DEPTH_COMPONENT32F, factor * width_, factor * height_);
         attach(layer.framebuffer, color_, layer.depth);
     }
-    // Of a float of 16 bits each of many layers would lose up to a bit.
+    // Not RGBA16F: with many layers, each would lose up to a bit.
     allocate(sum_, GL_RGBA16, factor * width_, factor * height_);
     attach(sum_framebuffer_, sum_, 0);
     factor_ = factor;
@@ -115,7 +116,7 @@ void DepthPeeling::record(bool on) {
             filter(gl_, GL_NEAREST);
             gl_.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT1, GL_TEXTURE_2D, layer.record, 0);
         }
-        if (!on && recorded_width_ != 0 && !has_size) // of another size it would make the framebuffer as small
+        if (!on && recorded_width_ != 0 && !has_size) // a smaller attachment clips all drawing
             gl_.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT1, GL_TEXTURE_2D, 0, 0);
         gl_.DrawBuffers(on ? 2 : 1, both);
         if (on && gl_.CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
@@ -166,7 +167,7 @@ void DepthPeeling::draw(const Scene& scene, Target& target) {
         const bool any = draw_layer(scene, opaque, layer, layers_[(i + 1) % 2]);
         if (scene.draw_between) add_between(scene, layer);
         if (!any) break;
-        was_cut_ = i == scene.most_layers; // drawn to know it, and no more
+        was_cut_ = i == scene.most_layers; // this layer is drawn only to detect the cut
         if (was_cut_) break;
         if (has_volumes_of_its_own(i, scene.dense)) in_front = volumes(layer.depth, color_);
         add_to_sum(layer, in_front);
@@ -174,7 +175,7 @@ void DepthPeeling::draw(const Scene& scene, Target& target) {
     put_on(scene, target, volumes(0, 0));
 }
 
-// In the middle of the layers' pixels: of a picture with several samples that is not where its own depth is.
+// Returns opaque depth in the middle of the layers' pixels. A multisampled target has its depth elsewhere.
 GLuint DepthPeeling::find_opaque(const Scene& scene, Target& target) {
     if (scene.samples == 1) {
         target.copy_depth(opaque_framebuffer_);
@@ -188,7 +189,8 @@ GLuint DepthPeeling::find_opaque(const Scene& scene, Target& target) {
     return scene.outlines == 0 ? fine_opaque_.texture() : keep_to_outlines(scene);
 }
 
-// Samples that are put on one by one want each pixel of the picture to be all before or all behind an outline.
+// Returns opaque depth where all layer pixels of a picture pixel are on the same side of an outline.
+// Compositing per sample requires that.
 GLuint DepthPeeling::keep_to_outlines(const Scene& scene) {
     kept_opaque_.begin(factor_ * width_, factor_ * height_, false);
     gl_.DepthFunc(GL_ALWAYS);
@@ -202,7 +204,7 @@ GLuint DepthPeeling::keep_to_outlines(const Scene& scene) {
     return kept_opaque_.texture();
 }
 
-// False where nothing is behind the nearer layer any more.
+// Returns false when nothing is seen behind the nearer layer.
 bool DepthPeeling::draw_layer(const Scene& scene, GLuint opaque, const Layer& layer, const Layer& nearer) const {
     gl_.BindFramebuffer(GL_FRAMEBUFFER, layer.framebuffer);
     gl_.Viewport(0, 0, factor_ * width_, factor_ * height_);
@@ -224,7 +226,7 @@ bool DepthPeeling::draw_layer(const Scene& scene, GLuint opaque, const Layer& la
     gl_.DepthFunc(GL_LESS);
     bind(gl_, nearer_unit, nearer.depth);
     if (recorded_) bind(gl_, lines_unit, nearer.record);
-    bind(gl_, own_lines_unit, 0); // is drawn to
+    bind(gl_, own_lines_unit, 0); // its texture is drawn to
     AnySamples drawn(gl_, query_);
     scene.draw_surfaces();
     const bool any = drawn.passed();
@@ -246,7 +248,7 @@ void DepthPeeling::join_lines(const Scene& scene, const Layer& layer) const {
     gl_.BlendEquation(GL_FUNC_ADD);
 }
 
-// What is drawn is behind what is there: premultiplied colors.
+// Sets front-to-back blending of premultiplied colors into the sum.
 void DepthPeeling::begin_sum() const {
     gl_.BindFramebuffer(GL_FRAMEBUFFER, sum_framebuffer_);
     gl_.Viewport(0, 0, factor_ * width_, factor_ * height_);
@@ -254,7 +256,7 @@ void DepthPeeling::begin_sum() const {
     gl_.BlendFuncSeparate(GL_DST_ALPHA, GL_ONE, GL_ZERO, GL_ONE_MINUS_SRC_ALPHA);
 }
 
-// In front of the layer and behind the nearer one, which is bound still.
+// Adds the points in front of the layer and behind the nearer one, whose depth is still bound.
 void DepthPeeling::add_between(const Scene& scene, const Layer& layer) const {
     begin_sum();
     bind(gl_, farther_unit, layer.depth);

@@ -1,7 +1,7 @@
-// Transparent surfaces, and lines and points among them, in their order at every pixel, however they cross or enclose
-// each other: layer after layer from the eye on, each drawn where it is nearest behind the one before. After Everitt,
-// "Interactive order-independent transparency", NVIDIA 2001. A layer's color is what is seen at it through the volume
-// in front, so layers and volumes are mixed in their order as well.
+// Depth peeling of transparent surfaces, and of lines and points among them. The order is correct at every pixel, even
+// where they cross or enclose each other. Layers are drawn from the eye on, each the nearest behind the previous one.
+// After Everitt, "Interactive order-independent transparency", NVIDIA 2001. Each layer is seen through the volumes in
+// front of it, so layers and volumes are in order too.
 #pragma once
 
 #include "render/context/shader_program.hpp"
@@ -13,10 +13,10 @@
 
 namespace ciel::render {
 
-// Whether the layers of such a picture have twice its resolution.
+// Returns whether layers are drawn at twice the picture's resolution: with several samples, up to 3840 x 2160 pixels.
 [[nodiscard]] bool has_finer_layers(int width, int height, int samples);
 
-// Its GL objects live as long as their context; sheets are allocated anew when the size changes.
+// Its GL objects live as long as their context; textures are reallocated when the size changes.
 class DepthPeeling {
 public:
     explicit DepthPeeling(const Gl& gl);
@@ -25,42 +25,42 @@ public:
 
     struct Scene {
         int width = 0, height = 0; // of the picture
-        int samples = 1;           // several: layers are drawn at twice the picture's resolution where memory allows
-        // Where lines of less than full opacity are among the surfaces: these lines once more, as set_nearer(..., true)
-        // says, each of which leaves only what it covers.
+        int samples = 1;           // of the picture; see has_finer_layers()
+        // Draws the lines of less than full opacity a second time, with set_nearer(..., true), which joins their
+        // segments. Empty without such lines.
         std::function<void()> join_lines;
-        int most_layers = 32; // what is behind so many is not seen
-        bool dense =
-            false; // the layers are many and small: only the 1st, 2nd, 3rd, 5th, 9th ... has volumes drawn for it
-        // Window depths in the middle of each pixel, whose outlines are seen through volumes, for per_sample.hpp; or 0.
+        int most_layers = 32; // layers beyond this count are dropped
+        bool dense = false;   // many small layers: volumes are drawn only for the 1st, 2nd, 3rd, 5th, 9th, ...
+        // Opaque window depths at pixel middles, whose outlines are seen through volumes, for per_sample.hpp; or 0.
         GLuint outlines = 0;
-        // All that is opaque, for its depth at the layers' resolution.
+        // Draws all opaque surfaces, for their depth at the layers' resolution.
         std::function<void()> draw_opaque;
-        std::function<void()> draw_surfaces; // with the peeling programs in use, lines and points as well
-        // Points of less than full opacity, from the nearest on, with such a program in use; empty where there are
-        // none, and where they are drawn with the surfaces.
+        std::function<void()> draw_surfaces; // with the peeling programs; lines and points as well
+        // Draws points of less than full opacity, front to back, with between(). Empty without such points, or where
+        // draw_surfaces draws them.
         std::function<void()> draw_between;
-        // The picture of the volumes (premultiplied, RGBA) in front of a layer, where it has colors, or of all opaque
-        // surfaces for (0, 0); empty where there are none.
+        // Returns a picture (premultiplied RGBA) of the volumes in front of a layer, valid where the layer has colors.
+        // For (0, 0): in front of the opaque surfaces, valid everywhere. Empty without volumes.
         std::function<GLuint(GLuint depth, GLuint color)> volumes;
     };
-    // The programs that draw surfaces, lines and points: the caller sets their uniforms.
+    // The peeling programs. The caller sets their uniforms, and those of peeling by set_nearer().
     [[nodiscard]] const Program& surfaces() const { return programs().surfaces; }
     [[nodiscard]] const Program& lines() const { return programs().lines; }
     [[nodiscard]] const Program& points() const { return programs().points; }
-    // And points between layers; `on_surfaces`: there may be some that they lie on.
+    // The program of points between layers; `on_surfaces`: the points may lie on surfaces.
     [[nodiscard]] const Program& between(bool on_surfaces) const { return on_surfaces ? between_ : free_between_; }
-    void set_nearer(const Program& program, bool joining) const; // of one of them, which is in use
-    // Pixels of a layer to one of the picture along a side, while draw_surfaces is called.
+    void set_nearer(const Program& program, bool joining) const; // program: one of these, in use
+    // Layer pixels per picture pixel along a side; valid in the callbacks of draw().
     [[nodiscard]] int layer_pixels() const { return factor_; }
-    // Onto the target, over what is opaque there. Leaves depth test and blending on. Afterwards was_cut() says whether
-    // something would be seen behind the last layer.
+    // Draws the layers and volumes onto the target, over its opaque surfaces. Leaves depth test and blending on.
+    // Throws Error when the GL cannot draw layers of this size.
+    // Afterwards was_cut() returns whether something would be seen behind the last layer.
     void draw(const Scene& scene, Target& target);
     [[nodiscard]] bool was_cut() const { return was_cut_; }
 
 private:
-    struct Layer { // one of two that take turns: what is drawn, and what it must be behind
-        GLuint framebuffer = 0, depth = 0, record = 0; // as shader_parts.cpp says
+    struct Layer {                                     // two alternate: the layer being drawn, and the nearer one
+        GLuint framebuffer = 0, depth = 0, record = 0; // record: of recorded_glsl (shader_parts.cpp)
     };
     struct Programs {
         Program surfaces, lines, points;
@@ -88,13 +88,13 @@ private:
     Layer layers_[2];
     GLuint color_ = 0, color_framebuffer_ = 0; // of the layer being drawn
     GLuint opaque_ = 0, opaque_framebuffer_ = 0;
-    GLuint sum_ = 0, sum_framebuffer_ = 0; // light so far, and the share of what is behind that comes through
-    GLuint nothing_ = 0;                   // a picture of no volume
+    GLuint sum_ = 0, sum_framebuffer_ = 0; // light so far; alpha: transmittance
+    GLuint nothing_ = 0;                   // empty picture, used without volumes
     GLuint query_ = 0, no_array_ = 0;
-    bool recorded_ = false; // in this picture
+    bool recorded_ = false; // this picture's layers have records
     bool was_cut_ = false;
     int recorded_width_ = 0, recorded_height_ = 0;
-    int width_ = 0, height_ = 0, factor_ = 0; // of the picture, and layers' pixels per pixel of it along a side
+    int width_ = 0, height_ = 0, factor_ = 0; // of the picture; layer pixels per picture pixel along a side
 };
 
 } // namespace ciel::render

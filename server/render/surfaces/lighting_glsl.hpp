@@ -3,8 +3,8 @@
 
 namespace ciel::render {
 
-// GLSL, for a fragment shader: `lights` to be set to the three strengths, and lit_surface() and lit_ball(), which
-// brighten a color. The page is built from the same.
+// GLSL for a fragment shader: lit_surface() and lit_ball() shade a color. The caller sets the uniform `lights` to the
+// three strengths. The page is built from the same text.
 extern const char* const lighting_glsl;
 
 } // namespace ciel::render

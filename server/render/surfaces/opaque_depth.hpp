@@ -1,23 +1,24 @@
-// The depth of what is opaque, and its normals for those who want them, in the middle of each pixel. Drawn for itself:
-// the picture's own depth has its samples elsewhere.
+// The depth of opaque surfaces in the middle of each pixel, and optionally their normals. Drawn separately: the samples
+// of the picture's own depth are elsewhere.
 #pragma once
 
 #include "render/context/gl.hpp"
 
 namespace ciel::render {
 
-// Its GL objects live as long as their context; a change of size allocates anew behind the same names.
+// Its GL objects live as long as their context; a change of size reallocates them behind the same names.
 class OpaqueDepth {
 public:
     explicit OpaqueDepth(const Gl& gl);
     OpaqueDepth(const OpaqueDepth&) = delete;
     OpaqueDepth& operator=(const OpaqueDepth&) = delete;
 
-    // What is drawn until another framebuffer is bound is in it. Throws Error when the size is more than the GL can do.
+    // Binds and clears it: draws go to it until another framebuffer is bound. Throws Error when the GL cannot draw to
+    // this size.
     void begin(int width, int height, bool with_normals);
-    void go_on() const;                                       // the same, to what begin() has bound already
-    [[nodiscard]] GLuint texture() const { return texture_; } // GL_DEPTH_COMPONENT24, of the window
-    [[nodiscard]] GLuint normals() const { return normals_; } // RGBA16F, where they were asked for
+    void go_on() const;                                       // binds it again without clearing
+    [[nodiscard]] GLuint texture() const { return texture_; } // window depths, GL_DEPTH_COMPONENT24
+    [[nodiscard]] GLuint normals() const { return normals_; } // RGBA16F; valid after begin() with normals
 
 private:
     void allocate(GLuint texture, GLint format, int width, int height) const;

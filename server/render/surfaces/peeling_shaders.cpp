@@ -5,7 +5,7 @@
 namespace ciel::render {
 namespace {
 
-// How steep a surface is itself, at its outline too, is the lesser slope to either side.
+// A surface's own slope is the lesser slope to either side, also at its outline.
 constexpr const char* kept_to_outlines_fragment = R"(#version 330 core
 uniform sampler2D opaque;
 uniform sampler2D middles; // of the picture's pixels
@@ -23,7 +23,7 @@ void main() {
 }
 )";
 
-// A layer on the very faces of what is opaque lies over it, whatever the rounding.
+// A layer coincident with opaque faces is drawn over them, despite rounding.
 constexpr const char* depth_copy_fragment = R"(#version 330 core
 uniform sampler2D opaque;
 uniform sampler2D sum; // of the nearer layers
@@ -67,7 +67,7 @@ void main() {
 }
 )";
 
-// Where there are two by two of the layers' pixels to one, the filter takes their mean.
+// With 2 x 2 layer pixels per picture pixel, the texture filter takes their mean.
 constexpr const char* layers_picture_fragment = R"(
 uniform sampler2D sum;
 uniform sampler2D volumes;

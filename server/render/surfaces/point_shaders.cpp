@@ -1,4 +1,4 @@
-// The programs of points: discs, shaded as the balls that they stand for.
+// The programs of points: discs, shaded as balls.
 #include "render/surfaces/shader_parts.hpp"
 
 namespace ciel::render {
@@ -32,14 +32,14 @@ void main() {
 }
 )";
 
-// On nothing, points are as deep as they are.
+// Points that lie on no surface keep their depth, less a rounding margin.
 constexpr const char* free_glsl = R"(
 const float least = 5e-7;
 uniform vec2 viewport;
 float depth_of_disc(vec2 place) { return gl_FragCoord.z - 2.0 * least; }
 )";
 
-// Before the lines that meet in it, whatever these rise.
+// A point on a surface comes before the lines that meet in it, however much these come nearer.
 constexpr const char* lying_glsl = R"(
 uniform float point_pixels;
 uniform float line_reach; // of the widest lines: half of their width, and of a pixel; 0 without lines
@@ -66,8 +66,8 @@ vec4 color_of_disc(vec2 place, float cover) {
 }
 )";
 
-// Sample by sample, as a surface is: a soft edge that leaves a depth hides what is behind it, and one that leaves none
-// does not hide it where it should.
+// Points are cut per sample, as surfaces are. A soft edge that writes depth would hide everything behind it; one that
+// writes no depth would hide too little.
 constexpr const char* opaque_fragment = R"(
 uniform int sample_count;
 uniform vec2 sample_places[8]; // from the middle of a pixel
@@ -86,8 +86,8 @@ void main() {
 }
 )";
 
-// A layer itself. What is opaque has a hard edge there, whose pixels are small in stills: of a soft one, what is behind
-// would be another layer, and dense clouds have as many as they please. A point only ever comes nearer than it is.
+// Points of a layer. Opaque ones have hard edges, whose pixels are small in stills. Behind each soft edge there would
+// be another layer, so dense clouds would have too many. depth_of_disc() only moves a point nearer.
 constexpr const char* layer_fragment = R"(
 layout(location = 0) out vec4 picture;
 void main() {
@@ -106,7 +106,7 @@ void main() {
 }
 )";
 
-// What lies between two layers, blended from the nearest on.
+// Points between two layers, blended front to back.
 constexpr const char* between_fragment = R"(
 uniform sampler2D nearer;
 uniform sampler2D farther; // nothing is seen where it is 0

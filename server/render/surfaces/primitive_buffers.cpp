@@ -44,7 +44,7 @@ void PrimitiveBuffers::attribute(GLuint index, GLuint buffer, int components, st
 void PrimitiveBuffers::load(const Primitives& mesh) {
     if (mesh.revision != 0 && mesh.identity == identity_ && mesh.revision == revision_) return;
     check_primitives(mesh);
-    revision_ = 0; // until all is there: the upload may be given up
+    revision_ = 0; // until the upload is complete: it may be given up
     gl_.BindVertexArray(array_);
     attribute(attribute_position, positions_, 3, mesh.positions.size_bytes(), mesh.positions.data());
     attribute(attribute_normal, normals_, 3, mesh.normals.size_bytes(), mesh.normals.data());

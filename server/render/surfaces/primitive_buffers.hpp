@@ -1,4 +1,4 @@
-// The vertex buffers of one mesh on the GL's side, used again from frame to frame.
+// GL buffers of one mesh, kept from frame to frame.
 #pragma once
 
 #include "render/context/gl.hpp"
@@ -15,10 +15,10 @@ void check_primitives(const Primitives& mesh);
 class PrimitiveBuffers {
 public:
     explicit PrimitiveBuffers(const Gl& gl);
-    // Uploads the mesh unless the buffers hold this identity and revision already. Can be given up between pieces
-    // (pacing.hpp); then load() again before it is drawn.
+    // Uploads the mesh unless the buffers hold this identity and revision already; revision 0 is always uploaded.
+    // Throws as check_primitives(), and may be given up between pieces (pacing.hpp); then call load() before draw().
     void load(const Primitives& mesh);
-    // `mesh` is what was loaded, perhaps in other colors.
+    // `mesh`: the loaded mesh; color, point size and lighting may differ from those at load().
     void draw(const Primitives& mesh, const ScaleRow& scale) const;
     [[nodiscard]] std::uint64_t identity() const {
         return identity_;

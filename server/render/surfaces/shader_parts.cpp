@@ -6,7 +6,6 @@
 
 namespace ciel::render {
 
-// What the vertices tell lines and triangles.
 const char* const surface_block = R"( Surface {
     vec3 place; // in the eye's axes, in units of the bounds' diagonal: derivatives of small scenes must not underflow
     vec3 normal;
@@ -48,9 +47,9 @@ uniform sampler2D nearer;
 bool is_seen(float depth) { return depth > texelFetch(nearer, ivec2(gl_FragCoord.xy), 0).r; }
 )";
 
-// A pixel of a line or point is beside the place where that is: as deep as there, it would be buried where the surface
-// under it rises. So it comes as much nearer. Surfaces that went back instead would go behind what is behind them, most
-// of all at their outlines. How a surface rises is what two steps to one side agree on, for one may be over an outline.
+// A pixel of a line or point lies beside its centre. At the centre's depth, a rising surface would hide it, so it comes
+// nearer by that rise. Surfaces pushed back instead would go behind what is behind them, most of all at outlines.
+// The rise to one side is the smaller of two steps, because one step may cross an outline.
 const char* const on_surface_glsl = R"(
 uniform vec2 viewport;
 uniform float on_opaque; // 1: on no sheet
@@ -105,10 +104,10 @@ float depth_on_surface(vec2 beside, float reach, float slack, float most, bool b
 }
 )";
 
-// The same where lines of less than full opacity are among the layers. Segments that meet in a joint lie over each
-// other there, and each would take its share of the light: so the last line at a pixel is passed on from layer to
-// layer, and what is of the same mesh and as deep, within what either may rise in a joint, is the same line. Of its
-// segments the nearest is the layer's; drawn a second time, they leave what they cover most of the pixel with.
+// is_seen() where lines of less than full opacity are among the layers. Segments overlap in a joint, and each would
+// absorb light there. So layers pass on the last line at a pixel. A segment of the same mesh at the same depth, within
+// the rise of both in a joint, belongs to the same line. Its nearest segment is the layer's. The second time, segments
+// raise alpha to the largest of theirs.
 const char* const recorded_glsl = R"(
 #define PEELED
 #define RECORDED

@@ -1,4 +1,4 @@
-// What the programs of surfaces, lines and points have in common; for those who make them.
+// Shader text shared by the programs of surfaces, lines and points.
 #pragma once
 
 #include "render/context/shader_program.hpp"
@@ -6,17 +6,18 @@
 
 namespace ciel::render {
 
-// What the vertices tell lines, triangles and points: `surface`, after "in" or "out".
+// GLSL block `surface`, to follow "in" or "out": the output of surface_vertex for lines and triangles.
 extern const char* const surface_block;
 extern const std::string surface_vertex;
 // depth_on_surface() of lines and points.
 extern const char* const on_surface_glsl;
-// is_seen() of what is peeled; the second with the record of a layer.
+// is_seen() of peeled programs; recorded_glsl also has the record of a layer.
 extern const char* const peeled_glsl;
 extern const char* const recorded_glsl;
 
+// Throws Error with the compiler's message.
 [[nodiscard]] Program link(const Gl& gl, const std::vector<Stage>& stages);
-// `defines` come first.
+// Returns a fragment shader: `defines`, then base_color(), the lighting, and `body`.
 [[nodiscard]] std::string with_color_scale(const std::string& body, const std::string& defines = "");
 
 } // namespace ciel::render

@@ -6,8 +6,8 @@
 namespace ciel::render {
 namespace {
 
-// The most common mesh: one color, normals of its own, no clip plane. A software rasteriser pays for each number that
-// is carried from the vertices to the pixels, so only the normal is; where a pixel looks, it knows itself.
+// The most common mesh: one color, normals of its own, no clip plane. Each interpolated number costs time in a software
+// rasteriser, so only the normal is interpolated. The ray follows from the pixel's coordinates.
 const std::string plain_vertex = R"(#version 330 core
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
@@ -37,8 +37,8 @@ void main() {
 }
 )";
 
-// Of lines, which are drawn after the volumes too, then only what is in front of them. A line on the
-// boundary is, though in the middle of a pixel a steep face may come before it: so a pixel's slope behind counts.
+// Lines are drawn again after the volumes, then only in front of them. A line on the boundary counts as in front, but a
+// steep face may be nearer in the middle of the pixel. So the slope of one pixel is tolerated.
 constexpr const char* before_volume_glsl = R"(
 uniform float before_volume; // 1: only what is in front of the volume
 uniform sampler2D volume_limits;
@@ -95,7 +95,7 @@ void main() {
 }
 )";
 
-// (slope, no more of it than the triangle rises in all), in depth a pixel.
+// Writes (slope, slope limited by the triangle's extent in depth), in depth per pixel.
 const std::string slopes_geometry = R"(#version 330 core
 layout(triangles) in;
 layout(triangle_strip, max_vertices = 3) out;
@@ -199,7 +199,7 @@ void main() {
 }
 )";
 
-// How much of a pixel is a line's, of the part that is being drawn.
+// A line's coverage of a pixel, in the part being drawn.
 constexpr const char* cover_glsl = R"(
 uniform float cover_part; // 0: all; 1: only where it is less than half; 2: only where it is more, and that is then whole
 float cover_drawn(float cover) {

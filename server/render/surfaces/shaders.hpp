@@ -6,19 +6,18 @@
 
 namespace ciel::render {
 
-// Vertex attributes. What a mesh does not have per vertex is set once for all of it: in OpenGL an attribute without an
-// array has one value, so that one program draws every kind of mesh.
+// Vertex attributes. In OpenGL an attribute without an array has one value for the whole mesh. So one program draws
+// every kind of mesh.
 enum Attribute : GLuint {
     attribute_position = 0,
     attribute_normal = 1, // zero: shaded by the triangle's own plane
     attribute_scalar = 2,
     attribute_size = 3,  // of a point, in pixels
     attribute_color = 4, // RGB of a solid mesh, and the opacity
-    attribute_style = 5, // (row of the frame's ColorScales, or -1 for solid; 1 when lit; what values are carried less)
+    attribute_style = 5, // (row of the frame's ColorScales, or -1 for solid; 1 when lit; ScaleRow::origin)
 };
 
-inline constexpr std::size_t most_point_samples =
-    8; // of a pixel; points are cut by the first of them where it has more
+inline constexpr std::size_t most_point_samples = 8; // per pixel; points ignore further samples
 
 struct Program {
     GLuint id = 0;
@@ -39,25 +38,25 @@ struct Program {
     GLint occlusion_strength = -1, occlusion_scale = -1;          // likewise
 };
 
-// Each throws Error with the compiler's words.
+// Each throws Error with the compiler's message.
 [[nodiscard]] Program make_triangle_program(const Gl& gl);
 // The same for the most common mesh: one color, normals of its own, no clip plane.
 [[nodiscard]] Program make_plain_program(const Gl& gl);
-// Triangles again, but only what lies behind a depth (depth_peeling.hpp). `recorded`: with a second picture, of where
-// lines and points are.
+// Triangles, lines and points of a layer: only fragments behind a depth (depth_peeling.hpp). `recorded`: with a second
+// output, the record of lines and points (recorded_glsl in shader_parts.cpp).
 [[nodiscard]] Program make_peeling_program(const Gl& gl, bool recorded);
 [[nodiscard]] Program make_peeling_line_program(const Gl& gl, bool recorded);
 [[nodiscard]] Program make_peeling_point_program(const Gl& gl, bool recorded);
-// Triangles again, only their normals, towards the viewer and along the eye's axes.
+// Writes normals of triangles, towards the viewer, in eye space.
 [[nodiscard]] Program make_normals_program(const Gl& gl);
-// Triangles again, only how steep they are: window depth a pixel.
+// Writes slopes of triangles in window depth per pixel: the slope, and the slope limited by the triangle's extent.
 [[nodiscard]] Program make_slopes_program(const Gl& gl);
-// Triangles again, darker by what AmbientOcclusion found.
+// Triangles darkened by AmbientOcclusion.
 [[nodiscard]] Program make_occluded_program(const Gl& gl);
 [[nodiscard]] Program make_line_program(const Gl& gl);
-// Of full opacity, sample by sample.
+// Points of full opacity, cut per sample.
 [[nodiscard]] Program make_point_program(const Gl& gl);
-// Of less, between two layers; `on_surfaces`: there may be some that they lie on.
+// Points of less than full opacity, between two layers; `on_surfaces`: they may lie on surfaces.
 [[nodiscard]] Program make_point_between_program(const Gl& gl, bool on_surfaces);
 
 } // namespace ciel::render

@@ -1,4 +1,4 @@
-// Items by a number of 32 bits, stable, in a time that grows as their count does.
+// Stable radix sort of items by a key of 32 bits, in linear time.
 #pragma once
 
 #include "render/context/pacing.hpp"
@@ -10,14 +10,14 @@
 
 namespace ciel::render {
 
-// Order of the floats as order of unsigned integers.
+// Returns an unsigned integer that sorts as the float does.
 [[nodiscard]] inline std::uint32_t sortable(float value) {
     const auto bits = std::bit_cast<std::uint32_t>(value);
     return (bits & 0x80000000U) != 0 ? ~bits : bits | 0x80000000U;
 }
 
-// From the least `key` to the greatest; `other` is room for as many. Can be given up (pacing.hpp): both then hold
-// nothing of use.
+// Sorts by ascending `key`; `other` is scratch memory. May be given up between pieces (pacing.hpp): the contents of
+// both are then unspecified.
 template <typename Item>
 void sort_by_key(const Gl& gl, std::vector<Item>& items, std::vector<Item>& other) {
     constexpr unsigned bits = 11;

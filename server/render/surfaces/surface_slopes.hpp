@@ -1,5 +1,5 @@
-// What lines and points must know of the surfaces that they lie on, to come before them by what these rise under their
-// width (shaders.cpp): the depth of what is opaque, and how steep the transparent ones are.
+// The depth of opaque surfaces and the slopes of transparent ones. Lines and points on a surface come nearer by its
+// rise under their width (on_surface_glsl in shader_parts.cpp).
 #pragma once
 
 #include "render/surfaces/shaders.hpp"
@@ -10,28 +10,28 @@
 
 namespace ciel::render {
 
-// Its GL objects live as long as their context; a change of size allocates anew behind the same names.
+// Its GL objects live as long as their context; a change of size reallocates them behind the same names.
 class SurfaceSlopes {
 public:
     explicit SurfaceSlopes(const Gl& gl);
     SurfaceSlopes(const SurfaceSlopes&) = delete;
     SurfaceSlopes& operator=(const SurfaceSlopes&) = delete;
 
-    void begin(); // nothing is there
-    // The depth of the target, on which only opaque surfaces have been drawn. Throws Error when the size is more than
-    // the GL can do.
+    void begin(); // resets to no surfaces
+    // Copies the depth of the target, on which only opaque surfaces have been drawn. Leaves the target bound.
     void copy_opaque(Target& target, int width, int height);
-    // `draw` draws all transparent triangles, with the program in use whose uniforms the caller sets.
+    // Finds the slopes of transparent surfaces. `draw` uses program(), sets its uniforms, and draws all transparent
+    // triangles. Throws Error when the GL cannot draw to this size. Leaves another framebuffer and viewport bound.
     void find_sheets(int width, int height, const std::function<void()>& draw);
     [[nodiscard]] const Program& program() const { return program_; }
-    // For a program of lines or points, which is in use.
+    // Sets the textures of a line or point program, which must be in use.
     void use(const Program& program) const;
 
 private:
     const Gl& gl_;
     Program program_;
     Sheet sheets_;
-    GLuint opaque_ = 0, framebuffer_ = 0, far_ = 0, flat_ = 0; // the last two: of nothing
+    GLuint opaque_ = 0, framebuffer_ = 0, far_ = 0, flat_ = 0; // the last two: for no surface
     GLuint opaque_used_ = 0, sheets_used_ = 0;
     int width_ = 0, height_ = 0;
 };

@@ -27,7 +27,7 @@ void TransparentTriangles::load(const std::vector<ScaledPrimitives>& parts, cons
     }
     same = same && wanted == held_;
     if (same && is_ordered_ && sorted == is_sorted_ && (!sorted || depth_row == depth_row_)) return;
-    is_ordered_ = false; // until all is there
+    is_ordered_ = false; // until the upload is complete
     if (!same) {
         held_.clear();
         gather(parts);
@@ -38,7 +38,7 @@ void TransparentTriangles::load(const std::vector<ScaledPrimitives>& parts, cons
     is_sorted_ = sorted;
     if (sorted)
         sort();
-    else // of two in one place the first one drawn is peeled, and the other not at all: the last layer's is
+    else // reversed: of coincident triangles only the first drawn is peeled; it is the last layer's
         sorted_.assign(triangles_.rbegin(), triangles_.rend());
     upload_order();
     is_ordered_ = true;
@@ -52,7 +52,7 @@ void TransparentTriangles::gather(const std::vector<ScaledPrimitives>& parts) {
     }
     vertices_.clear();
     triangles_.clear();
-    vertices_.reserve(vertices); // once: a reserve a part copies all parts before it each time
+    vertices_.reserve(vertices); // once: a reserve per part would copy all earlier parts
     triangles_.reserve(triangles);
     for (const ScaledPrimitives& part : parts) add(part);
 }

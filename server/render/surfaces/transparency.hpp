@@ -1,6 +1,5 @@
-// Transparent triangles of all layers in one buffer; in any order for depth_peeling.hpp, or sorted from the back to the
-// front by their centres' depth: the plain method. Right wherever triangles do not cross or enclose each other; the
-// layers may cross as they like.
+// Transparent triangles of all layers in one buffer: unsorted for depth_peeling.hpp, or sorted from back to front by
+// the depth of their centres. Sorting is correct where triangles do not cross or enclose each other; layers may cross.
 #pragma once
 
 #include "render/context/gl.hpp"
@@ -17,9 +16,9 @@ class TransparentTriangles {
 public:
     explicit TransparentTriangles(const Gl& gl);
 
-    // depth_row: the row of the view matrix that gives -depth, so that more is nearer. `sorted`: from far to near, by
-    // it. Vertices are uploaded where a part has changed, and their order where that or what it follows has. Can be
-    // given up between pieces (pacing.hpp); then load() again before anything is drawn.
+    // Uploads the vertices if a part has changed, and the order if a part, `sorted` or a sorted depth_row has.
+    // depth_row: the row of the view matrix that gives -depth; larger is nearer. `sorted`: from far to near.
+    // May be given up between pieces (pacing.hpp); then call load() before draw().
     void load(const std::vector<ScaledPrimitives>& parts, const glm::vec4& depth_row, bool sorted);
     [[nodiscard]] bool is_empty() const { return triangles_.empty(); }
     void draw() const;
@@ -35,7 +34,7 @@ private:
         std::uint32_t key; // grows with nearness
         std::array<Index, 3> corners;
     };
-    struct Held { // of a part: what its vertices depend on
+    struct Held { // inputs of a part's vertices
         std::uint64_t identity, revision;
         std::array<float, 4> color;
         ScaleRow scale;
@@ -51,11 +50,11 @@ private:
     const Gl& gl_;
     VertexArrays arrays_;
     glm::vec4 depth_row_{};
-    bool is_sorted_ = false, is_ordered_ = false; // the order of depth_row_ and is_sorted_ is on the GL's side
+    bool is_sorted_ = false, is_ordered_ = false; // the uploaded order fits depth_row_ and is_sorted_
     std::vector<Held> held_;
     std::vector<Vertex> vertices_;
-    std::vector<Triangle> triangles_; // in the order of the parts: ties are drawn in it, whatever was drawn before
-    std::vector<Triangle> sorted_;    // as they are drawn
+    std::vector<Triangle> triangles_; // in the order of the parts, which decides ties
+    std::vector<Triangle> sorted_;    // in draw order
     std::vector<Triangle> other_;
     std::vector<Index> indices_;
 };

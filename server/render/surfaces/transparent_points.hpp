@@ -1,5 +1,5 @@
-// Transparent points of all layers in one buffer, from the nearest to the farthest: a disc that faces the viewer is as
-// deep as its centre all over, so this order is right at every pixel.
+// Transparent points of all layers in one buffer, sorted from near to far. A disc faces the viewer and has the depth of
+// its centre everywhere, so this order is correct at every pixel.
 #pragma once
 
 #include "render/context/gl.hpp"
@@ -17,9 +17,9 @@ class TransparentPoints {
 public:
     explicit TransparentPoints(const Gl& gl);
 
-    // depth_row: the row of the view matrix that gives -depth. Vertices are uploaded where a part has changed, and
-    // their order where that or what it follows has. Can be given up between pieces (pacing.hpp); then load() again
-    // before anything is drawn. Throws Error when arrays of a mesh do not fit together.
+    // Uploads the vertices if a part has changed, and the order if a part or depth_row has.
+    // depth_row: the row of the view matrix that gives -depth. Throws Error when arrays of a mesh do not fit together.
+    // May be given up between pieces (pacing.hpp); then call load() before draw().
     void load(const std::vector<ScaledPrimitives>& parts, const glm::vec4& depth_row);
     [[nodiscard]] bool is_empty() const { return order_.empty(); }
     void draw() const;
@@ -35,7 +35,7 @@ private:
         std::uint32_t key; // grows with the distance
         Index vertex;
     };
-    struct Held { // of a part: what its vertices depend on
+    struct Held { // inputs of a part's vertices
         std::uint64_t identity, revision;
         std::array<float, 4> color;
         ScaleRow scale;
@@ -52,9 +52,9 @@ private:
     const Gl& gl_;
     VertexArrays arrays_;
     glm::vec4 depth_row_{};
-    bool is_ordered_ = false; // the order of depth_row_ is on the GL's side
+    bool is_ordered_ = false; // the uploaded order fits depth_row_
     std::vector<Held> held_;
-    std::vector<Vertex> vertices_; // one a point, in the order of the parts: ties are drawn in it
+    std::vector<Vertex> vertices_; // one per point, in the order of the parts, which decides ties
     std::vector<Point> sorted_, other_;
     std::vector<Index> order_;
 };

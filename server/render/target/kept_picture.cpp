@@ -8,7 +8,7 @@
 namespace ciel::render {
 namespace {
 
-constexpr double most_by_tiles = 0.6; // of the picture; beyond it one piece is faster
+constexpr double most_by_tiles = 0.6; // share of the picture; beyond it one full clear is faster
 
 constexpr const char* background_fragment = R"(#version 330 core
 uniform vec3 top;
@@ -18,7 +18,7 @@ out vec4 picture;
 void main() { picture = vec4(mix(bottom, top, gl_FragCoord.y / height), 1.0); }
 )";
 
-// A clear of all and one of a part may round differently, unless there is nothing to round.
+// Full and partial clears may round differently, so colors are rounded here.
 float as_byte(float channel) { return std::round(std::clamp(channel, 0.0F, 1.0F) * 255) / 255; }
 
 void copy(const Image& from, const PixelBox& box, Image& to) {
@@ -57,7 +57,7 @@ void KeptPicture::begin(const Background& background, const TouchedTiles& touche
     is_drawn_ = true;
 }
 
-// Only for the second frame of its kind: stills and single pictures need none.
+// Called for the second frame with the same background only: stills and single pictures do not need it.
 void KeptPicture::keep_background() {
     target_.read({0, 0, background_.width, background_.height}, clean_);
     target_.bind_again();
@@ -66,7 +66,7 @@ void KeptPicture::keep_background() {
     is_clean_known_ = true;
 }
 
-// No boxes: all of it.
+// Clears the boxes, or the whole target if there are none.
 void KeptPicture::clear(const std::vector<PixelBox>& boxes) {
     const auto& bottom = background_.bottom;
     gl_.ClearColor(as_byte(bottom[0]), as_byte(bottom[1]), as_byte(bottom[2]), 1);

@@ -1,5 +1,5 @@
-// The picture of the last frame, so that the next one clears, reads and converts only what has changed: outside the
-// touched tiles the target holds the background and the farthest depth, and this the background's pixels.
+// Keeps the picture of the last frame, so that the next one clears, reads and converts only the changed tiles.
+// Outside the touched tiles the target holds the background and the farthest depth.
 #pragma once
 
 #include "render/target/target.hpp"
@@ -11,15 +11,14 @@ class KeptPicture {
 public:
     KeptPicture(const Gl& gl, Target& target);
 
-    // What a frame is drawn on.
     struct Background {
         int width, height, samples;
         std::array<float, 3> top, bottom;
         bool operator==(const Background&) const = default;
     };
-    // Binds the target and makes it the background. `touched`: where the frame will draw.
+    // Binds the target and fills it with the background. `touched`: the tiles that the frame will draw on.
     void begin(const Background& background, const TouchedTiles& touched);
-    // Until the next begin.
+    // Returns the picture, valid until the next begin.
     const Image& read();
 
 private:
@@ -32,7 +31,7 @@ private:
     GLint top_ = -1, bottom_ = -1, height_ = -1;
     Background background_{};
     bool is_drawn_ = false;       // the target holds background_ outside dirty_
-    bool is_clean_known_ = false; // clean_ is background_, and picture_ is outside shown_
+    bool is_clean_known_ = false; // clean_ has the pixels of background_, and so has picture_ outside shown_
     TouchedTiles dirty_, shown_, touched_;
     Image clean_, picture_; // the background alone; the last frame
 };

@@ -5,10 +5,10 @@
 namespace ciel::render {
 namespace {
 
-// Depths of the window run straight over a plane: only where they bend is an outline. A hundredth of all that is
-// between the nearest and the farthest place of the picture hides too little of a volume to be seen, and a ball bends
-// by less within itself. At its outline a surface is steep, and a sample of it far behind the pixel's middle: so the
-// border between what is in front and what is behind is close to what is behind, and where that is nothing, next to it.
+// Window depths are linear on a plane, so an outline is where they bend. Bends of less than a hundredth of the depth
+// range are ignored: so little of a volume is not visible, and the inside of a ball bends less.
+// A surface is steep at its outline, so a sample of it may be far behind the pixel's middle. The border between front
+// and back samples is therefore close to the back, and next to it where the back is the background.
 constexpr const char* per_sample = R"(
 uniform sampler2D opaque;
 uniform float behind; // 1: samples that see past what ends there, and all where nothing does; 0: the others

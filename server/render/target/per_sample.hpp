@@ -1,6 +1,6 @@
-// Puts a picture that has one ray a pixel on a target of several samples, without the steps that it has where an opaque
-// surface ends: there the pixel's ray met the surface or went past it, but some of its samples did the other. Each
-// sample takes the color of the nearest pixel whose ray did the same.
+// Composites a picture with one ray per pixel onto a multisampled target, with smooth outlines of opaque surfaces.
+// At an outline the ray of a pixel hits or misses the surface, and some samples do the opposite. Each sample takes the
+// color of the nearest pixel whose ray did the same as the sample.
 #pragma once
 
 #include "render/context/shader_program.hpp"
@@ -9,16 +9,16 @@
 
 namespace ciel::render {
 
-// Before a fragment program's own text, which asks seen_from() for the place in the picture, in pixels, that it takes
-// its color from: its own, or of a program that draw_per_sample() draws with that of the nearest fitting pixel.
+// Returns GLSL to put before a fragment shader. Its seen_from() returns the place in the picture, in pixels, to take
+// the color from. `of_samples`, for draw_per_sample(): the nearest pixel that fits; otherwise the fragment's own place.
 [[nodiscard]] const char* seen_from_glsl(bool of_samples);
 
 struct PerSample {
-    GLuint opaque = 0; // window depths where the picture's rays end, of its size
-    int unit = 0;      // that it is bound to
+    GLuint opaque = 0; // window depths at which the picture's rays end; same size as the picture
+    int unit = 0;      // texture unit for it
 };
-// Draws twice with the program, which is in use, onto the target, which is bound: with the depth of its samples as it
-// is. Leaves the depth test on.
+// Calls `draw` twice, with `program` in use and the target bound. Tests the depth of the target's samples and does not
+// write it. Leaves the depth test on.
 void draw_per_sample(const Gl& gl, const ShaderProgram& program, const PerSample& what,
                      const std::function<void()>& draw);
 

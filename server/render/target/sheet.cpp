@@ -18,7 +18,7 @@ void Sheet::size(GLint format, int width, int height) {
     filter(*gl_, GL_NEAREST);
     gl_->BindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
     gl_->FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture_, 0);
-    width_ = 0; // not usable until it is known to be complete
+    width_ = 0; // invalid until the framebuffer is complete
     if (gl_->CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
         throw Error("the GL driver cannot draw a volume to " + std::to_string(width) + " x " + std::to_string(height) +
                     " pixels; ask for a smaller picture");

@@ -10,9 +10,9 @@ class Sheet {
 public:
     explicit Sheet(const Gl& gl);
 
-    // Anew behind the same names where the size or format changes. Throws Error when it is more than the GL can do.
+    // Reallocates behind the same names if size or format change. Throws Error when the GL cannot draw to this size.
     void size(GLint format, int width, int height);
-    void begin() const; // binds it for drawing, the whole of it
+    void begin() const; // binds it for drawing, with a viewport of its size
     [[nodiscard]] GLuint texture() const { return texture_; }
 
 private:
@@ -22,7 +22,7 @@ private:
     GLint format_ = 0;
 };
 
-// Of the texture that is bound.
+// Sets the filter of the bound texture, and clamping to its edge.
 void filter(const Gl& gl, GLint how);
 void bind(const Gl& gl, int unit, GLuint texture);
 

@@ -8,9 +8,9 @@
 namespace ciel::render {
 namespace {
 
-constexpr int band_rows = 32; // read at a time: what is copied stays in the cache until its alpha is dropped
+constexpr int band_rows = 32; // read at a time, so that a band is in the cache when its alpha is dropped
 
-// Stored in a word and a half: what is put together in memory from smaller pieces has to wait for them.
+// Stores 8 and 4 bytes: assembling them in memory from smaller stores would stall.
 void drop_alpha_of_four(const std::uint8_t* rgba, std::uint8_t* rgb) {
     static_assert(std::endian::native == std::endian::little);
     std::array<std::uint64_t, 2> pairs{};
@@ -53,7 +53,7 @@ void Target::allocate(Layer& layer, int width, int height, int samples) {
     gl_.BindRenderbuffer(GL_RENDERBUFFER, layer.depth);
     gl_.RenderbufferStorageMultisample(GL_RENDERBUFFER, samples, GL_DEPTH_COMPONENT24, width, height);
     gl_.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, layer.depth);
-    layer.samples = -1; // not usable until it is known to be complete
+    layer.samples = -1; // invalid until the framebuffer is complete
     if (gl_.CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
         throw Error("the GL driver cannot draw a picture of " + std::to_string(width) + " x " + std::to_string(height) +
                     " pixels; ask for a smaller one");

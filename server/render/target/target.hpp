@@ -1,4 +1,4 @@
-// What is drawn to: color and depth, multisampled or not.
+// Render target: color and depth, multisampled or not.
 #pragma once
 
 #include "render/context/gl.hpp"
@@ -10,21 +10,21 @@
 
 namespace ciel::render {
 
-// Its GL objects live as long as their context; a change of size allocates anew behind the same names.
+// Its GL objects live as long as their context; a change of size reallocates behind the same names.
 class Target {
 public:
     explicit Target(const Gl& gl);
 
-    // Binds it for drawing. Throws Error when the size is more than the GL can do.
+    // Binds it for drawing. Throws Error when the GL cannot draw this size.
     void begin(int width, int height, int samples);
-    // Only these pixels; the image gets the size of the whole.
+    // Reads these pixels into the image, which is resized to the whole picture.
     void read(const PixelBox& box, Image& image);
     // Depth at a pixel counted from the top left, 1 where nothing was drawn.
     [[nodiscard]] float read_depth(int x, int y);
     void bind_again();
-    // Of one pixel of what is bound for drawing: from its middle, to the right and up; (0, 0) where it has but one.
+    // Returns the sample positions of a pixel, from its middle to the right and up; (0, 0) for a single sample.
     [[nodiscard]] std::vector<std::array<float, 2>> sample_places() const;
-    // Copies the depth of one sample a pixel to another framebuffer of this size, GL_DEPTH_COMPONENT24 as well.
+    // Copies the depth of one sample per pixel to another framebuffer of this size with GL_DEPTH_COMPONENT24.
     void copy_depth(GLuint framebuffer);
 
 private:
@@ -38,8 +38,7 @@ private:
     const Gl& gl_;
     Layer single_, multisampled_;
     Layer* drawn_ = nullptr;
-    std::vector<std::uint8_t>
-        rgba_; // a band: reading RGBA and dropping A is ten times as fast as reading RGB from llvmpipe
+    std::vector<std::uint8_t> rgba_; // a band; from llvmpipe, reading RGBA and dropping A is ten times as fast as RGB
 };
 
 } // namespace ciel::render

@@ -18,7 +18,7 @@ Span joined(const Span& a, const Span& b) {
     return {std::min(a.left, b.left), std::min(a.bottom, b.bottom), std::max(a.right, b.right), std::max(a.top, b.top)};
 }
 
-// Of a vertex with `reach` pixels around it.
+// Finds the tiles of a vertex with `reach` pixels around it.
 class Spans {
 public:
     Spans(const annotations::ViewTransform& transform, int width, int height, float reach)
@@ -26,7 +26,7 @@ public:
           half_height_(static_cast<float>(height) / 2), most_x_(static_cast<float>(width - 1)),
           most_y_(static_cast<float>(height - 1)), reach_(reach) {}
 
-    // False where the vertex is behind the nearest plane or nowhere.
+    // Returns false if the vertex is behind the near plane or not finite.
     bool find(const Vec3f& position, Span& span) const {
         const glm::vec4 place = matrix_ * glm::vec4(position[0], position[1], position[2], 1);
         if (!(place.w > 0) || !(place.z >= -place.w)) return false;
@@ -37,7 +37,7 @@ public:
         return true;
     }
 
-    // A slanted line has few of the tiles between its ends.
+    // Divides a line into short pieces: a slanted line touches few tiles of its bounding box.
     template <class Function>
     void for_pieces(const Vec3f& from, const Vec3f& to, const Span& whole, const Function& function) const {
         const int pieces = 2 * (whole.right - whole.left + whole.top - whole.bottom);
@@ -61,7 +61,7 @@ private:
     float half_width_, half_height_, most_x_, most_y_, reach_;
 };
 
-// A pixel more than the primitive has, for rounding here and there.
+// Returns the primitive's extent around a vertex, in pixels, with a margin for rounding.
 float reach_of(const Primitives& mesh) {
     if (mesh.points) return mesh.point_size / 2 + 2;
     return mesh.lines ? mesh.line_width + 2 : 1;

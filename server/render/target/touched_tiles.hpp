@@ -1,4 +1,4 @@
-// Which parts of a picture something is drawn on, in tiles, so that the rest need not be cleared, read and converted.
+// The tiles of a picture that something is drawn on. Others need not be cleared, read and converted.
 #pragma once
 
 #include "annotations/camera.hpp"
@@ -15,15 +15,15 @@ struct PixelBox {
 
 class TouchedTiles {
 public:
-    static constexpr int side = 64; // pixels, and llvmpipe's own tiles
+    static constexpr int side = 64; // pixels, as llvmpipe's own tiles
 
     TouchedTiles() = default;
     TouchedTiles(int width, int height); // none is touched
 
     void touch_all();
-    // Every tile that may have a pixel within, from the lower left; not finite: all.
+    // Touches every tile that the box may overlap, in pixels from the lower left; all if it is not finite.
     void touch(float left, float bottom, float right, float top);
-    // Every tile that a primitive of the mesh may have a pixel in; all where one reaches behind the nearest plane.
+    // Touches every tile that the mesh may have a pixel in; all if a vertex is behind the near plane or not finite.
     void touch(const Primitives& mesh, const annotations::ViewTransform& transform);
 
     void add(const TouchedTiles& other); // of the same size
@@ -32,7 +32,7 @@ public:
     [[nodiscard]] bool at(int column, int row) const { return tiles_[index(column, row)] != 0; }
     [[nodiscard]] int columns() const { return columns_; }
     [[nodiscard]] int rows() const { return rows_; }
-    // The touched tiles (those of `except` left out), each in one box: rows of tiles, together where they are alike.
+    // Returns disjoint boxes that cover the touched tiles without those of `except`. Equal rows of tiles are merged.
     [[nodiscard]] std::vector<PixelBox> boxes(const TouchedTiles* except = nullptr) const;
 
 private:

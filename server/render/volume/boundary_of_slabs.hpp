@@ -1,12 +1,12 @@
-// Which part of a volume's boundary lies in which slab.
+// The boundary triangles of each slab of a volume.
 #pragma once
 
 #include "render/frame/volume.hpp"
 
 namespace ciel::render {
 
-// Of each slab, of `stride` slices: the triangles of volume.boundary that it has a part of, three entries each. One on
-// the border of two slabs is in both lists: the program that draws them decides pixel by pixel.
+// Returns, for each slab of `stride` slices, the triangles of volume.boundary that intersect it, three indices each.
+// A triangle on the border of two slabs is in both lists: the edge program decides per pixel.
 [[nodiscard]] std::vector<std::vector<Index>> boundary_of_slabs(const Volume& volume);
 
 } // namespace ciel::render

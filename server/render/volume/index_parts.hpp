@@ -1,4 +1,4 @@
-// Triangles in parts of some hundred that lie together, to leave out those that cannot be seen: a part has a box.
+// Triangle lists split into parts of a few hundred triangles, each with a bounding box, to skip invisible parts.
 #pragma once
 
 #include "ciel/slab.hpp"
@@ -10,7 +10,7 @@
 
 namespace ciel::render {
 
-// Consecutive entries of an index buffer, and what is added to them.
+// Consecutive entries of an index buffer; `base` is added to each index.
 struct IndexRange {
     std::size_t first = 0;
     GLsizei count = 0;
@@ -22,7 +22,7 @@ struct IndexPart {
     Vec3f low, high; // of positions
 };
 
-// Of the triangles that stand at `range`, in their order; `at`: the place of a vertex.
+// Splits `triangles`, which the index buffer holds at `range`, in order. `at` returns the position of a vertex.
 [[nodiscard]] std::vector<IndexPart> parts_of(const IndexRange& range, std::span<const Index> triangles,
                                               const std::function<const Vec3f&(Index)>& at);
 

@@ -13,13 +13,13 @@
 namespace ciel::render {
 namespace {
 
-constexpr int cells = 256;             // of the grid over a slab, each way
-constexpr double worth_splitting = 40; // cells that a triangle is long
+constexpr int cells = 256;             // per side of the grid over a slab
+constexpr double worth_splitting = 40; // length of a triangle in cells
 
 glm::dvec3 vector_of(const Vec3d& v) { return {v[0], v[1], v[2]}; }
 glm::dvec3 vector_of(const Vec3f& v) { return {v[0], v[1], v[2]}; }
 
-// Of positions: across the slabs, and along them, there from 0 to `cells` over the mesh's boundary.
+// Coordinates of positions: across the slabs, and along them in cells, from 0 to `cells` over the mesh's boundary.
 class Places {
 public:
     Places(const Volume& volume) : across_(vector_of(volume.normal)) { // NOLINT(google-explicit-constructor)
@@ -64,7 +64,7 @@ struct Box {
 
 int cell_of(double place) { return place > 0 ? static_cast<int>(std::min(place, cells - 1.0)) : 0; }
 
-// Which edge, from corner i to the next.
+// Returns i of the longest edge, from corner i to the next.
 std::size_t longest_edge(const std::array<glm::dvec2, 3>& corners) {
     const auto length = [&](std::size_t i) { return glm::distance(corners[i], corners[(i + 1) % 3]); };
     std::size_t longest = 0;
@@ -73,7 +73,7 @@ std::size_t longest_edge(const std::array<glm::dvec2, 3>& corners) {
     return longest;
 }
 
-// The cells of a row, by bits.
+// The cells of a row, one bit each.
 class RowOfCells {
 public:
     void mark(int first, int last) {
@@ -97,7 +97,7 @@ private:
     std::array<std::uint64_t, cells / 64> words_{};
 };
 
-// Of one slab: where rays may meet the boundary in it.
+// The cells of one slab in which rays may meet the boundary.
 class NearBoundary {
 public:
     NearBoundary(const Places& places, double middle, double half)
@@ -119,7 +119,7 @@ public:
         last_row_ = -1;
     }
 
-    // After the last of them.
+    // Call after the last add(): extends the marked cells by the margin across rows.
     void finish() {
         const auto exact = rows_;
         const int reach = static_cast<int>(std::min(std::ceil(margin_.y), double{cells}));
@@ -144,7 +144,7 @@ private:
         std::array<Point, 5> corners;
         std::size_t count;
 
-        // What is above zero.
+        // Returns the part with height >= 0.
         template <class Height>
         [[nodiscard]] Polygon cut(const Height& height) const {
             Polygon kept{{}, 0};
@@ -166,7 +166,7 @@ private:
     }
     static std::size_t index(int row) { return static_cast<std::size_t>(row); }
 
-    // To the spans of the rows that it runs through.
+    // Extends the spans of the rows that the edge crosses.
     void add_edge(glm::dvec2 from, glm::dvec2 to) {
         if (from.y > to.y) std::swap(from, to);
         const int first = cell_of(from.y), last = cell_of(to.y);
@@ -195,7 +195,7 @@ private:
     int first_row_ = cells, last_row_ = -1;
 };
 
-// Of one slice.
+// Sorts the triangles of one slice.
 class Sorter {
 public:
     Sorter(const SlabMesh& slice, const Places& places, const NearBoundary& near) : slice_(slice), near_(near) {

@@ -13,7 +13,7 @@ using Corners = std::array<glm::dvec3, 8>;
 
 glm::dvec3 vector_of(const Vec3d& v) { return {v[0], v[1], v[2]}; }
 
-// Infinite where not all rays are on one side of the plane across the normal. Between rays there is none wider.
+// Infinite unless all rays are on one side of the plane across the normal. Rays between them are no wider.
 double widest_tangent(const glm::dvec3& normal, const Corners& rays) {
     double widest = 0;
     for (const glm::dvec3& ray : rays) {

@@ -1,18 +1,18 @@
-// Which piece of a ray is drawn by whom. The middle planes of the slabs cut the mesh into slices; a ray meets them, and
-// enters and leaves the mesh through boundary faces, at any place between. Of what a ray has inside the mesh,
+// Assigns each piece of a ray to one fragment. The middle planes of the slabs cut the mesh into slices. A ray meets
+// slices, and enters and leaves the mesh through boundary faces, at any place between. Inside the mesh,
 //   a slice has the piece within its slab that contains it: from the slab's front or the last entry to the slab's back
 //     or the next exit;
-//   a front face has the piece within its slab that begins on it, unless there is a slice in that;
-//   a back face has the piece within its slab that ends on it, if that begins with the slab, unless there is a slice.
-// So every piece belongs to one fragment, which knows the property and its gradient at some place of it. Where an entry
-// or exit is all but on the slice, rounding decides which pixels the slice covers: there it leaves its piece to the
-// face. An opaque surface has no property: a piece that ends on it before the slice belongs to the fragment of the slab
-// in front. So does the piece from an eye inside the mesh to the first slice belong to the fragment of the slab behind.
-// Clip planes cut slices and faces nowhere: each fragment draws of its piece what lies between the planes, where a ray
-// is in one stretch, for what they keep is convex.
+//   a front face has the piece within its slab that begins on it, unless the piece contains a slice;
+//   a back face has the piece within its slab that ends on it, if it begins with the slab and contains no slice.
+// So every piece belongs to one fragment, which knows the property and its gradient at one place of the piece.
+// Where an entry or exit is nearly on a slice, rounding decides which pixels the slice covers. There the face has the
+// slice's piece. An opaque surface has no property: a piece that ends on it before the slice belongs to the fragment of
+// the slab in front. The piece from an eye inside the mesh to the first slice belongs to the fragment of the slab
+// behind. Clip planes do not cut slices and faces. Each fragment draws the part of its piece between the planes. This
+// is one stretch of the ray, because the kept space is convex.
 //
-// What is one number for a whole slab comes to the fragments through the vertices: llvmpipe looks a uniform up for each
-// pixel by itself, and these programs did that for a third of their time.
+// Constants of a slab come to the fragments through the vertices: llvmpipe looks up a uniform for each pixel, which
+// took a third of the time of these programs.
 #include "render/volume/slab_shaders.hpp"
 
 #include "render/volume/volume_shaders.hpp"
@@ -22,8 +22,8 @@
 namespace ciel::render {
 namespace {
 
-// Values come as places in the table, gradients along the eye's axes, by the length that `scale` makes 1: squares of
-// lengths in a galaxy's metres are more than a float holds.
+// Outputs values as places in the table, and gradients along the eye's axes per scaled length.
+// `scale` is there because squares of lengths in a galaxy's metres overflow a float.
 constexpr const char* slab_vertex = R"(
 layout(location = 0) in vec3 position;
 layout(location = 1) in float value;
@@ -179,7 +179,7 @@ void main() {
 }
 )";
 
-// By depths: along a slab these still tell places from each other.
+// Works with depths: these differ between places of a ray that runs along a slab, too.
 constexpr const char* edge_fragment = R"(
 flat in vec4 slab_row; // the slab, the last one, and the size of a pixel
 #ifdef PARALLEL
@@ -240,7 +240,7 @@ void main() {
 }
 )";
 
-// A fragment is in the part whose ends it lies between; of a face it is clear which part it begins or ends.
+// Returns the text that selects a fragment's part: for slices the part around it, for faces the part that they bound.
 std::string later_parts(int parts, bool edge) {
     std::string text;
     for (int i = 1; i < parts; ++i) {

@@ -14,18 +14,19 @@ enum VolumeAttribute : GLuint {
     volume_limits = 3,
 };
 
-// Slices: each for what a ray has in common with its slab; and boundary faces: for what no slice stands for.
+// Variant of a slab program. Slices draw a ray's piece in their slab; boundary faces draw pieces without a slice.
 struct SlabProgramKind {
-    int parts = 1; // of a ray
+    int parts = 1; // of a ray inside the mesh
     bool shaded = false, clipped = false, opaque = false, parallel = false;
     int table_rows = 1;
-    double table_width = 1;                                   // in ranges
+    double table_width = 1;                                   // in ranges of the color scale
     auto operator<=>(const SlabProgramKind&) const = default; // NOLINT(modernize-use-nullptr): takes <=> for a 0
 };
 [[nodiscard]] ShaderProgram make_slice_program(const Gl& gl, const SlabProgramKind& kind);
-// Polygons of a slice where a ray has nothing but the mesh in the slab: no boundary, no clip plane, no opaque surface,
-// no eye. Parts of the ray and clip planes are nothing to it.
+// For inner polygons: their slab has only the mesh, without a boundary, clip plane, opaque surface or eye.
+// `kind` has one part and is not clipped.
 [[nodiscard]] ShaderProgram make_inner_program(const Gl& gl, const SlabProgramKind& kind);
+// For boundary faces.
 [[nodiscard]] ShaderProgram make_edge_program(const Gl& gl, const SlabProgramKind& kind);
 
 } // namespace ciel::render

@@ -61,7 +61,7 @@ void VolumeBuffers::load(const Volume& volume) {
     if (same_slices && stride_ == volume.stride) return;
     if (volume.boundary == nullptr || volume.stride == 0 || !(volume.thickness > 0) || volume.slices.empty())
         throw Error("a volume to draw lacks slices, a boundary, or a thickness of its slabs");
-    revision_ = 0; // until all has gone well
+    revision_ = 0; // not valid if anything below throws
     if (!same_slices)
         for (const SlabMesh& slice : volume.slices) check(slice);
     check(*volume.boundary);
@@ -73,7 +73,7 @@ void VolumeBuffers::load(const Volume& volume) {
     stride_ = volume.stride;
 }
 
-// Only those that are drawn.
+// Uploads only the slices that are drawn.
 void VolumeBuffers::upload_slices(const std::vector<SortedSlice>& slices) {
     GLsizeiptr vertex_bytes = 0, index_bytes = 0;
     for (const SortedSlice& sorted : slices) {

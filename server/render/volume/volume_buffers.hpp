@@ -1,4 +1,4 @@
-// A volume's slices and boundary on the GL's side, kept from frame to frame.
+// GL buffers of a volume's slices and boundary, kept from frame to frame.
 #pragma once
 
 #include "render/context/vertex_arrays.hpp"
@@ -19,23 +19,25 @@ public:
 
     explicit VolumeBuffers(const Gl& gl);
 
-    // Uploads what has changed. Throws Error when indices are beyond the vertices: the GL would read past their end.
+    // Uploads the volume unless its identity, revision and stride are those of the last call.
+    // Throws Error when slices, boundary or thickness are missing, or when indices are beyond the vertices: the GL
+    // would read past their end.
     void load(const Volume& volume);
     void bind_slices() const { gl_.BindVertexArray(slices_.array); }
     void bind_boundary() const { gl_.BindVertexArray(boundary_.array); }
     void draw(const IndexRange& range) const;
 
-    // Slab by slab, each `stride` of the volume's: its slice, and the boundary triangles that it has a part of.
+    // Per slab of `stride` slices: its slice's triangles, and the boundary triangles that intersect it.
     [[nodiscard]] const std::vector<Slice>& slices() const { return slice_of_slab_; }
     [[nodiscard]] const std::vector<IndexRange>& boundary_of_slabs() const { return boundary_of_slab_; }
-    // The same in parts, in their order.
+    // The same triangles split into parts, in order.
     [[nodiscard]] const std::vector<IndexPart>& parts_of_slice(std::size_t slab) const { return slice_parts_[slab]; }
     [[nodiscard]] const std::vector<IndexPart>& parts_of_boundary(std::size_t slab) const {
         return boundary_parts_[slab];
     }
     [[nodiscard]] const IndexRange& whole_boundary() const { return whole_boundary_; }
     [[nodiscard]] const Bounds& bounds() const { return bounds_; } // of the boundary
-    // The same number for boundaries of the same triangles, whatever the property.
+    // Hash of the boundary's positions and triangles, independent of the property.
     [[nodiscard]] std::uint64_t boundary_places() const { return boundary_places_; }
 
 private:

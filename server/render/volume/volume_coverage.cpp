@@ -1,6 +1,6 @@
-// A ray meets what is left of a mesh where it meets a face of it between the clip planes, or where it comes through a
-// plane within the mesh: there it leaves the mesh once more often behind the plane than it enters it. Counted as for
-// shadow volumes, after F. Crow, "Shadow algorithms for computer graphics", SIGGRAPH 1977.
+// A ray meets the clipped mesh at a face between the clip planes, or at a clip plane inside the mesh. A point of a
+// plane is inside if behind it the ray leaves the mesh once more often than it enters. Counted as for shadow volumes,
+// after F. Crow, "Shadow algorithms for computer graphics", SIGGRAPH 1977.
 #include "render/volume/volume_coverage.hpp"
 
 #include <algorithm>
@@ -61,7 +61,7 @@ VolumeCoverage::VolumeCoverage(const Gl& gl)
 
 void VolumeCoverage::allocate(int width, int height, int samples) {
     if (width_ == width && height_ == height && samples_ == samples) return;
-    width_ = 0; // not usable until it is known to be complete
+    width_ = 0; // invalid until the framebuffer is complete
     GLint most = 0;
     gl_.GetIntegerv(GL_MAX_SAMPLES, &most);
     const auto attach = [&](GLuint buffer, GLenum format, GLenum where) {
@@ -120,7 +120,7 @@ void VolumeCoverage::draw_boundary(const VolumeBuffers& buffers, const Planes& p
     buffers.draw(buffers.whole_boundary());
 }
 
-// Where a plane is within the mesh: the others' part of it is drawn to be counted from, then for what was counted.
+// Covers a clip plane inside the mesh: draws the plane's depth, counts the faces behind it, draws where some remain.
 void VolumeCoverage::draw_cut(const VolumeBuffers& buffers, std::size_t plane) const {
     gl_.Clear(GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
     gl_.ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
@@ -143,7 +143,7 @@ void VolumeCoverage::draw_cut(const VolumeBuffers& buffers, std::size_t plane) c
     gl_.Disable(GL_STENCIL_TEST);
 }
 
-// As much of the plane as may be within the mesh's box.
+// Draws the part of the plane that may be inside the mesh's box, clipped by the other planes.
 void VolumeCoverage::draw_facet(const VolumeBuffers& buffers, std::size_t plane) const {
     const auto& [low, high] = buffers.bounds();
     const glm::dvec3 from(low[0], low[1], low[2]), to(high[0], high[1], high[2]), middle = 0.5 * (from + to);

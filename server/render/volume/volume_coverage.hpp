@@ -1,5 +1,5 @@
-// What share of each pixel is covered by the mesh of volumes, or what clip planes leave of it, in a still: where a
-// volume is all but opaque at once, its outline would have steps, for it has one ray per pixel.
+// The share of each pixel of a still that the clipped meshes of volumes cover.
+// Volumes have one ray per pixel, so without it the outline of a dense volume would have steps.
 #pragma once
 
 #include "render/frame/frame.hpp"
@@ -18,7 +18,7 @@ public:
     VolumeCoverage(const VolumeCoverage&) = delete;
     VolumeCoverage& operator=(const VolumeCoverage&) = delete;
 
-    // Throws Error when the size is more than the GL can do. Leaves another framebuffer bound.
+    // Throws Error when the GL cannot draw to this size. Leaves another framebuffer bound.
     void begin(const VolumeView& view);
     void add(const VolumeBuffers& buffers) const;
     void finish();
@@ -27,7 +27,7 @@ public:
 private:
     void allocate(int width, int height, int samples);
     using Planes = std::array<glm::vec4, most_clip_planes>;
-    [[nodiscard]] Planes planes_but(std::optional<std::size_t> left_out) const; // the frame's
+    [[nodiscard]] Planes planes_but(std::optional<std::size_t> left_out) const; // of the frame
     void draw_boundary(const VolumeBuffers& buffers, const Planes& planes) const;
     void draw_cut(const VolumeBuffers& buffers, std::size_t plane) const;
     void draw_facet(const VolumeBuffers& buffers, std::size_t plane) const;

@@ -10,16 +10,16 @@
 namespace ciel::render {
 namespace {
 
-constexpr double rounding = 1e-6; // of a slab
+constexpr double rounding = 1e-6; // of a slab's thickness
 
 struct Piece {
     SlabOfVolume of;
-    double middle = 0;     // its place along the rows
-    bool is_odd = false;   // so that turns go on from slab to slab
-    bool is_below = false; // the eye
+    double middle = 0;     // place along the rows
+    bool is_odd = false;   // alternates from slab to slab
+    bool is_below = false; // below the eye
 };
 
-// Every second place the other way round.
+// Sorts coincident pieces by volume, in reverse order where they are odd.
 void take_turns(std::vector<Piece>& sorted, std::span<const SlabRow> rows) {
     for (auto begin = sorted.begin(); begin != sorted.end();) {
         const double middle = begin->middle, near = rounding * rows[begin->of.volume].thickness;
@@ -71,7 +71,7 @@ std::vector<double> borders(std::span<const SlabRow> rows, double eye) {
     return all;
 }
 
-// A slice stands for all from an eye in its slab to the end of that, or in the one before and past its slice.
+// Returns the interval that a slice represents: its slab. One that is next to the eye begins or ends at the eye.
 std::array<double, 2> seen(const SlabRow& row, std::size_t slab, double eye) {
     const double middle = middle_of(row, slab), half = row.thickness / 2;
     const double last = row.first + static_cast<double>(row.count) * row.thickness;
@@ -80,7 +80,7 @@ std::array<double, 2> seen(const SlabRow& row, std::size_t slab, double eye) {
     return middle >= eye ? std::array{eye, middle + half} : std::array{middle - half, eye};
 }
 
-// Whose slice stands for what is around a place; none where it is not in a slab.
+// Returns the slab whose slice represents a place; none outside all slabs.
 std::optional<std::size_t> slab_at(const SlabRow& row, double place, double eye) {
     double slab = std::floor((place - row.first) / row.thickness);
     if (slab < 0 || slab >= static_cast<double>(row.count)) return {};

@@ -1,4 +1,4 @@
-// In which order the slabs of volumes that lie in one another are blended.
+// Blend order of the slabs of overlapping volumes.
 #pragma once
 
 #include <cstddef>
@@ -14,25 +14,23 @@ struct SlabRow { // of one volume: slab i begins at first + i * thickness
 
 struct SlabOfVolume {
     std::size_t volume = 0, slab = 0;
-    double share = 1; // of what it loses and shines
+    double share = 1; // of the slab's extinction and emission
     bool operator==(const SlabOfVolume&) const = default;
 };
 
-// Into how many slabs may be divided where they lie in each other: so many per length, but no more than `most` of what
-// is between two borders of slabs.
+// Subdivision of overlapping slabs: pieces per length, and the largest number of pieces between two slab borders.
 struct SlabPieces {
     double per_length = 0;
     std::size_t most = 1;
 };
 
-// From the back to the front of every ray through an eye at a place along the rows, infinite for parallel rays: rays
-// run up on one side of the eye and down on the other. Of
-// slabs of different thickness those go first whose middle is farther: half of a thick one's neighbours are in front of
-// it and half behind. Of slabs with the same middle, whose light is mixed in the same place, now the first volume's is
-// blended first and now the last one's, so that none is in front of the others.
-// Where slabs take so much light that this shows, they are divided at each other's borders and into pieces, and those
-// take turns: what is left of the order goes with the square of a piece. After G. Strang, "On the construction and
-// comparison of difference schemes", SIAM J. Numer. Anal. 5, 1968. Pieces that follow each other are one.
+// Returns the slabs from back to front, for every ray through the eye. Rays run up on one side of it and down on the
+// other. `eye` is its place along the rows, infinite for parallel rays.
+// Slabs of different thickness are ordered by their middles: half of a thick slab's neighbours are in front of it.
+// Coincident slabs mix their light in the same place, so the first and the last volume alternate at being in front.
+// Where slabs absorb enough for the order to show, they are divided at each other's borders and into pieces.
+// The pieces alternate, so the error falls with the square of their length: G. Strang, "On the construction and
+// comparison of difference schemes", SIAM J. Numer. Anal. 5, 1968. Consecutive pieces of one slab are merged.
 [[nodiscard]] std::vector<SlabOfVolume> back_to_front(std::span<const SlabRow> rows, double eye,
                                                       SlabPieces pieces = {});
 

@@ -15,12 +15,12 @@
 namespace ciel::render {
 namespace {
 
-constexpr int table_unit = 1;                                                             // beside those of the rays
-enum Unit : int { picture_unit = 0, opaque_unit = 1, covered_unit = 2, limits_unit = 3 }; // of the finished picture
+constexpr int table_unit = 1;                                                             // not used by VolumeRays
+enum Unit : int { picture_unit = 0, opaque_unit = 1, covered_unit = 2, limits_unit = 3 }; // for compositing
 
 glm::dvec3 vector_of(const Vec3d& v) { return {v[0], v[1], v[2]}; }
 
-// Value * a + b runs from 0 to 1 over what the table is of; a range of no width sends everything to its middle.
+// Returns (a, b): value * a + b is 0 to 1 over the table's extent. An empty range maps all values to its middle.
 glm::vec2 normalisation(const color::ColorScale& scale) {
     const color::TableExtent extent = color::table_extent(scale);
     const auto [low, high] = extent.values(scale.range);
@@ -30,7 +30,7 @@ glm::vec2 normalisation(const color::ColorScale& scale) {
 
 double thickness_of(const Volume& volume) { return volume.thickness * static_cast<double>(volume.stride); }
 
-// A volume that is hidden by its opacity has no part in the rest.
+// The picture of all volumes is faded by this. A volume with less opacity has a thinner table.
 float largest_opacity(const Frame& frame) {
     float largest = 0;
     for (const Volume& volume : frame.volumes) largest = std::max(largest, volume.opacity);
@@ -198,7 +198,7 @@ VolumePainter::RaysAcross VolumePainter::rays_across(const Volume& volume) const
             {view_.eye_along(volume.normal) + glm::dot(sideways, rays.side_corner), sideways * rays.side_step}};
 }
 
-// What all three programs of a slab have; of the program in use.
+// Sets the uniforms of all three slab programs. `program` must be in use.
 void VolumePainter::set_light(const ShaderProgram& program, const Volume& volume) const {
     program.set("transform", glm::mat4(view_.transform->projection * view_.transform->view));
     program.set("view", glm::mat4(view_.transform->view));
@@ -208,12 +208,12 @@ void VolumePainter::set_light(const ShaderProgram& program, const Volume& volume
     program.set("table", int{table_unit});
 }
 
-// Of a still.
+// True for stills: several samples and full resolution.
 bool VolumePainter::has_coverage() const { return view_.frame->samples > 1 && view_.width == view_.frame->width; }
 
 void VolumePainter::find_coverage(const Frame& frame) {
     Covered wanted{view_.places(), frame.samples, frame.clip, {}};
-    std::vector<const VolumeBuffers*> buffers; // volumes of one boundary share it
+    std::vector<const VolumeBuffers*> buffers; // one per boundary
     for (std::size_t i = 0; i < frame.volumes.size(); ++i) {
         const VolumeBuffers* own = slot_of(i).buffers;
         if (!wanted.boundaries.empty() && wanted.boundaries.back() == own->boundary_places()) continue;
@@ -221,7 +221,7 @@ void VolumePainter::find_coverage(const Frame& frame) {
         buffers.push_back(own);
     }
     if (wanted == covered_) return;
-    covered_ = {}; // until all has gone well
+    covered_ = {}; // not valid if anything below throws
     coverage_.begin(view_);
     for (const VolumeBuffers* own : buffers) coverage_.add(*own);
     coverage_.finish();
@@ -273,10 +273,10 @@ void VolumePainter::use_edge(const Volume& volume, const Slot& slot, std::size_t
     slot.buffers->bind_boundary();
 }
 
-// So that the order of what is mixed in one place does not show. It does by the product of what two pieces lose.
+// Returns a subdivision that hides the order of coincident slabs. The order shows by the product of two pieces' losses.
 SlabPieces VolumePainter::pieces_of_slabs(const Frame& frame) const {
     constexpr double least_loss = 0.1, widest = 3; // a tangent
-    double first = 0, second = 0;                  // extinctions across the slabs
+    double first = 0, second = 0;                  // largest extinctions across the slabs
     bool moving = false;
     auto slot = slots_.begin();
     for (const Volume& volume : frame.volumes) {
@@ -310,7 +310,7 @@ void VolumePainter::draw_parts(const VolumeBuffers& buffers, const std::vector<I
     buffers.draw(together);
 }
 
-// Of a layer, only what may be in front of it.
+// Draws only the parts that may be in front of the layer.
 void VolumePainter::draw_slab_until(const Volume& volume, const Slot& slot, std::size_t slab) const {
     const double place = volume.first + (static_cast<double>(slab) + 0.5) * thickness_of(volume);
     use_edge(volume, slot, slab, place);
@@ -341,7 +341,7 @@ void VolumePainter::draw_slab(const Volume& volume, const Slot& slot, std::size_
     slot.buffers->draw(inner);
 }
 
-// Half slabs along a ray, per depth and from the eye to the slice.
+// Sets the lengths along a ray in half slabs: per depth, and from the eye to the slice.
 void VolumePainter::set_slice(const ShaderProgram& program, const Volume& volume, double place) const {
     const auto [per_depth, start] = rays_across(volume);
     const double ahead = view_.frame->camera.parallel ? per_depth.x : place - start.x;
@@ -350,7 +350,7 @@ void VolumePainter::set_slice(const ShaderProgram& program, const Volume& volume
     program.set("start", glm::vec3(half_slabs * (glm::dvec3(place, 0, 0) - start)));
 }
 
-// Whether nothing but the mesh is in the slab wherever the boundary is not.
+// Returns whether inner polygons have only the mesh in their slab.
 bool VolumePainter::is_full(const Volume& volume, double from_eye) const {
     if (view_.opaque != 0 || view_.is_clipped() || slab_angle_ > widest_inner) return false;
     // The slab of an eye inside the mesh is shared with the next one.
@@ -364,7 +364,7 @@ glm::vec4 VolumePainter::half_of_slab(const Volume& volume, double from_eye) con
     return {0, 0, -half / static_cast<float>(std::abs(normal.z)), 0};
 }
 
-// In the measure of their places.
+// Returns the eye's place along the volumes' normal, infinite for parallel rays.
 double VolumePainter::eye_across(const Frame& frame) const {
     const Vec3d& normal = frame.volumes[0].normal;
     if (!frame.camera.parallel) return view_.eye_along(normal);

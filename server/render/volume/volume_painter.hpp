@@ -1,5 +1,5 @@
-// Draws volumes over the picture so far: where rays are inside the mesh, then the slabs of all volumes from the back to
-// the front into a target of floats (of bytes for benches), then that onto the picture.
+// Draws volumes over the current picture. Finds where rays are inside the mesh, blends the slabs of all volumes from
+// back to front in floats (in bytes for benchmarks), and composites the result onto the picture.
 #pragma once
 
 #include "annotations/camera.hpp"
@@ -24,33 +24,35 @@ public:
     VolumePainter(const VolumePainter&) = delete;
     VolumePainter& operator=(const VolumePainter&) = delete;
 
-    // The texture of window depths on which rays end from now on; 0: volumes are in front of everything.
+    // Sets the texture of window depths at which rays end from now on; 0: volumes are in front of everything.
     void end_on(GLuint depth) { surfaces_ = depth; }
-    // Leaves the target bound, depth test and blending as they were: on.
+    // Leaves the target bound, and depth test and blending on. Throws Error when the volumes' normals differ, when
+    // their slabs are at places that are not finite, and as VolumeBuffers::load().
     void draw(const Frame& frame, const annotations::ViewTransform& transform, Target& target);
-    // All volumes in front of a layer, good where it is; or without one as far as draw() shows them, everywhere.
-    // Premultiplied, on nothing; until the next call. Leaves another framebuffer and viewport bound, depth test and
-    // blending on.
+    // Returns a picture of all volumes in front of `layer`, valid where the layer is and until the next call.
+    // Without a layer: all volumes as far as draw() shows them, valid everywhere.
+    // RGBA32F, premultiplied, on a transparent background. Throws as draw(). Leaves another framebuffer and viewport
+    // bound, depth test and blending on.
     [[nodiscard]] GLuint picture_until(const Frame& frame, const annotations::ViewTransform& transform,
                                        const LayerInVolumes& layer);
-    // RGBA32F; A: the window's depth where the volumes begin. 0 before there was any.
+    // RGBA32F texture; A: the window depth where the volumes begin. 0 before the first volume.
     [[nodiscard]] GLuint limits() const { return rays_.begin_of_all(); }
 
 private:
     struct Table {
         GLuint texture = 0;
         bool is_made = false;
-        color::ColorScale scale; // what it was made from
+        color::ColorScale scale; // with the next two: inputs of the texture
         std::vector<std::array<double, 2>> opacity_points;
         double share = 1;
-        double densest = 0; // extinction per unit length
+        double densest = 0; // largest extinction per unit length
     };
     struct Slot { // of one volume
         explicit Slot(const Gl& gl) : all(gl), some(gl) {}
-        // Of all slices, and of those that are drawn while the camera moves: it stops and goes on again.
+        // All slices, and those drawn while the camera moves. Two sets, so that starting and stopping uploads nothing.
         VolumeBuffers all, some;
         Table table;
-        // Whose uniforms are this volume's.
+        // Programs with this volume's uniforms.
         std::map<SlabProgramKind, ShaderProgram> slice_programs, inner_programs, edge_programs;
         // Of the frame being drawn.
         VolumeBuffers* buffers = nullptr;
@@ -58,7 +60,7 @@ private:
         const ShaderProgram *slice = nullptr, *inner = nullptr, *edge = nullptr;
     };
 
-    struct RaysAcross { // places across the slabs: (picture's corner, per pixel), in depths' units
+    struct RaysAcross { // place across slabs = start + depth * per_depth; each: (at the corner, per pixel x, y)
         glm::dvec3 per_depth, start;
     };
 
@@ -84,7 +86,7 @@ private:
     void draw_slab(const Volume& volume, const Slot& slot, std::size_t slab) const;
     [[nodiscard]] bool has_coverage() const;
     [[nodiscard]] bool is_full(const Volume& volume, double from_eye) const;
-    [[nodiscard]] glm::vec4 half_of_slab(const Volume& volume, double from_eye) const; // as the inner program has it
+    [[nodiscard]] glm::vec4 half_of_slab(const Volume& volume, double from_eye) const; // for the inner program
     [[nodiscard]] double eye_across(const Frame& frame) const;
     void put_on_picture(float opacity, bool coarse, bool per_sample) const;
 
@@ -93,7 +95,7 @@ private:
     VolumeRays rays_;
     VolumeReach reach_;
     VolumeCoverage coverage_;
-    struct Covered { // what the coverage is of
+    struct Covered { // inputs of the coverage
         RayPlaces places;
         int samples = 0;
         std::vector<std::array<float, 4>> clip;
@@ -102,11 +104,11 @@ private:
     } covered_;
     Sheet picture_, together_;
     GLuint no_array_ = 0;
-    GLuint surfaces_ = 0;   // depth of what is opaque, or 0
+    GLuint surfaces_ = 0;   // window depths of opaque surfaces, or 0
     std::list<Slot> slots_; // one per volume of the largest frame so far
     // Of the frame being drawn.
     VolumeView view_;
-    double slab_angle_ = 0; // of its rays
+    double slab_angle_ = 0; // result of slab_angle()
 };
 
 } // namespace ciel::render

@@ -12,7 +12,7 @@ namespace {
 constexpr float never = 1e30F; // as in the programs
 
 enum Unit : int { limits_unit = 0, opaque_unit = 2, first_part_unit = 3, kept_unit = first_part_unit + most_ray_parts };
-static_assert(kept_unit < 16); // every GL has so many for one program
+static_assert(kept_unit < 16); // every GL has 16 units per program
 
 void set_later_parts(const ShaderProgram& program) {
     for (int i = 1; i < most_ray_parts; ++i) program.set(("part_" + std::to_string(i)).c_str(), first_part_unit + i);
@@ -51,7 +51,7 @@ double VolumeView::eye_along(const Vec3d& normal) const {
     return glm::dot(glm::dvec3(normal[0], normal[1], normal[2]), glm::dvec3(glm::inverse(transform->view)[3]));
 }
 
-// An inner wall in front of an eye inside is an exit and an entry at once, and either may come first.
+// An inner wall in front of an eye inside is an exit and an entry at the same depth, in either order.
 bool VolumeView::eye_is_in_bounds() const {
     const Vec3d& eye = frame->camera.position;
     for (std::size_t axis = 0; axis < 3; ++axis)
@@ -79,7 +79,7 @@ PixelBox VolumeView::seen_box(int pixels_across, int pixels_up) const {
         from = glm::min(from, at);
         to = glm::max(to, at);
     }
-    constexpr double beside = 2; // pixels, for rounding and for what looks at a pixel's neighbours
+    constexpr double beside = 2; // pixels, for rounding and for programs that read a pixel's neighbours
     const glm::ivec2 first(glm::clamp(glm::floor(from - beside), glm::dvec2(0), size));
     const glm::ivec2 last(glm::clamp(glm::ceil(to + beside), glm::dvec2(first), size));
     return {first.x, first.y, last.x - first.x, last.y - first.y};
@@ -105,9 +105,9 @@ const RaySheets& VolumeRays::find(const VolumeBuffers& buffers) {
                                     [&](const RaySheets& rays) { return rays.boundary == buffers.boundary_places(); });
     if (found != end) return *found;
     RaySheets& rays = end != sheets_.end() ? *end : sheets_.emplace_back(gl_);
-    // Layer after layer of one frame asks for the same.
+    // The layers of one frame have the same parts.
     if (const RayPlaces places = view_.places(); rays.boundary != buffers.boundary_places() || rays.places != places) {
-        rays.boundary = 0; // until all has gone well
+        rays.boundary = 0; // not valid if anything below throws
         find_parts(buffers, rays);
         rays.boundary = buffers.boundary_places();
         rays.places = places;
@@ -144,7 +144,7 @@ void VolumeRays::find_parts(const VolumeBuffers& buffers, RaySheets& rays) {
     gl_.Disable(GL_BLEND);
 }
 
-// False, and to be ignored, where no ray enters the mesh again.
+// Returns false when no ray enters the mesh again; the part is then invalid.
 bool VolumeRays::find_next_part(const VolumeBuffers& buffers, RaySheets& rays, int part) {
     Sheet& sheet = rays.parts[static_cast<std::size_t>(part)];
     sheet.size(GL_RG32F, view_.width, view_.height);

@@ -1,4 +1,4 @@
-// Where the ray of each pixel is inside a volume's mesh, between the clip planes, and in front of what is opaque.
+// Where the ray of each pixel is inside a volume's mesh, between the clip planes, and in front of opaque surfaces.
 #pragma once
 
 #include "annotations/camera.hpp"
@@ -12,7 +12,7 @@
 
 namespace ciel::render {
 
-// What decides where rays run: what was found for some is good for the same again.
+// Inputs of the ray parts: parts found for equal inputs are reused.
 struct RayPlaces {
     glm::dmat4 view{1}, projection{1};
     int width = 0, height = 0;
@@ -20,40 +20,40 @@ struct RayPlaces {
     bool operator==(const RayPlaces&) const = default;
 };
 
-// Of the picture being drawn.
+// View of the picture being drawn. Frame and transform are borrowed.
 struct VolumeView {
     const Frame* frame = nullptr;
     const annotations::ViewTransform* transform = nullptr;
-    GLuint opaque = 0;         // window depths that rays end on, or 0
+    GLuint opaque = 0;         // texture of window depths that end rays, or 0
     int width = 0, height = 0; // in rays
-    // All volumes' meshes are in this box: offsets from the frame's origin.
+    // Box of all volumes' meshes: offsets from the frame's origin.
     Vec3d low{}, high{};
 
-    // Of a pixel at (x, y): sideways per depth corner + step * (x, y), from there at depth 0 on.
+    // Ray of pixel p: sideways per depth = corner + step * p, sideways at depth 0 = side_corner + side_step * p.
     struct Rays {
         glm::dvec2 corner, step, side_corner, side_step;
     };
     [[nodiscard]] Rays rays_of_pixels() const;
-    void set_rays(const ShaderProgram& program) const; // of the program in use
-    [[nodiscard]] glm::vec2 parallel_depths() const;   // nearest and span; zero for a perspective
+    void set_rays(const ShaderProgram& program) const; // program must be in use
+    [[nodiscard]] glm::vec2 parallel_depths() const;   // (nearest, span); zero for a perspective
     [[nodiscard]] double eye_along(const Vec3d& normal) const;
     [[nodiscard]] bool is_clipped() const { return !frame->clip.empty(); }
     [[nodiscard]] bool eye_is_in_bounds() const;
     [[nodiscard]] RayPlaces places() const;
-    // The box as it is seen, in a picture of width x height: no ray elsewhere meets a volume.
+    // Returns the pixels of a picture of width x height that the box may cover. Other rays meet no volume.
     [[nodiscard]] PixelBox seen_box(int width, int height) const;
 };
 
-// What is found for one boundary, good until the next begin().
+// Ray parts and limits of one boundary, valid until the next begin().
 struct RaySheets {
     explicit RaySheets(const Gl& gl) : limits(gl) {
         for (int i = 0; i < most_ray_parts; ++i) parts.emplace_back(gl);
     }
-    std::vector<Sheet> parts; // as make_part_program() says, so many as `count`
-    Sheet limits;             // as make_limits_program() says
+    std::vector<Sheet> parts; // output of make_part_program(); `count` are valid
+    Sheet limits;             // output of make_limits_program()
     int count = 0;
     std::uint64_t boundary = 0;
-    RayPlaces places; // that the parts are of
+    RayPlaces places; // inputs of the parts
 };
 
 // Its GL objects live as long as their context.
@@ -64,16 +64,16 @@ public:
     VolumeRays& operator=(const VolumeRays&) = delete;
 
     void begin(const VolumeView& view);
-    // Once for all volumes with the same boundary.
+    // Returns the sheets of the boundary, valid until the next begin(). Volumes with the same boundary share them.
     const RaySheets& find(const VolumeBuffers& buffers);
-    // Of a slab's program in use.
+    // Sets the texture units of a slab program, which must be in use.
     static void set_units(const ShaderProgram& program);
     void bind(const RaySheets& rays) const; // to these units, which are 0 and from 3 on
-    // What they all have is found: where the nearest of them begins.
+    // Call after the last find(): makes begin_of_all() from the limits of all boundaries.
     void finish();
     [[nodiscard]] GLuint begin_of_all() const {
         return begins_;
-    } // RGBA32F as limits, only A is good; 0 before finish()
+    } // RGBA32F as limits, only A is valid; 0 before finish()
 
 private:
     void find_kept();
@@ -87,7 +87,7 @@ private:
     std::map<int, ShaderProgram> limits_programs_; // by the number of parts
     Sheet kept_, nearest_;
     std::list<RaySheets> sheets_;
-    std::size_t in_use_ = 0; // of them
+    std::size_t in_use_ = 0; // number of sheets_ in use
     VolumeView view_;
     GLuint query_ = 0, no_array_ = 0, begins_ = 0;
 };

@@ -28,8 +28,8 @@ void main() {
 }
 )";
 
-// What is put on the layer asks the rays beside its own, too. A fragment of a slab stands for no more of a ray than one
-// slab before it.
+// Includes the neighbours of the layer's rays, because compositing reads them too. The depth is one slab behind the
+// layer: a fragment represents at most one slab of the ray before it.
 constexpr const char* reach_fragment = R"(
 uniform sampler2D pixels;
 uniform sampler2D depths;
@@ -87,7 +87,7 @@ void VolumeReach::size(const VolumeView& view, GLuint picture) {
     filter(gl_, GL_NEAREST);
     gl_.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, picture, 0);
     gl_.FramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, depth_, 0);
-    width_ = 0; // not usable until it is known to be complete
+    width_ = 0; // invalid until the framebuffer is complete
     if (gl_.CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
         throw Error("the GL driver cannot draw volumes between transparent surfaces to " + std::to_string(view.width) +
                     " x " + std::to_string(view.height) + " pixels; ask for a smaller picture");

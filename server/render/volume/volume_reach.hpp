@@ -1,5 +1,5 @@
-// Where the picture of the volumes up to a transparent layer is wanted, and how far: a depth buffer that stops slabs
-// elsewhere and behind before their programs run. Of many layers the later ones are small.
+// Depth buffer for a picture of the volumes in front of a transparent layer. It rejects slab fragments beside and
+// behind the layer before their programs run. Of many layers the later ones are small.
 #pragma once
 
 #include "render/volume/volume_rays.hpp"
@@ -8,7 +8,7 @@
 
 namespace ciel::render {
 
-// Window depths, and colors that are empty where the layer is not: textures of one size, any multiple of the rays'.
+// Window depths, and colors that are empty outside the layer: textures of one size, any multiple of the rays'.
 struct LayerInVolumes {
     GLuint depth = 0, color = 0; // 0: no layer
 };
@@ -20,11 +20,12 @@ public:
     VolumeReach(const VolumeReach&) = delete;
     VolumeReach& operator=(const VolumeReach&) = delete;
 
-    // Binds the picture, of the view's size, for slabs; `slabs`: how many lie along a ray, per depth, at the picture's
-    // corner and per pixel. Leaves the depth test on.
+    // Binds the picture, which has the view's size, with the depth buffer. `slabs`: number of slabs along a ray per
+    // depth, (at the picture's corner, per pixel x, y). Leaves the depth test on.
+    // Throws Error when the GL cannot draw to this size.
     void begin(const VolumeView& view, const LayerInVolumes& layer, const Sheet& picture, const glm::dvec3& slabs);
 
-    // Whether something in the box may be where the volumes are wanted.
+    // Returns whether a part of the box may be in front of the layer.
     [[nodiscard]] bool meets(const Vec3f& low, const Vec3f& high) const;
 
 private:

@@ -24,9 +24,9 @@ float fragment_depth() {
 }
 )";
 
-// An inner wall is an exit and an entry at once, of two triangles whose corners are rounded to shares of a pixel: the
-// steeper it is seen, the farther apart their depths are. Of a ray's first part, an entry behind the exit says that the
-// eye is inside; so there it is put as far behind as rounding may have brought it before.
+// An inner wall is an exit and an entry at once, of two triangles whose corners are rounded to shares of a pixel. The
+// steeper the view, the farther apart their depths are. In a ray's first part, an entry behind the exit means that the
+// eye is inside. So for an eye within the bounds the entry is moved back by the largest rounding.
 constexpr const char* part_fragment = R"(
 out vec4 part;
 #ifdef NEXT
@@ -118,7 +118,7 @@ out vec4 copy;
 void main() { copy = texelFetch(limits, ivec2(gl_FragCoord.xy), 0); }
 )";
 
-// Until there is one that the planes keep something of.
+// Returns the text that goes to the first later part that the clip planes do not remove.
 std::string next_parts_seen(int parts) {
     std::string text;
     for (int i = 1; i < parts; ++i) {
@@ -128,10 +128,10 @@ std::string next_parts_seen(int parts) {
     return text;
 }
 
-// A ray for several pixels ends on an outline's one side or on the other: a pixel beside it takes the ray, of the four
-// around it, that ended as far as it does. Depths of the window run straight over a plane: between the rays' they say
-// whether an outline runs there. A hundredth of all that is between the nearest and the farthest place of the picture
-// hides too little of a volume to be seen.
+// A ray for several pixels ends on one side of an outline of an opaque surface. A pixel beside the outline takes, of
+// the four rays around it, the one that ends at the nearest depth. Window depth is linear over a plane, so a difference
+// from the depth interpolated between the rays indicates an outline. Differences below 1 % of the depth range hide too
+// little of a volume to be seen.
 constexpr const char* seen_between_rays = R"(
 uniform sampler2D opaque;
 const float least_bend = 1e-2;
@@ -155,10 +155,9 @@ vec2 seen_from() {
 }
 )";
 
-// A pixel that what is left of the mesh covers in part has the light of that part. It is thin at its outline and gets
-// thicker inward, and dense ones are all but opaque a pixel farther: so what a ray loses there, as an exponent, is
-// taken to rise straight inward, as it does from this pixel's ray to the next one's, or between the next two where this
-// one misses.
+// A pixel that the clipped mesh covers in part has the light of that part. The mesh is thin at its outline, and a dense
+// one is nearly opaque a pixel farther inward. So the optical depth is taken to rise linearly inward, as it does from
+// this pixel's ray to the next one's. Where this ray misses the mesh, the next two rays give the rise.
 constexpr const char* picture_fragment = R"(
 uniform sampler2D covered;
 uniform sampler2D limits;

@@ -15,8 +15,8 @@ namespace {
 
 struct Batch {
     const Primitives* mesh = nullptr;
-    std::size_t first = 0;       // of the mesh's triangles, lines or points
-    std::vector<Index> vertices; // of the mesh, in order of first use
+    std::size_t first = 0;       // first triangle, line or point of the mesh
+    std::vector<Index> vertices; // indices in the mesh, in order of first use
     std::vector<Index> indices;  // into `vertices`
 };
 
@@ -25,7 +25,7 @@ struct Quantized {
     std::uint64_t id = 0;
     std::vector<std::uint8_t> bytes; // records, one per vertex or value
     std::size_t stride = 4;
-    std::array<std::int64_t, 3> low{}; // grid steps; of values the first
+    std::array<std::int64_t, 3> low{}; // grid steps; values use only the first
 };
 
 std::size_t corners_of(const Primitives& mesh) { return mesh.points ? 1 : mesh.lines ? 2 : 3; }
@@ -41,10 +41,10 @@ void check(const Primitives& mesh) {
     if (!fits) throw Error("the arrays of layer '" + mesh.layer + "' do not fit together and cannot be sent");
 }
 
-// Cuts the mesh where the next triangle or line would be one vertex too many.
+// Starts a new batch where the next triangle, line or point would exceed max_vertices.
 void split(const Primitives& mesh, std::size_t max_vertices, std::vector<Batch>& batches) {
     const std::size_t corners = corners_of(mesh);
-    std::vector<Index> local(mesh.positions.size(), none); // valid when the batch's vertex there is this one
+    std::vector<Index> local(mesh.positions.size(), none); // valid if batch.vertices there is this vertex
     Batch batch{&mesh, 0, {}, {}};
     const auto is_known = [&](Index vertex) {
         return local[vertex] < batch.vertices.size() && batch.vertices[local[vertex]] == vertex;
@@ -110,8 +110,7 @@ void append_string(std::string& json, std::string_view text) {
 
 const char* name_of(bool value) { return value ? "true" : "false"; }
 
-// Positions on the grid less `low`, then the normal: 12 or 16 bytes. The bytes that no vertex needs cost next to
-// nothing compressed.
+// Record: grid position minus `low`, then the normal, 12 or 16 bytes. Unused bytes compress to almost nothing.
 Quantized mesh_part(const Batch& batch, double step) {
     const Primitives& mesh = *batch.mesh;
     Quantized part;

@@ -15,8 +15,8 @@ namespace ciel::wire {
 struct Primitives {
     std::string layer; // id in the scene
     std::span<const Vec3f> positions, normals;
-    std::span<const float> scalars; // a value per vertex, or
-    std::span<const float> values;  // per triangle, line or point; not both
+    std::span<const float> scalars; // one per vertex, or
+    std::span<const float> values;  // one per triangle, line or point; not both
     // The error of a value is at most half a step. 0: values are sent as floats.
     double value_step = 0;
     std::span<const Index> indices; // 3 per triangle, 2 per line, 1 per point
@@ -27,28 +27,28 @@ struct Primitives {
     bool lit = true;
     float line_width = 1.5F;                    // pixels
     std::span<const std::array<float, 4>> clip; // (normal, offset): shown where dot(normal, position) + offset >= 0
-    std::string scale = "{}";                   // a JSON object: what protocol/frame.md says of `scale`
+    std::string scale = "{}";                   // JSON object, the member `scale` of protocol/frame.md
 };
 
 inline constexpr std::size_t batch_vertices = 65536;
 
-using ArrayIds = std::unordered_set<std::uint64_t>; // of meshes and values of batches: hashes of what they hold
+using ArrayIds = std::unordered_set<std::uint64_t>; // content hashes of meshes and values of batches
 
-// What the receiver has.
+// Arrays that the receiver has.
 struct HeldArrays {
-    std::uint32_t base = 0; // the frame that it has acknowledged last; 0: none
+    std::uint32_t base = 0; // last acknowledged frame; 0: none
     ArrayIds ids;           // of that frame
 };
 
 struct EncodedGeometry {
     std::vector<std::vector<std::uint8_t>> payloads; // one per batch, in drawing order
-    ArrayIds ids;                                    // of all batches, whether their parts were held or are sent
+    ArrayIds ids;                                    // of all batches, held or sent
 };
 
-// A single payload with "batches": 0 when there is nothing to show. Every batch is self-contained: its indices count
-// within it, and a vertex that two batches use is in both, at the same place of the grid. Consecutive triangles stay
-// together, so a batch is a run of blocks. Parts that `held` has are named, not sent. `step`: of the grid, in length
-// units, a power of two (quantize.hpp). Throws Error when arrays do not fit together.
+// Returns one payload per batch; without batches, a single payload with "batches": 0. A batch is self-contained:
+// indices count within it, and shared vertices are repeated with the same grid position. Consecutive triangles stay
+// together, so a batch is a run of blocks. Parts in `held` are named, not sent. `step`: of the grid, in length units, a
+// power of two (quantize.hpp). Throws Error when array sizes or indices are inconsistent.
 [[nodiscard]] EncodedGeometry encode_geometry(std::span<const Primitives> meshes, Vec3d origin, double step,
                                               const HeldArrays& held = {}, std::size_t max_vertices = batch_vertices);
 

@@ -5,7 +5,7 @@
 namespace ciel::wire {
 namespace {
 
-// The library keeps the versions in globals: set once, before the first encoding of any thread.
+// The library stores the versions in globals: sets them once, before the first encoding of any thread.
 void choose_versions() {
     static const bool chosen = [] {
         meshopt_encodeVertexVersion(0);

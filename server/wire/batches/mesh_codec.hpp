@@ -10,12 +10,12 @@
 
 namespace ciel::wire {
 
-// Appends `vertices`, records of `stride` bytes (a multiple of 4, at most 256). Neighbours that differ little are
-// small. Returns the number of bytes appended.
+// Appends `vertices`, records of `stride` bytes (a multiple of 4, at most 256). Similar neighbours compress well.
+// Returns the number of bytes appended.
 std::size_t append_vertices(std::vector<std::uint8_t>& out, std::span<const std::uint8_t> vertices, std::size_t stride);
 // Appends three indices per triangle. Decoded triangles are in the same order; their corners may be rotated.
 std::size_t append_triangles(std::vector<std::uint8_t>& out, std::span<const Index> indices, std::size_t vertices);
-// Appends indices that come back exactly: of lines and points.
+// Appends indices of lines or points. They are decoded exactly.
 std::size_t append_sequence(std::vector<std::uint8_t>& out, std::span<const Index> indices, std::size_t vertices);
 
 } // namespace ciel::wire

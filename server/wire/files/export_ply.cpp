@@ -7,7 +7,7 @@
 namespace ciel::wire {
 namespace {
 
-// A property name is one word.
+// PLY property names must not contain white space.
 std::string property_name(std::string name) {
     std::replace_if(
         name.begin(), name.end(), [](unsigned char c) { return c <= ' ' || c == 0x7f; }, '_');

@@ -7,7 +7,7 @@
 
 namespace ciel::wire {
 
-// Binary little-endian, double positions. A failed stream is the caller's to check.
+// Writes double positions. The caller checks the stream for failure.
 ExportedCounts write_ply(const ExportSurface& surface, std::ostream& out);
 
 } // namespace ciel::wire

@@ -7,7 +7,7 @@
 
 namespace ciel::wire {
 
-// Binary; float32 positions and no values. A failed stream is the caller's to check.
+// Writes float32 positions and no values. The caller checks the stream for failure.
 ExportedCounts write_stl(const ExportSurface& surface, std::ostream& out);
 
 } // namespace ciel::wire

@@ -7,7 +7,7 @@
 
 namespace ciel::wire {
 
-// VTK XML, appended raw, double positions. A failed stream is the caller's to check.
+// Writes double positions. The caller checks the stream for failure.
 ExportedCounts write_vtp(const ExportSurface& surface, std::ostream& out);
 
 } // namespace ciel::wire

@@ -10,11 +10,11 @@
 namespace ciel::wire {
 namespace {
 
-// Farther away neighbouring floats are more than a millionth of the mesh's diagonal apart.
+// Farther from the origin, adjacent floats differ by more than a millionth of the mesh's diagonal.
 constexpr double most_diagonals_away = 8;
 
-// Newell's normal about the first corner, in double: exact zero for repeated points, and next to nothing beside the
-// squared perimeter for points on one line.
+// Newell's normal about the first corner, in double: exactly zero for repeated points, and negligible compared with the
+// squared perimeter for collinear points.
 bool has_area(const Surface& surface, std::span<const Index> polygon) {
     if (polygon.size() < 3) return false;
     const Vec3f& base = surface.positions[polygon[0]];

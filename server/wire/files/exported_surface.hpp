@@ -1,4 +1,4 @@
-// A surface with values on its way into a file, whatever the format.
+// A surface with values to be written to a file of any format.
 #pragma once
 
 #include "ciel/extract.hpp"
@@ -16,25 +16,26 @@ struct NamedValues {
 
 struct ExportSurface {
     const Surface& surface;
-    Vec3d origin{}; // added in double, so files far from the origin keep their digits where the format can
+    Vec3d origin{}; // added in double; formats with doubles keep all digits
     std::vector<NamedValues> values;
-    bool triangles = false; // else polygons as they are (STL always has triangles)
-    Vec3d file_origin{};    // coordinates in the file are relative to it, which the file says where it is not zero
+    bool triangles = false; // else polygons (STL always has triangles)
+    Vec3d file_origin{};    // subtracted from the coordinates; stated in the file unless zero
 };
 
-// What surfaces of a mesh are moved to in a format of floats, and in others on request: the same for all of them, so
-// that files fit together. Zero where floats are fine enough for the mesh's box (as Dataset has it); else the box's
-// centre in whole numbers.
+// Returns the file origin for surfaces of a mesh: formats with floats need it, others use it on request. It depends
+// only on the mesh's bounds (min and max per axis), so files of one mesh fit together. Zero where floats are fine
+// enough for the bounds, else their centre rounded to whole numbers.
 [[nodiscard]] Vec3d file_origin(const std::array<double, 6>& bounds);
 
 struct ExportedCounts {
     std::size_t polygons = 0, vertices = 0;
 };
 
-// "X Y Z", with all digits.
+// "X Y Z", with 17 significant digits.
 [[nodiscard]] std::string origin_text(Vec3d origin);
 
-// Without polygons that have no area (a value that hits vertices exactly makes them) and vertices that no polygon uses.
+// Polygons with an area, and the vertices that they use. An iso-value equal to a vertex value makes polygons without
+// area.
 struct ExportedPolygons {
     std::vector<Index> vertices;  // of the surface
     std::vector<Index> offset{0}; // polygons + 1

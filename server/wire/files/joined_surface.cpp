@@ -17,8 +17,9 @@ const NamedValues* find(const std::vector<NamedValues>& values, const std::strin
     return found != values.end() ? &*found : nullptr;
 }
 
-// Where the value is a mesh vertex's own, every edge there has a point of its own at the same place. As one vertex they
-// keep the surface closed once the polygons without area between them are left out. Flat values keep them apart.
+// Returns for each vertex the one that replaces it. If a mesh vertex has the iso-value, each edge there has its own
+// coincident point. Merging them keeps the surface closed when polygons without area are left out. Points with
+// different flat values are not merged.
 std::vector<Index> one_vertex_per_place(const Surface& surface, const std::vector<NamedValues>& values) {
     std::vector<Index> kept(surface.positions.size());
     std::unordered_map<Index, Index> at_mesh_vertex;

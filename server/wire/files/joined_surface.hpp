@@ -5,11 +5,11 @@
 
 namespace ciel::wire {
 
-// Owns its arrays. Vertices of one surface that lie on the same mesh vertex become one. Normals are kept only while
-// every surface added has them, and values by name likewise.
+// Owns its arrays. Vertices of one surface on the same mesh vertex are merged when their values are equal. Normals, and
+// values of a name, are kept only if all added surfaces have them.
 class JoinedSurface {
 public:
-    // values: each one per vertex of `surface`.
+    // values: one per vertex of `surface` in each.
     void add(const Surface& surface, const std::vector<NamedValues>& values);
     [[nodiscard]] const Surface& surface() const { return surface_; }
     [[nodiscard]] const std::vector<NamedValues>& values() const { return values_; }

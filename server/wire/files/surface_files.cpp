@@ -33,7 +33,7 @@ std::uint64_t body_bytes(SurfaceFormat format, const ExportSurface& surface) {
     const ExportedPolygons polygons = exported_polygons(surface.surface, is_stl || surface.triangles);
     const std::uint64_t faces = polygons.counts().polygons, vertices = polygons.vertices.size();
     const std::uint64_t per_vertex = 24 + (surface.surface.normals.empty() ? 0 : 12) + 4 * surface.values.size();
-    const std::uint64_t indices = faces + polygons.corner.size(); // a size or an offset each, and the corners
+    const std::uint64_t indices = faces + polygons.corner.size(); // one size or offset per face, and the corners
     switch (format) {
     case SurfaceFormat::ply:
         return vertices * per_vertex + 4 * indices;

@@ -10,14 +10,14 @@
 namespace ciel::wire {
 
 enum class SurfaceFormat { ply, stl, vtp };
-// STL has floats only.
+// Whether the format stores positions as floats, as STL does.
 [[nodiscard]] bool has_floats(SurfaceFormat format);
 [[nodiscard]] SurfaceFormat surface_format(const std::string& extension); // ".ply"; throws Error with the known ones
 
-// Returns what was written. A failed stream is the caller's to check.
+// Returns the numbers written. The caller checks the stream for failure.
 ExportedCounts write_surface(SurfaceFormat format, const ExportSurface& surface, std::ostream& out);
 
-// Of the file, but for its head, which is small: for those who want to know before it is made.
+// Size of the file in bytes, without the header. Lets callers refuse an export before it is written.
 [[nodiscard]] std::uint64_t body_bytes(SurfaceFormat format, const ExportSurface& surface);
 
 } // namespace ciel::wire

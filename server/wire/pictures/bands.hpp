@@ -1,4 +1,4 @@
-// A picture in bands of rows, which are coded side by side and keep what they have coded for the next picture.
+// A picture in bands of rows. Bands are encoded in parallel and cache their result for the next picture.
 #pragma once
 
 #include "ciel/parallel.hpp"
@@ -9,13 +9,13 @@
 
 namespace ciel::wire {
 
-// Band: made of (width, height, first row, what else is given), at most Band::most_rows of them, and encode(rgb) of the
-// whole picture.
+// Band needs a constructor (width, height, first row, more...), the constant most_rows, and encode(rgb), which takes
+// the whole picture.
 template <class Band>
 class Bands {
 public:
-    // From the top, good until the next call. `more`: always the same. Throws what a band throws; the next picture is
-    // coded from nothing then.
+    // Returns the bands from the top, valid until the next call. `more`: the same in all calls. Rethrows exceptions of
+    // bands; the next picture is then encoded anew.
     template <class... More>
     const std::vector<Band>& encode(int width, int height, std::span<const std::uint8_t> rgb, More... more) {
         if (width != width_ || height != height_) bands_.clear();
@@ -28,7 +28,7 @@ public:
                 for (std::size_t i = begin; i < end; ++i) bands_[i].encode(rgb);
             });
         } catch (...) {
-            bands_.clear(); // else half of this picture would be taken for the last one's
+            bands_.clear(); // some already hold rows of the failed picture
             throw;
         }
         return bands_;

@@ -17,7 +17,8 @@ namespace {
 constexpr int unit = 16;        // pixels: four luminance blocks and one of each chrominance, libjpeg's default
 constexpr int wished_units = 4; // in a piece
 
-// Of a row, so that no restart interval goes on in the next: the divisor nearest above the wish, or all.
+// Returns the smallest divisor of a row's units that is at least wished_units and at most three times as large, else
+// the whole row. Restart intervals then end at the end of rows.
 int units_of_piece(int units_of_row) {
     for (int units = wished_units; units <= 3 * wished_units; ++units)
         if (units_of_row % units == 0) return units;
@@ -30,7 +31,7 @@ bool is_restart(const std::uint8_t* at) { return at[0] == mark && at[1] >= first
 
 } // namespace
 
-// Its errors come by longjmp; nothing with a destructor may live between setjmp and it.
+// libjpeg reports errors by longjmp; no object with a destructor may live between setjmp and longjmp.
 struct JpegBand::Libjpeg {
     jpeg_compress_struct compress{};
     jpeg_error_mgr errors{};
@@ -58,7 +59,7 @@ struct JpegBand::Libjpeg {
         throw Error(std::string("libjpeg could not write a picture: ") + sentence.data());
     }
 
-    // `first`: the upper left pixel, `stride` bytes below which the next row begins.
+    // `first`: the upper left pixel. `stride`: bytes from row to row.
     std::span<const std::uint8_t> encode(const std::uint8_t* first, std::size_t stride, int width, int height,
                                          int units, int quality) {
         file.resize(4 * static_cast<std::size_t>(width + unit) * static_cast<std::size_t>(height + unit) + 1024);
@@ -124,7 +125,7 @@ void JpegBand::encode(std::span<const std::uint8_t> rgb) {
 }
 
 void JpegBand::take(std::span<const std::uint8_t> file, Span span) {
-    const std::uint8_t* at = file.data() + 2; // behind SOI, where segments begin: mark, kind, length in two bytes
+    const std::uint8_t* at = file.data() + 2; // segments start after SOI: mark, kind, length in two bytes
     const std::uint8_t* frame = nullptr;
     for (bool is_last = false; !is_last; at += 2 + 256 * at[2] + at[3]) {
         if (at[1] == frame_start) frame = at;

@@ -7,9 +7,8 @@
 
 namespace ciel::wire {
 
-// A picture is coded in pieces of some 64 x 16 pixels with a restart marker after each (T.81, B.2.4.4), so that pieces
-// are coded side by side and one that has not changed keeps its bytes. Decoded, it is pixel for pixel what libjpeg
-// makes of the same picture in one go.
+// A picture is encoded in pieces of about 64 x 16 pixels with a restart marker after each (T.81, B.2.4.4). Pieces are
+// encoded in parallel, and unchanged ones keep their bytes. The decoded pixels equal those of a single libjpeg call.
 class JpegStream final : public PictureStream {
 public:
     explicit JpegStream(int quality = 80) : quality_(quality) {}

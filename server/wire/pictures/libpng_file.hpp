@@ -1,4 +1,4 @@
-// libpng, which leaves an error by longjmp, behind a function that throws.
+// Wraps libpng: turns its longjmp on an error into an exception.
 #pragma once
 
 #include <cstdint>
@@ -7,8 +7,8 @@
 
 namespace ciel::wire {
 
-// Calls write(png, info, what) with an 8-bit RGB IHDR of this size set and nothing written; what it writes is appended
-// to `out`. Nothing with a destructor may live in `write` while libpng is called. Throws Error with libpng's words.
+// Calls write(png, info, what) with an 8-bit RGB IHDR of this size set and nothing written. Its output is appended to
+// `out`. No object with a destructor may live in `write` during a libpng call. Throws Error with libpng's message.
 void write_with_libpng(int width, int height, std::vector<std::uint8_t>& out,
                        void (*write)(png_structp png, png_infop info, const void* what), const void* what);
 

@@ -1,4 +1,4 @@
-// Pictures that follow each other quickly, each coded as a file of its own.
+// Pictures in quick succession, each encoded as a complete file.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@ namespace ciel::wire {
 
 enum class MovingCodec { png, jpeg };
 
-// What is as it was in the last picture keeps its bytes. Use one by one; each call has the thread pool's help.
+// Unchanged parts of a picture keep their encoded bytes. Not thread-safe; each call uses the thread pool.
 class PictureStream {
 public:
     PictureStream() = default;
@@ -18,15 +18,15 @@ public:
     PictureStream(const PictureStream&) = delete;
     PictureStream& operator=(const PictureStream&) = delete;
 
-    // rgb: rows from the top, 3 bytes a pixel. Appends to `out`. Throws Error when sizes do not agree or are more than
-    // the codec has; the next call is not affected.
+    // rgb: rows from the top, 3 bytes a pixel. Appends to `out`. Throws Error when sizes do not match or exceed the
+    // codec's limit; later calls still work.
     virtual void encode(int width, int height, std::span<const std::uint8_t> rgb, std::vector<std::uint8_t>& out) = 0;
 };
 
-// `jpeg_quality`: 1 to 100; a PNG has all of it.
+// `jpeg_quality`: 1 to 100; ignored for PNG, which is lossless.
 [[nodiscard]] std::unique_ptr<PictureStream> make_picture_stream(MovingCodec codec, int jpeg_quality = 80);
 
-// Throws Error, in words that name the format, unless `rgb` has 3 bytes for each pixel and no side is longer.
+// Throws Error, naming the format, unless `rgb` has 3 bytes per pixel and both sides are from 1 to longest_side.
 void check_picture(const char* format, int longest_side, int width, int height, std::span<const std::uint8_t> rgb);
 
 } // namespace ciel::wire

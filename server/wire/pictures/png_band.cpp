@@ -9,7 +9,7 @@
 namespace ciel::wire {
 namespace {
 
-constexpr std::uint8_t filter_sub = 1; // ISO/IEC 15948, 9.2: each byte less the one a pixel to its left
+constexpr std::uint8_t filter_sub = 1; // ISO/IEC 15948, 9.2: each byte minus that of the pixel to the left
 constexpr std::size_t pixel = 3;
 
 void filter(std::span<const std::uint8_t> row, std::uint8_t* out) {
@@ -18,14 +18,14 @@ void filter(std::span<const std::uint8_t> row, std::uint8_t* out) {
     for (std::size_t i = pixel; i < row.size(); ++i) out[i] = static_cast<std::uint8_t>(row[i] - row[i - pixel]);
 }
 
-// Run lengths beat level 1's matches on frames, in time and in size: 3 to 10 % each on surfaces and slices. They look
-// back by one byte, so a small window will do.
+// On surfaces and slices, run lengths (Z_RLE) beat level 1's matches by 3 to 10 % in both time and size. They look back
+// by one byte, so a small window is enough.
 void deflate_into(std::span<const std::uint8_t> bytes, std::vector<std::uint8_t>& out) {
     constexpr int raw_window_bits = -12, memory_level = 8;
     z_stream stream{};
     if (deflateInit2(&stream, 1, Z_DEFLATED, raw_window_bits, memory_level, Z_RLE) != Z_OK)
         throw Error("zlib has no memory for a picture");
-    out.resize(deflateBound(&stream, bytes.size()) + 16); // a flush may take as much beyond the bound
+    out.resize(deflateBound(&stream, bytes.size()) + 16); // a flush may exceed the bound by this
     stream.next_in = const_cast<Bytef*>(bytes.data());    // only read
     stream.avail_in = static_cast<uInt>(bytes.size());
     stream.next_out = out.data();

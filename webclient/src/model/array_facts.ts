@@ -1,4 +1,4 @@
-// Where an array's values come from, and what is wrong with them, in words.
+// Origin of an array's values, and its missing and invalid values, in words.
 import type { ArrayInfo } from "../generated/protocol";
 import { formatCount } from "./numbers";
 

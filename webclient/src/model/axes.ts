@@ -1,10 +1,10 @@
-// The axes, and how far the data goes along each.
+// The axes, and the extent of the data along each.
 import type { Bounds } from "./camera";
 import type { Range } from "../generated/protocol";
 
 export const AXES = ["x", "y", "z"] as const;
 export type Axis = (typeof AXES)[number];
-/** What a plane lies across; "free" has an origin and a normal. */
+/** Axis that a plane is perpendicular to; a "free" plane has an origin and a normal. */
 export type Across = Axis | "free";
 
 export function endsOf(axis: Axis, bounds: Bounds): Range {

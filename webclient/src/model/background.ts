@@ -15,21 +15,21 @@ export function backgroundColors(background: string | undefined): { top: Rgb; bo
   return NAMED[name] ?? { top: [0, 0, 0], bottom: [0, 0, 0] };
 }
 
-/** As the plates behind text in the server's pictures. */
+/** Equals the plates behind text in the server's pictures. */
 const PAPER_OPACITY = 0.72;
 
-/** The background's own color so far down the picture (0 to 1): behind text, and to be seen only over something else. */
+/** Plate color behind text: the background at `share` of the height (0: top, 1: bottom). Invisible over it. */
 export function paperAt(background: string | undefined, share: number): string {
   const { top, bottom } = backgroundColors(background);
   const channels = top.map((from, i) => Math.round(255 * (from + share * ((bottom[i] ?? from) - from))));
   return `rgb(${channels.join(" ")} / ${PAPER_OPACITY})`;
 }
 
-/** On which light and dark text are as good as each other. */
+/** Luma at which light and dark text are equally readable. */
 const MIDDLE_GRAY = 0.46;
 const LUMA: Rgb = [0.2126, 0.7152, 0.0722];
 
-/** Whether what is written on it has to be dark: by the luma of its middle, as in the server's pictures. */
+/** Whether text on the background must be dark: by the luma of its middle, as in the server's pictures. */
 export function isBright(background: string | undefined): boolean {
   const { top, bottom } = backgroundColors(background);
   const luma = LUMA.reduce((sum, weight, i) => sum + (weight * ((top[i] ?? 0) + (bottom[i] ?? 0))) / 2, 0);

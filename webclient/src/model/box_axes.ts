@@ -1,5 +1,5 @@
-// Ticks and numbers along edges of the bounding box, over the picture: by the rules of server/render/box_edges, which
-// draws them into pictures that are saved. Places are CSS pixels.
+// Ticks and numbers along edges of the bounding box, over the picture. The rules are those of
+// server/annotations/box_edges.cpp, which lays them out in saved pictures. Coordinates are CSS pixels.
 import { corners, frame, project, type Bounds, type FullCamera, type Size } from "./camera";
 import { overlaps, type Box } from "./overlay_room";
 import { add, scale, subtract, type Vec3 } from "./vector";
@@ -17,33 +17,33 @@ export interface BoxAxis {
   name: "x" | "y" | "z";
   from: Place;
   to: Place;
-  /** Away from the box, across the edge; of length one. */
+  /** Unit vector away from the box, perpendicular to the edge. */
   outward: Place;
   ticks: AxisTick[];
-  /** The power of ten that is taken out of the numbers. */
+  /** Common power of ten, factored out of the labels. */
   exponent: number;
-  /** How far the numbers reach away from the edge, ticks and the gap behind them included. */
+  /** Distance from the edge to the far side of the numbers, including ticks and the gap. */
   depth: number;
 }
 
 type Axis = 0 | 1 | 2;
 const NAMES = ["x", "y", "z"] as const;
-// In ems, as in server/render/axes_layout.
+// In ems, as in server/annotations/axes_layout.cpp.
 const SHORTEST = 3;
 export const TICK = 0.5;
 const GAP = 0.35;
 const APART = 0.5;
-/** Of ticks at least, along and across the lines of text. */
+/** Minimum distance of ticks, along and across the lines of text. */
 const SPACING: Place = { x: 3.6, y: 2.4 };
 const FEWEST_TICKS = 3;
 const MOST_TICKS = 10;
-/** Of a digit, wide and high: numbers have no other wide signs. */
+/** Width and height of a digit: numbers have no wider characters. */
 const DIGIT: Place = { x: 0.62, y: 0.75 };
-/** Of words, which have letters that reach below the line. */
+/** Height of a word, including descenders. */
 const WORD_HEIGHT = 1.1;
-/** Of the way along an edge, where its name may stand. */
+/** Candidate positions of a name, as shares of the edge. */
 const SHARES = [0.5, 0.4, 0.6, 0.3, 0.7, 0.15, 0.85, 0, 1];
-/** How finely an edge is searched for the part of it that is seen. */
+/** Sampling steps along an edge to find its visible part. */
 const SAMPLES = 64;
 
 function seesFace(camera: FullCamera, bounds: Bounds, axis: Axis, upper: boolean): boolean {
@@ -69,7 +69,7 @@ function edgesAlong(camera: FullCamera, bounds: Bounds, axis: Axis): [Vec3, Vec3
     .map((corner) => [corner, along(corner)]);
 }
 
-/** The first and last of its points that are in the picture, as shares of the way. */
+/** Shares of the edge at which its first and last visible samples lie; null if fewer than two are visible. */
 function partSeen(low: Vec3, high: Vec3, at: (point: Vec3) => Place | null, size: Size): [number, number] | null {
   const seen = Array.from({ length: SAMPLES + 1 }, (_, i) => i / SAMPLES).filter((share) => {
     const place = at(add(low, scale(subtract(high, low), share)));
@@ -81,20 +81,20 @@ function partSeen(low: Vec3, high: Vec3, at: (point: Vec3) => Place | null, size
 
 const halfOf = (label: string, em: number): Place => ({ x: (label.length * DIGIT.x * em) / 2, y: (DIGIT.y * em) / 2 });
 
-/** Moved into the picture where it would stick out: a label that is cut off says something else. */
+/** Moves a label into the picture: a number that is cut off could be misread. */
 function inside(middle: Place, half: Place, size: Size): Place {
   const within = (at: number, reach: number, end: number): number => Math.max(Math.min(at, end - reach - 1), reach + 1);
   return { x: within(middle.x, half.x, size.width), y: within(middle.y, half.y, size.height) };
 }
 
-/** The middle of a number whose nearest point is a tick's length and a gap away from the edge. */
+/** Center of a number whose nearest point is a tick's length and a gap away from the edge. */
 export function numberPlace(foot: Place, outward: Place, label: string, size: Size, em: number): Place {
   const half = halfOf(label, em);
   const away = (TICK + GAP) * em + Math.abs(outward.x) * half.x + Math.abs(outward.y) * half.y;
   return inside({ x: foot.x + away * outward.x, y: foot.y + away * outward.y }, half, size);
 }
 
-/** So much of a text as the picture is wide. */
+/** Cuts a text to the width of the picture, with an ellipsis. */
 function shortened(text: string, size: Size, em: number): string {
   const most = Math.max(1, Math.floor((size.width - 2) / (DIGIT.x * em)));
   return text.length <= most ? text : `${text.slice(0, most - 1)}\u2026`;
@@ -104,7 +104,7 @@ interface Label extends Place {
   text: string;
 }
 
-/** Where a name may stand, best first: outside the numbers, from the middle of the edge on; past one of its ends. */
+/** Candidate positions of a name, best first: outside the numbers at SHARES of the edge; then past one of its ends. */
 function placesOfName({ from, to, outward, depth }: BoxAxis, text: string, size: Size, em: number): Place[] {
   const half = halfOf(text, em);
   const length = Math.hypot(to.x - from.x, to.y - from.y);
@@ -120,20 +120,20 @@ function placesOfName({ from, to, outward, depth }: BoxAxis, text: string, size:
   return places.map((place) => inside(place, half, size));
 }
 
-/** Around text whose middle is there. */
+/** Bounding box of a text centered at a point. */
 export function boxOf({ x, y }: Place, text: string, em: number): Box {
   const half = { ...halfOf(text, em), ...(/[a-z]/.test(text) && { y: (WORD_HEIGHT * em) / 2 }) };
   return { left: x - half.x, top: y - half.y, right: x + half.x, bottom: y + half.y };
 }
 
-/** The axes without the numbers that would lie on what is taken, or on each other at a corner of the box. */
+/** The axes without the numbers that overlap a box of `taken` or a number of an earlier axis. */
 export function keptClear(axes: readonly BoxAxis[], size: Size, em: number, taken: readonly Box[]): BoxAxis[] {
   const all = [...taken];
   return axes.map((axis) => {
     const before = all.length;
     const ticks = axis.ticks.filter((tick) => {
       const box = boxOf(numberPlace(tick, axis.outward, tick.label, size, em), tick.label, em);
-      const apart = (APART * em) / 2; // two numbers side by side would read as one
+      const apart = (APART * em) / 2; // adjacent numbers would read as one
       const wide = { ...box, left: box.left - apart, right: box.right + apart };
       if (all.slice(0, before).some((other) => overlaps(other, wide))) return false;
       all.push(box);
@@ -143,8 +143,8 @@ export function keptClear(axes: readonly BoxAxis[], size: Size, em: number, take
   });
 }
 
-/** One for each axis, whole and in the picture, clear of all numbers, of each other and of what is taken; null where
- * there is no room for it. */
+/** One label for each axis, inside the picture, clear of all numbers, other names and `taken`; null if there is no
+ * room. A name that is wider than the picture is shortened. */
 export function placeNames(
   axes: readonly BoxAxis[],
   names: readonly string[],
@@ -164,7 +164,7 @@ export function placeNames(
   });
 }
 
-/** Whether the numbers, which are as far apart as their ticks, keep clear of each other. */
+/** Whether no numbers of adjacent ticks overlap. */
 function areClear(ticks: readonly AxisTick[], em: number): boolean {
   return ticks.every((tick, i) => {
     const before = ticks[i - 1];
@@ -174,7 +174,7 @@ function areClear(ticks: readonly AxisTick[], em: number): boolean {
   });
 }
 
-/** As many marks as have room; at least one. */
+/** The most ticks, up to `most`, whose labels do not overlap; falls back to a scale of at most one tick. */
 function marksAlong(place: (scale: Scale) => AxisTick[], ends: [number, number], most: number, em: number) {
   for (let wanted = most; ; wanted -= 1) {
     const scale = niceScale(ends[0], ends[1], wanted);
@@ -215,8 +215,8 @@ function axisAlong(low: Vec3, high: Vec3, axis: Axis, { at, middle, size, em }: 
   return { axis: { name: NAMES[axis], from, to, outward, ticks, exponent, depth }, half };
 }
 
-/** Along each axis that is seen, the leftmost silhouette edge for the one that runs up, the lowest for the others. `em`
- * is the size of the text. */
+/** One silhouette edge for each visible axis: the leftmost for the most upward axis, the lowest for the others. `em`
+ * is the text size in CSS pixels. */
 export function boxAxes(camera: FullCamera, bounds: Bounds, size: Size, em = 12): BoxAxis[] {
   const at = (point: Vec3): Place | null => project(camera, point, size);
   const { up } = frame(camera);

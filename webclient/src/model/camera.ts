@@ -1,4 +1,4 @@
-// What the hand does to the scene's camera. Pure functions; pixels are of the canvas, y downwards.
+// Camera operations. Pure functions; pixels are of the canvas, y downwards.
 import type { Camera } from "../generated/protocol";
 import { add, cross, dot, length, normalize, rotate, scale, subtract, type Vec3 } from "./vector";
 
@@ -11,7 +11,7 @@ export interface Size {
 export type FullCamera = Required<Camera>;
 
 export const DEFAULT_FOV = 30;
-/** What a hand can choose; documents may have more. */
+/** Limits of the controls in degrees; a scene may exceed them. */
 export const FOV_RANGE: readonly [number, number] = [1, 120];
 const radians = (degrees: number): number => (degrees * Math.PI) / 180;
 
@@ -30,7 +30,7 @@ export interface Axes {
   forward: Vec3;
 }
 
-/** The camera's own axes, of length one; also right where `up` is parallel to the view. */
+/** The camera's axes as unit vectors; also correct where `up` is parallel to the view. */
 export function frame(camera: FullCamera): Axes {
   const forward = normalize(subtract(camera.target, camera.position), [0, 1, 0]);
   let right = cross(forward, camera.up);
@@ -48,7 +48,7 @@ export function viewHeight(camera: FullCamera): number {
   return camera.parallel ? camera.parallel_height : 2 * distance(camera) * Math.tan(radians(camera.fov) / 2);
 }
 
-/** Half a turn for a drag over the canvas's shorter side. The pivot stays where it is seen, and as far away. */
+/** Half a turn for a drag over the canvas's shorter side. The pivot keeps its pixel and its distance. */
 export function orbit(camera: FullCamera, dx: number, dy: number, size: Size, pivot: Vec3 = camera.target): FullCamera {
   const perPixel = Math.PI / Math.max(1, Math.min(size.width, size.height));
   const { right, up } = frame(camera);
@@ -64,7 +64,7 @@ export function roll(camera: FullCamera, angle: number): FullCamera {
   return { ...camera, up: rotate(up, forward, angle) };
 }
 
-/** What lies at the target's depth stays under the hand. */
+/** Points at the target's depth stay under the pointer. */
 export function pan(camera: FullCamera, dx: number, dy: number, size: Size): FullCamera {
   const perPixel = viewHeight(camera) / Math.max(1, size.height);
   const { right, up } = frame(camera);
@@ -82,10 +82,10 @@ export function zoom(camera: FullCamera, factor: number, x: number, y: number, s
   return pan(closer, offsetX, offsetY, size);
 }
 
-/** How close to the target and how far from it a hand may come, in diagonals of the box; documents may have more. */
+/** Nearest and furthest distance from the target for zooming, in diagonals of the box; a scene may exceed them. */
 export const REACH: readonly [number, number] = [1e-6, 1e4];
 
-/** So much of a zoom as keeps the view within reach. From outside of it there is only the way back. */
+/** Clamps a zoom factor so that the view stays within REACH. From outside, only zooming back towards it is allowed. */
 export function withinReach(camera: FullCamera, factor: number, bounds: Bounds): number {
   const away = camera.parallel ? camera.parallel_height : distance(camera);
   const [nearest, furthest] = REACH.map((reach) => (reach * (2 * boundsRadius(bounds) || 1)) / away) as [
@@ -93,7 +93,7 @@ export function withinReach(camera: FullCamera, factor: number, bounds: Bounds):
     number,
   ];
   const allowed = Math.min(Math.max(factor, Math.min(1, nearest)), Math.max(1, furthest));
-  return Math.abs(allowed - 1) < 1e-6 ? 1 : allowed; // at a stop only rounding is left
+  return Math.abs(allowed - 1) < 1e-6 ? 1 : allowed; // at a limit: ignore rounding
 }
 
 /** Looks at a point from the same side and distance. */
@@ -101,7 +101,7 @@ export function centre(camera: FullCamera, point: Vec3): FullCamera {
   return { ...camera, position: add(camera.position, subtract(point, camera.target)), target: point };
 }
 
-/** Keeps what the view spans at the target. */
+/** Keeps the view height at the target. */
 export function withParallel(camera: FullCamera, parallel: boolean): FullCamera {
   if (parallel === camera.parallel) return camera;
   if (parallel) return { ...camera, parallel, parallel_height: viewHeight(camera) };
@@ -110,14 +110,14 @@ export function withParallel(camera: FullCamera, parallel: boolean): FullCamera 
   return { ...camera, parallel, position: add(camera.target, arm) };
 }
 
-/** Keeps what the view spans at the target, so that only the perspective gets stronger or weaker. */
+/** Keeps the view height at the target, so that only the strength of the perspective changes. */
 export function withFieldOfView(camera: FullCamera, fov: number): FullCamera {
   const away = viewHeight(camera) / (2 * Math.tan(radians(fov) / 2));
   const arm = scale(normalize(subtract(camera.position, camera.target)), away);
   return { ...camera, fov, position: add(camera.target, arm) };
 }
 
-/** Spans so much at the target: a parallel view directly, else from further away or closer. */
+/** Sets the view height at the target; a perspective view changes its distance. */
 export function withViewHeight(camera: FullCamera, height: number): FullCamera {
   if (camera.parallel) return { ...camera, parallel_height: height };
   const arm = scale(subtract(camera.position, camera.target), height / viewHeight(camera));
@@ -162,7 +162,7 @@ export function fit(
 export type AxisView = "+x" | "-x" | "+y" | "-y" | "+z" | "-z";
 export const AXIS_VIEWS: readonly AxisView[] = ["+x", "-x", "+y", "-y", "+z", "-z"];
 
-/** From the named side: "+x" stands on the positive x axis and looks back. */
+/** View of the box from a side: "+x" stands on the positive x axis and looks back. */
 export function axisView(side: AxisView, bounds: Bounds, aspect: number, fov: number, parallel: boolean): FullCamera {
   const sign = side.startsWith("+") ? -1 : 1;
   const forward: Vec3 = [0, 0, 0];
@@ -171,14 +171,14 @@ export function axisView(side: AxisView, bounds: Bounds, aspect: number, fov: nu
   return fit(bounds, forward, axis === 2 ? [0, 1, 0] : [0, 0, 1], aspect, fov, parallel);
 }
 
-/** As the server's own default: from in front, to the right and above. */
+/** Same as the server's default: from in front, to the right and above. */
 export function defaultView(bounds: Bounds, aspect: number, fov = DEFAULT_FOV, parallel = false): FullCamera {
   return fit(bounds, normalize([-0.55, 1, -0.5]), [0, 0, 1], aspect, fov, parallel);
 }
 
 const EDGE_SAMPLES = 24;
 const BACK = 1.03;
-/** Further away than this the box would be too small to look at; then rather something over it. */
+/** Largest zoom-out factor: beyond it the box would be too small, so an overlap is accepted. */
 const FURTHEST = 1.6;
 
 function edgePoints(bounds: Bounds): Vec3[] {
@@ -190,7 +190,7 @@ function edgePoints(bounds: Bounds): Vec3[] {
   );
 }
 
-/** Steps back until no edge of the box is seen in a rectangle of one of the sizes `taken` in the top right corner. */
+/** Steps back until no box edge lies in a top right rectangle of a size in `taken`; unchanged beyond FURTHEST. */
 export function clearOf(camera: FullCamera, bounds: Bounds, size: Size, ...taken: Size[]): FullCamera {
   const points = edgePoints(bounds);
   const covered = (view: FullCamera): boolean =>

@@ -1,15 +1,15 @@
-// The canvas in CSS pixels (the hand's) and in device pixels (the pictures').
+// The canvas in CSS pixels (for the pointer) and in device pixels (for pictures).
 import { clearOf, type Bounds, type FullCamera, type Size } from "./camera";
 
-export const SMALLEST = 16; // of a view, by the contract
+export const SMALLEST = 16; // view side, by the contract
 export const LARGEST = 8192;
 
-/** About, with the room around it. */
+/** Approximate size, including margins. */
 const LEGEND: Size = { width: 110, height: 260 };
 
 export class CanvasSize {
   css: Size = { width: 960, height: 640 };
-  /** What the legends take, each a rectangle from the top right corner to its far end; until they stand, what one will. */
+  /** Rectangle of each legend, from the top right corner to its far end; an estimate until the legends are laid out. */
   corner: Size[] = [LEGEND];
   private ratio = 1;
 
@@ -22,7 +22,7 @@ export class CanvasSize {
     return this.css.width / this.css.height;
   }
 
-  /** Before they stand. */
+  /** Estimates `corner` before the legends are laid out. */
   expectLegends(count: number): void {
     const inColumn = Math.max(1, Math.floor(this.css.height / LEGEND.height));
     this.corner = Array.from({ length: count }, (_, i) => ({
@@ -31,17 +31,17 @@ export class CanvasSize {
     }));
   }
 
-  /** The view from a little further away, where the box would lie below the legends. */
+  /** Moves the camera back if the box would lie below the legends. */
   clearOfCorner(camera: FullCamera, bounds: Bounds): FullCamera {
     return clearOf(camera, bounds, this.css, ...this.corner);
   }
 
-  /** Pixels of pictures for one of the page's, as the contract bounds it. */
+  /** Picture pixels per CSS pixel, clamped to the contract's limits. */
   get pixelRatio(): number {
     return Math.min(16, Math.max(0.25, this.pixels().width / this.css.width));
   }
 
-  /** `times` as large, or as large as there may be. */
+  /** Canvas size in device pixels, scaled by `times`; at most LARGEST. */
   pixels(times = 1): Size {
     const ratio = Math.min(times * this.ratio, LARGEST / Math.max(this.css.width, this.css.height));
     const pixels = (side: number): number => Math.max(SMALLEST, Math.round(side * ratio));

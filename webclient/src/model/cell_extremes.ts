@@ -1,4 +1,4 @@
-// Which cells have the lowest and the highest value of an array, in words: interpolation to points never shows them.
+// Cells with the lowest and highest value of an array, in words. Interpolation to points never shows these values.
 import type { CellExtreme, CellExtremes } from "../generated/protocol";
 import { formatNumber } from "./numbers";
 

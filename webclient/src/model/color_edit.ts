@@ -1,10 +1,10 @@
-// What a hand does to a coloring: each answers the members that change, so that what cannot stand together never does.
+// Edits of a coloring. Each returns the changed members, so that members that exclude each other never coexist.
 import { colorRow, hexOf, type ColorScale } from "./color_scale";
 import type { Coloring, ColorPoint, Range } from "../generated/protocol";
 import { rangeAboveZero } from "./color_range";
 import { withEnd } from "./numbers";
 
-/** undefined takes a member away. */
+/** undefined removes a member. */
 export type ColoringChange = { [K in keyof Coloring]?: Coloring[K] | undefined };
 
 export const MOST_POINTS = 64;
@@ -12,8 +12,8 @@ export const MOST_STEPS = 256;
 const FIRST_POINTS = 5;
 
 /**
- * A logarithm and zero in the middle exclude each other; a given range keeps what of it lies above zero. `before`: the
- * coloring when the logarithm was switched on, whose members come back with its end unless a hand has changed them.
+ * Switches the logarithm. It excludes a symmetric scale, and the range is clipped to above zero. `before`: the coloring
+ * when the logarithm was switched on; switching off restores its members, and its range unless that was changed since.
  */
 export function withLog({ array, range }: Coloring, on: boolean, before?: Coloring): ColoringChange {
   if (!on) {
@@ -29,11 +29,11 @@ export function withLog({ array, range }: Coloring, on: boolean, before?: Colori
 export const withSymmetric = (on: boolean): ColoringChange =>
   on ? { symmetric: true, log: undefined } : { symmetric: undefined };
 
-/** Logarithmic on both sides of zero: both of them together. */
+/** Logarithmic on both sides of zero: sets or clears `symmetric` and `log` together. */
 export const withSymmetricLog = (on: boolean): ColoringChange =>
   on ? { symmetric: true, log: true } : { symmetric: undefined, log: undefined };
 
-/** A sentence where the scale has no place for that range. */
+/** Returns an error sentence if the scale cannot have that range. */
 export function withRange({ log, symmetric }: Coloring, a: number, b: number): ColoringChange | string {
   const range: Range = a <= b ? [a, b] : [b, a];
   if (log === true && symmetric !== true && range[0] <= 0)
@@ -43,29 +43,29 @@ export function withRange({ log, symmetric }: Coloring, a: number, b: number): C
   return { range: [-reach, reach] };
 }
 
-/** One end of the range that is seen, typed: it pushes the other, and both where the scale is symmetric. */
+/** Sets one end of the shown range. It pushes the other end; a symmetric scale moves both. */
 export function withRangeEnd(coloring: Coloring, shown: Range, end: 0 | 1, to: number): ColoringChange | string {
   const range = coloring.symmetric === true ? ([to, to] as const) : withEnd(shown, end, to);
   return withRange(coloring, ...range);
 }
 
-/** A map by name is shown as it is: points of one's own give way to it. */
+/** Chooses a map by name and removes custom color points. */
 export const withMap = (map: string): ColoringChange => ({ map, points: undefined });
 
-/** Points to begin with: what is seen now. */
+/** Initial custom points, sampled from the current colors. */
 export function pointsOf(scale: ColorScale): ColorPoint[] {
   const smooth = { ...scale, steps: 0, reverse: false };
   return colorRow(smooth, FIRST_POINTS).map((color, i) => ({ at: i / (FIRST_POINTS - 1), color: hexOf(color) }));
 }
 
-/** The points with one moved, kept between its neighbours. */
+/** Moves one point, clamped between its neighbours. */
 export function movedPoint(points: readonly ColorPoint[], index: number, at: number): ColorPoint[] {
   const low = points[index - 1]?.at ?? 0;
   const high = points[index + 1]?.at ?? 1;
   return points.map((point, i) => (i === index ? { ...point, at: Math.min(high, Math.max(low, at)) } : point));
 }
 
-/** One more in the widest gap, of the color that is there. */
+/** Adds a point in the middle of the widest gap, with the color at that place. */
 export function addedPoint(points: readonly ColorPoint[], colorAt: (place: number) => string): ColorPoint[] {
   let best = 0;
   const gap = (i: number): number => (points[i + 1]?.at ?? 0) - (points[i]?.at ?? 0);

@@ -19,15 +19,15 @@ const first = table.maps[0]?.name ?? "viridis";
 
 export const colorMapNames: readonly string[] = table.maps.map(({ name }) => name);
 export const DEFAULT_MAP = "viridis";
-/** Of values that are missing, unless a scene says otherwise. */
+/** Default color of missing values. */
 export const missingHex = `#${table.nan}`;
 
-/** The names by what the maps are for, in the table's order. */
+/** The names grouped by the kind of map, in the table's order. */
 export const colorMapKinds: readonly { kind: string; names: string[] }[] = [
   ...new Set(table.maps.map(({ kind }) => kind)),
 ].map((kind) => ({ kind, names: table.maps.filter((map) => map.kind === kind).map(({ name }) => name) }));
 
-/** The named map, or the first where the server knows one that this page does not. */
+/** The named map; the first one if this page does not know the name. */
 export function colorMap(name: string): Colors {
   return maps.get(name) ?? maps.get(first) ?? new Uint8Array(1024);
 }

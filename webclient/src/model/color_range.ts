@@ -1,19 +1,19 @@
-// From what a scene says of colors to the scale that is drawn: here the range of the data comes in. The twin of
+// Makes the drawn color scale from a scene's coloring and the range of the data. The twin of
 // server/geometry/color_scale_of.cpp.
 import type { ColorScale } from "./color_scale";
 import { DEFAULT_MAP, missingHex } from "./color_maps";
 import type { Coloring, Range } from "../generated/protocol";
 import { clamp } from "./numbers";
 
-/** How far a logarithmic scale reaches down from the largest value of data that hold zero. */
+/** Decades of a logarithmic scale below the largest value, if the data contains zero. */
 const LOG_DECADES = 6;
-/** What a graphics card can still divide by the width of. */
+/** Largest range end; a GPU can still divide by the width of such a range. */
 const LARGEST = 4e37;
-/** Smaller ones lose digits as floats. */
+/** Smaller values lose digits as floats. */
 const SMALLEST_OF_LOG = 1e-37;
 
 export function rangeAboveZero([low, high]: Range): Range {
-  if (!(high > 0)) return [1, 10]; // nothing is on it: isShownBy
+  if (!(high > 0)) return [1, 10]; // no data is shown: see isShownBy
   const start = low > 0 ? low : high / 10 ** LOG_DECADES;
   return [Math.max(start, SMALLEST_OF_LOG), Math.max(high, SMALLEST_OF_LOG)];
 }
@@ -41,6 +41,6 @@ export const scaleOf = (coloring: Coloring, data: Range): ColorScale => ({
   above: coloring.above ?? null,
 });
 
-/** False where data without a value above zero stand against a logarithmic scale that is to take their range. */
+/** False if a logarithmic scale takes its range from data without a value above zero. */
 export const isShownBy = (coloring: Coloring, data: Range): boolean =>
   coloring.log !== true || coloring.symmetric === true || Boolean(coloring.range) || data[1] > 0;

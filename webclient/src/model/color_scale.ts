@@ -1,5 +1,5 @@
-// From a scalar to a color, by the rule that server/color/color_scale.hpp writes down: the shaders of the polygon
-// stream and the legend follow it, and tests/support/color_cases.json holds both sides to it.
+// Maps a scalar to a color by the rule in server/color/color_scale.hpp. The shaders of the polygon stream and the
+// legend follow it. tests/support/color_cases.json tests both sides.
 import type { ColorPoint, Range } from "../generated/protocol";
 import { colorMap } from "./color_maps";
 
@@ -7,9 +7,9 @@ export type Rgb8 = readonly [number, number, number];
 
 export interface ColorScale {
   map: string;
-  /** Two or more instead of the map; empty: the map. */
+  /** Two or more points replace the map; empty: the map is used. */
   points: readonly ColorPoint[];
-  /** As whoever chose it wrote it; pixels have the 32-bit floats next to it. Above zero when logarithmic, or from -r to r. */
+  /** As chosen; pixels use its ends rounded to 32-bit floats. If logarithmic, above zero or from -r to r. */
   range: Range;
   reverse: boolean;
   log: boolean;
@@ -60,11 +60,11 @@ function innerColor(scale: ColorScale, place: number): Rgb8 {
   return smoothColor(scale, Math.min(steps - 1, Math.max(0, Math.floor(place * steps))) / (steps - 1));
 }
 
-/** Colors from the lower to the upper end, as the scale has them: a legend's bar. */
+/** Colors from the lower to the upper end, including steps: a legend's bar. */
 export const colorsAlong = (scale: ColorScale, count: number): Rgb8[] =>
   Array.from({ length: count }, (_, i) => innerColor(scale, count > 1 ? i / (count - 1) : 0.5));
 
-/** One color for each step; `smoothCount` of them, to interpolate between, where the scale has no steps. */
+/** One color for each step. A scale without steps gives `smoothCount` colors to interpolate between. */
 export const colorRow = (scale: ColorScale, smoothCount: number): Rgb8[] =>
   colorsAlong({ ...scale, steps: 0 }, scale.steps > 1 ? scale.steps : smoothCount);
 
@@ -73,13 +73,13 @@ export function hasWidth({ range: [low, high] }: ColorScale): boolean {
   return Number.isFinite(width) && width > 0;
 }
 
-/** Of the end of a range that is logarithmic on both sides of zero: nearly linear within it. */
+/** A scale that is logarithmic on both sides of zero is nearly linear within this share of its end. */
 export const LINEAR_SHARE = 1e-3;
 const LOG_OF_REACH = Math.log1p(1 / LINEAR_SHARE);
 
 export const isLogOfBothSigns = ({ log, range: [low] }: ColorScale): boolean => log && low < 0;
 
-/** 0 at the lower end, 1 at the upper one. */
+/** 0 at the lower end, 1 at the upper end; 0.5 for a range without width. */
 export function placeOf(scale: ColorScale, value: number): number {
   if (!hasWidth(scale)) return 0.5;
   const [low, high] = scale.range;
@@ -100,7 +100,7 @@ export function valueAtPlace(scale: ColorScale, place: number): number {
   return scale.log ? low * (high / low) ** place : low + place * (high - low);
 }
 
-/** Values from the first to the second are inside: those that are off by an interpolated float's rounding, too. */
+/** Limits of the values that count as inside; wider than the range by the rounding of interpolated floats. */
 export function limitsOf(scale: ColorScale): Range {
   if (!hasWidth(scale)) return [-Infinity, Infinity];
   const [low, high] = scale.range;

@@ -1,4 +1,4 @@
-// Where a legend has its marks and what stands beside them: the twin of server/annotations/color_ticks.cpp.
+// Positions and labels of a legend's ticks: the twin of server/annotations/color_ticks.cpp.
 import { hasWidth, isLogOfBothSigns, LINEAR_SHARE, placeOf, valueAtPlace, type ColorScale } from "./color_scale";
 import type { Range } from "../generated/protocol";
 import { clamp } from "./numbers";
@@ -8,20 +8,20 @@ export interface ColorTick {
   value: number;
   /** Along the bar, from 0 at its lower end to 1. */
   at: number;
-  /** Empty: a mark alone. */
+  /** Empty: a tick without a label. */
   label: string;
 }
 
-/** Of steps and decades: more would stand on each other. */
+/** Limit for steps and decades: more labels would overlap. */
 const MOST_LABELS = 10;
 const MOST_MARKED_DECADES = 8;
 
-/** The power of ten that is taken out of the numbers of a scale and stands in its title; 0 on a logarithmic one. */
+/** Common power of ten of a scale's labels, shown in its title; 0 on a logarithmic scale. */
 export const exponentOf = (scale: ColorScale): number => (scale.log ? 0 : commonExponent(...scale.range));
 
 /**
- * A value as it stands beside the scale. Over a power of ten and more the eye reads no more than three digits off a
- * logarithmic bar.
+ * Label of a value beside the scale. A logarithmic bar that spans a decade or more has three digits: more cannot be
+ * read off it.
  */
 export const labelOn = (scale: ColorScale, value: number): string =>
   scale.log
@@ -32,7 +32,7 @@ function tick(scale: ColorScale, value: number, label: string): ColorTick {
   return { value, at: clamp(placeOf(scale, value), 0, 1), label };
 }
 
-/** Of the bounds of steps every so manyth: as many as may be, and the same number between any two labels. */
+/** Smallest stride of marked step bounds that divides `strideOfLabels` and gives at most `most` marks. */
 function strideOfMarks(steps: number, strideOfLabels: number, most: number): number {
   for (let stride = 1; stride < strideOfLabels; stride += 1)
     if (strideOfLabels % stride === 0 && Math.floor(steps / stride) < most) return stride;
@@ -45,7 +45,7 @@ function stepTicks(scale: ColorScale, most: number): ColorTick[] {
   const found: ColorTick[] = [];
   for (let k = 0; k <= scale.steps; k += stride) {
     const toTheEnd = scale.steps - k;
-    if (toTheEnd > 0 && toTheEnd * most < scale.steps) continue; // which has a mark of its own
+    if (toTheEnd > 0 && toTheEnd * most < scale.steps) continue; // too close to the end's mark
     const value = valueAtPlace(scale, k / scale.steps);
     found.push(tick(scale, value, k % ofLabels === 0 ? labelOn(scale, value) : ""));
   }
@@ -55,7 +55,7 @@ function stepTicks(scale: ColorScale, most: number): ColorTick[] {
 const roundTicks = (scale: ColorScale, most: number): ColorTick[] =>
   niceScale(...scale.range, most).ticks.map(({ value, label }) => tick(scale, value, label));
 
-/** 1, 2 ... 9 times each power of ten; those `labelled` have labels, on every `stride`-th power. */
+/** Ticks at 1, 2 ... 9 times each power of ten; multiples in `labelled` have labels, on every `stride`-th power. */
 function decadeTicks(
   scale: ColorScale,
   labelled: readonly number[],
@@ -77,7 +77,7 @@ function decadeTicks(
   return found;
 }
 
-/** Zero, and the powers of ten beyond the nearly linear part, on both sides. */
+/** Zero, and the decades beyond the nearly linear part on both sides; only powers of ten have labels. */
 function ticksOfBothSigns(scale: ColorScale): ColorTick[] {
   const [, reach] = scale.range;
   const above = decadeTicks(scale, [1], 1, [LINEAR_SHARE * reach, reach]);
@@ -96,8 +96,8 @@ function logTicks(scale: ColorScale, most: number): ColorTick[] {
 }
 
 /**
- * In ascending order, inside the range; one for a range without width. Of the bounds of more than `mostMarks` steps only
- * some have marks.
+ * Ticks in ascending order, inside the range; one tick for a range without width. With more than `mostMarks` step
+ * bounds only some are marked.
  */
 export function colorTicks(scale: ColorScale, most = 6, mostMarks = Infinity): ColorTick[] {
   const [low] = scale.range;

@@ -1,4 +1,4 @@
-// What a dataset is, in a few words each: cells, steps, arrays, size.
+// Summary of a dataset in words: cells, steps, arrays, size.
 import type { DatasetDescription } from "../generated/protocol";
 import { formatCount, formatNumber } from "./numbers";
 

@@ -1,4 +1,4 @@
-// What a person calls a layer: never its id.
+// Display names of layers, never their ids.
 import type { Layer, Scene, Vec3 } from "../generated/protocol";
 import { layersInOrder } from "./layer_order";
 import { formatNumber } from "./numbers";
@@ -41,7 +41,7 @@ export function layerName(layer: Layer): string {
   }
 }
 
-/** By id, in their order; layers that would have the same name are numbered. */
+/** Names by id, in layer order; equal names are numbered. */
 export function layerNames(scene: Scene | null): Map<string, string> {
   const seen = new Map<string, number>();
   return new Map(

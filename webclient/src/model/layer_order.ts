@@ -1,16 +1,16 @@
-// The order of layers: of the list, of the legends, and of what is drawn over what lies in the same place.
+// The order of layers: in the list, in the legends, and for coincident geometry, where the last layer is seen.
 import type { Layer, Scene } from "../generated/protocol";
 import type { JsonObject } from "./merge_patch";
 
 type Entry = [string, Layer];
 
-/** As the server draws them: by order, then by id. */
+/** The server's drawing order: by `order`, then by id. */
 export const layersInOrder = (scene: Scene | null): Entry[] =>
   Object.entries(scene?.layers ?? {}).sort(
     ([a, x], [b, y]) => (x.order ?? 0) - (y.order ?? 0) || (a < b ? -1 : a > b ? 1 : 0),
   );
 
-/** The patch of `layers` that brings one to a place among all, which is counted without it; null where it stands there. */
+/** The patch of `layers` that moves one to `place`, an index among the others; null if nothing changes. */
 export function movedTo(scene: Scene, id: string, place: number): JsonObject | null {
   const before = layersInOrder(scene);
   const moved = before.find(([other]) => other === id);

@@ -1,5 +1,5 @@
-// What tells apart two legends of one array: the layers that have their colors. server/geometry/legend_names.hpp is its
-// twin, and both are held to tests/support/legend_cases.json.
+// Names that distinguish legends of the same array, by the layers that use their colors. Twin of
+// server/geometry/legend_names.hpp; tests/support/legend_cases.json tests both.
 import type { Layer, SliceLayer } from "../generated/protocol";
 import { numberAlone, timesPowerOfTen } from "./ticks";
 
@@ -18,7 +18,7 @@ function nameOfSlice({ axis, value, origin, normal }: SliceLayer): string {
   return `Slice at ${"xyz".charAt(only)} = ${numberAlone(origin?.[only] ?? 0)}`;
 }
 
-/** Short, for it stands over a color bar. */
+/** A short name: it is shown over a color bar. */
 export function legendNameOf(layer: Layer, part: "layers" | "contours"): string {
   switch (layer.type) {
     case "iso":
@@ -35,22 +35,22 @@ export function legendNameOf(layer: Layer, part: "layers" | "contours"): string 
       return "Volume";
     case "outline":
     case "clip":
-      return ""; // have no legend
+      return ""; // no legend
   }
 }
 
-/** In one line, with the units in brackets, as server/annotations/legend_layout.cpp writes it. */
+/** One line, with the units in brackets, as in server/annotations/legend_layout.cpp. */
 export function legendTitle(array: string, units: string, exponent: number): string {
   return array + (units === "" ? "" : ` [${units}]`) + timesPowerOfTen(exponent);
 }
 
 export interface NamedLegend {
   array: string;
-  /** As `legendNameOf` has them. */
+  /** Results of `legendNameOf`. */
   names: readonly string[];
 }
 
-/** Of each legend, empty where its array says it all. */
+/** One name for each legend; empty where no other legend has its array. */
 export function legendNames(legends: readonly NamedLegend[]): string[] {
   const taken = new Map<string, number>();
   return legends.map(({ array, names }, index) => {

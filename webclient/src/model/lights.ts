@@ -1,9 +1,9 @@
-// How a scene's lighting is drawn: the strengths that the shaders know.
+// Light strengths for the shaders, from a scene's lighting.
 import type { Light, Lighting } from "../generated/protocol";
 
 export interface Lights {
   on: boolean;
-  /** Of the ambient light, the headlight and the key light; 0 is off. */
+  /** Ambient light, headlight and key light; 0 is off. */
   strengths: [number, number, number];
 }
 

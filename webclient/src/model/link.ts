@@ -1,4 +1,4 @@
-// The scene in the address: #s=<deflated JSON as base64url>; or a session of the server: #j=<its id>.
+// URL fragments: #s=<deflated JSON as base64url> holds a scene; #j=<id> names a session of the server.
 import type { Scene } from "../generated/protocol";
 
 const KEY = "s=";
@@ -29,7 +29,7 @@ export async function encodeScene(scene: Scene): Promise<string> {
   return `#${KEY}${toBase64Url(await through(json, new CompressionStream("deflate-raw")))}`;
 }
 
-/** null where the fragment holds no scene; throws a sentence where it holds a damaged one. */
+/** null if the fragment holds no scene. Throws Error when the scene is damaged. */
 export async function decodeScene(fragment: string): Promise<Scene | null> {
   const start = fragment.replace(/^#/, "");
   if (!start.startsWith(KEY)) return null;
@@ -39,7 +39,7 @@ export async function decodeScene(fragment: string): Promise<Scene | null> {
     if (typeof scene === "object" && scene !== null && typeof (scene as Scene).dataset === "string")
       return scene as Scene;
   } catch {
-    // Said below.
+    // Reported below.
   }
   throw new Error("The link does not hold a whole scene; it may have been cut when it was copied");
 }

@@ -1,4 +1,4 @@
-// RFC 7396: JSON Merge Patch, and the two operations that undo and coalescing need beside it.
+// JSON Merge Patch (RFC 7396), and the two further operations that undo and coalescing need.
 
 export type Json = null | boolean | number | string | Json[] | { [key: string]: Json };
 export type JsonObject = { [key: string]: Json };
@@ -17,8 +17,8 @@ export function applyPatch(document: Json | undefined, patch: Json): Json {
 }
 
 /**
- * One patch that does what `first` and then `second` do; null where no patch can: an object that takes the place of
- * what `first` set or removed would be merged with the document's own.
+ * One patch equivalent to `first`, then `second`; null if none exists. An object in `second` that replaces a non-object
+ * of `first` would be merged with the document's own object.
  */
 export function composePatches(first: JsonObject, second: JsonObject): JsonObject | null {
   const result: JsonObject = { ...first };
@@ -35,7 +35,7 @@ export function composePatches(first: JsonObject, second: JsonObject): JsonObjec
   return result;
 }
 
-/** The patch that leads from one document to another. Members that are null in `to` cannot be expressed (RFC 7396). */
+/** The patch from one document to another. Members that are null in `to` cannot be expressed (RFC 7396). */
 export function diff(from: JsonObject, to: JsonObject): JsonObject {
   const patch: JsonObject = {};
   for (const key of Object.keys(from)) if (!(key in to)) patch[key] = null;

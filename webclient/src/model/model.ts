@@ -1,5 +1,5 @@
-// What the page knows, as signals: who reads one is run again when that one changes. Changed by server/, view/ and
-// commands/; panels only read.
+// The page's state as signals; a reader runs again when a signal it read changes. server/, view/ and commands/ write
+// them; panels only read.
 import { batch, signal, type Signal } from "@preact/signals";
 import { complete, defaultView, type FullCamera } from "./camera";
 import { openingDataset } from "./opening";
@@ -15,7 +15,7 @@ export function makeModel(saved: Partial<PageState> = {}): Model {
   return Object.fromEntries(entries) as Model;
 }
 
-/** Several members at once: who reads some of them is run once. */
+/** Sets several members in one batch, so that each reader runs once. */
 export function update(model: Model, change: Partial<PageState>): void {
   batch(() => {
     for (const [name, value] of Object.entries(change))
@@ -23,12 +23,12 @@ export function update(model: Model, change: Partial<PageState>): void {
   });
 }
 
-/** The members as they are now; reads them all, so not for a panel. */
+/** Current values of all members. It subscribes to all of them, so panels must not use it. */
 export function stateOf(model: Model): PageState {
   return Object.fromEntries(Object.entries(model).map(([name, { value }]) => [name, value])) as unknown as PageState;
 }
 
-/** The scene's camera; without one that which the server takes, or until it is known the default view. */
+/** The scene's camera; without one, the server's choice, or the default view until that is known. null if unknown. */
 export function cameraOf(model: Model): FullCamera | null {
   const scene = model.scene.value;
   if (scene === null) return null;
@@ -39,7 +39,7 @@ export function cameraOf(model: Model): FullCamera | null {
   return bounds === undefined ? null : defaultView(bounds, width / height);
 }
 
-/** As openingDataset of the model's members. */
+/** openingDataset of the model's members. */
 export function openingIn({ chosen, scene, shownDataset, fatal, failedRevision }: Model): string | null {
   return openingDataset({
     chosen: chosen.value,
@@ -50,7 +50,7 @@ export function openingIn({ chosen, scene, shownDataset, fatal, failedRevision }
   });
 }
 
-/** As stillDue of the model's members. */
+/** stillDue of the model's members. */
 export function isStillDue({ connection, readout, pending, revision, playing, failedRevision }: Model): boolean {
   return stillDue({
     connection: connection.value,

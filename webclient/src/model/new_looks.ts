@@ -1,17 +1,17 @@
-// How a layer looks that a hand has just made: not like those of its kind that are there, and where its array has a scale
-// already, on that scale.
+// Looks of a new layer: distinct from existing layers of its type. If its array already has a color scale, the layer
+// shares it.
 import { complete, type FullCamera } from "./camera";
 import { dot, subtract, type Vec3 } from "./vector";
 import type { Camera, ClipLayer, Coloring, DatasetDescription, Layer, Scene } from "../generated/protocol";
 import { AXES } from "./axes";
 import { firstScalar, fullName, layersOf, legendsOf } from "./scalars";
 
-/** Of surfaces in one color, from the default on (after Okabe and Ito 2008: told apart by all eyes). */
+/** Solid colors of surfaces, the default first (after Okabe and Ito 2008: safe for color-blind readers). */
 export const SOLIDS = ["#cccccc", "#e69f00", "#56b4e9", "#009e73", "#f0e442", "#d55e00", "#cc79a7", "#0072b2"] as const;
 
 type Described = DatasetDescription | null;
 
-/** By that array, on the scale that layers of the scene have for it: equal arrays share one legend. */
+/** Colors by `array`, on the scale that the scene has for it, so that they share one legend. */
 export function coloredBy(scene: Scene | null, description: Described, array: string): Coloring {
   const name = fullName(description, array);
   const shared = legendsOf(scene, description).find(({ coloring }) => coloring.array === name);
@@ -20,7 +20,7 @@ export function coloredBy(scene: Scene | null, description: Described, array: st
   return scale;
 }
 
-/** The first of the colors that no layer of that kind has. */
+/** The first color that no layer of that type has; {} for the default color. */
 export function freshSolid(scene: Scene | null, type: "iso" | "surface"): Coloring {
   const taken = new Set(
     layersOf(scene, type).flatMap(([, { color }]) => (color?.array === undefined ? [color?.solid ?? SOLIDS[0]] : [])),
@@ -29,14 +29,14 @@ export function freshSolid(scene: Scene | null, type: "iso" | "surface"): Colori
   return solid === undefined || solid === SOLIDS[0] ? {} : { solid };
 }
 
-/** Of each array one: of a vector its magnitude. */
+/** One scalar for each array: the magnitude of a vector. */
 const mainScalars = (description: Described): string[] =>
   (description?.arrays ?? []).flatMap(({ name, scalars }) => {
     const main = scalars.find((scalar) => scalar === name || scalar === `${name}:magnitude`) ?? scalars[0];
     return main === undefined ? [] : [main];
   });
 
-/** By an array that no other slice shows; where all are shown, by the first. */
+/** A scalar that no slice is colored by; the first scalar if all are used. */
 export function freshArray(scene: Scene | null, description: Described): string | undefined {
   const first = firstScalar(description);
   const taken = new Set(
@@ -51,7 +51,7 @@ export function freshArray(scene: Scene | null, description: Described): string 
 const isWhole = (layer: Layer): boolean =>
   layer.type === "surface" && layer.visible !== false && (layer.groups ?? []).length === 0;
 
-/** Caps stand for the data inside: they are colored by it, unless the surface that they close is. */
+/** Caps show the inside: colored by the first scalar, unless a visible whole boundary is colored by an array. */
 export function capColoring(scene: Scene | null, description: Described): Pick<ClipLayer, "color"> {
   const colored = Object.values(scene?.layers ?? {}).some(
     (layer) => isWhole(layer) && layer.type === "surface" && layer.color?.array !== undefined,
@@ -60,7 +60,7 @@ export function capColoring(scene: Scene | null, description: Described): Pick<C
   return colored || array === undefined ? {} : { color: coloredBy(scene, description, array) };
 }
 
-/** Whether the half towards which the normal points is kept: the other one would hide the cut from that camera. */
+/** Whether to keep the half that the normal points to: true if the other half would hide the cut from that camera. */
 export function keepsFarHalf(normal: Vec3, camera: Camera | FullCamera | null): boolean {
   if (camera === null) return false;
   const { position, target } = complete(camera);

@@ -1,4 +1,4 @@
-// How values are written, rounded and spread over a slider.
+// Formatting, parsing and rounding of values, and their positions on a slider.
 import type { Range } from "../generated/protocol";
 
 export const MINUS = "\u2212";
@@ -11,15 +11,15 @@ export function formatNumber(value: number, span = Math.abs(value)): string {
   const resolution = span > 0 && Number.isFinite(span) ? span / 1000 : size / 1000;
   const places = Math.floor(Math.log10(size));
   const wanted = places - Math.floor(Math.log10(resolution)) + 1;
-  const digits = Math.min(15, Math.max(1, wanted, size < 1e6 ? places + 1 : 1)); // never a rounded whole number
+  const digits = Math.min(15, Math.max(1, wanted, size < 1e6 ? places + 1 : 1)); // whole numbers are not rounded
   const text = size >= 1e6 || size < 1e-4 ? value.toExponential(Math.min(digits - 1, 5)) : value.toPrecision(digits);
   const [mantissa = "", exponent] = text.split("e");
   const short = mantissa.includes(".") ? mantissa.replace(/\.?0+$/, "") : mantissa;
   return (exponent === undefined ? short : `${short}e${exponent.replace("+", "")}`).replaceAll("-", MINUS);
 }
 
-// Three digits each, after one to three of which the first is not 0: with spaces as formatCount writes them (thin, no-break
-// or plain), or with commas.
+// Groups of three digits after one to three digits, the first not 0: separated by spaces (thin, no-break or plain, as
+// formatCount writes them) or by commas.
 const SPACED = /^[-+]?[1-9]\d{0,2}(?:[ \u00a0\u2009\u202f]\d{3})+(?![\d ])/;
 const COMMAS = /^[-+]?[1-9]\d{0,2}(?:,\d{3})+(?=\.|$|e)/i;
 const EITHER = /^[-+]?[1-9]\d{0,2},\d{3}(?=$|e)/i;
@@ -39,7 +39,7 @@ export function parseNumber(text: string): number | null {
   return Number.isFinite(value) ? value : null;
 }
 
-/** Why parseNumber takes no number from the text: one comma before three digits may stand for thousands or for a point. */
+/** Why parseNumber rejects the text. One comma before three digits is ambiguous: thousands or a decimal point. */
 export function whyNoNumber(text: string): string {
   const typed = withHyphen(text);
   if (typed === "") return "A number is expected here";
@@ -49,11 +49,11 @@ export function whyNoNumber(text: string): string {
 
 const SUPERSCRIPTS = "\u2070\u00b9\u00b2\u00b3\u2074\u2075\u2076\u2077\u2078\u2079";
 
-/** Of a whole number in digits. */
+/** An integer's digits and minus sign as superscripts. */
 export const superscript = (digits: string): string =>
   digits.replace(/\d/g, (digit) => SUPERSCRIPTS.charAt(Number(digit))).replace("-", "\u207b");
 
-/** m^2/s^2 as people write it. */
+/** Units with superscript exponents: m^2/s^2 as m²/s². */
 export const prettyUnits = (units: string): string =>
   units.replace(/\^(-?\d+)/g, (_, digits: string) => superscript(digits));
 
@@ -61,18 +61,18 @@ export const formatCount = (count: number): string => count.toLocaleString("en-U
 
 export const clamp = (value: number, low: number, high: number): number => Math.min(high, Math.max(low, value));
 
-/** The range with one end put there, which pushes the other before it. */
+/** The range with one end set to `to`; it pushes the other end so that the range stays ordered. */
 export const withEnd = ([low, high]: Range, end: 0 | 1, to: number): Range =>
   end === 0 ? [to, Math.max(to, high)] : [Math.min(to, low), to];
 
-/** Decimal steps of about a thousandth of the range, so that a drag gives values one can say. */
+/** Power of ten of at most a thousandth of the range, so that a drag gives round values. */
 export function niceStep([low, high]: Range): number {
   const span = high - low;
   return span > 0 ? 10 ** Math.floor(Math.log10(span / 1000)) : 1;
 }
 
-/** A slider over the range whose places are all multiples of its step, which is 1, 2 or 5 of a power of ten and at most
- * a two-hundredth of the range; the track ends at the first of them past each end. */
+/** A slider over the range. Its step is 1, 2 or 5 times a power of ten and at most a two-hundredth of the range. Its
+ * positions are multiples of the step; the track ends at the first multiple past each end. */
 export function sliderTrack([low, high]: Range): { min: number; max: number; step: number } {
   const span = high - low;
   if (!(span > 0) || !Number.isFinite(span)) return { min: low, max: high, step: 1 };
@@ -83,10 +83,10 @@ export function sliderTrack([low, high]: Range): { min: number; max: number; ste
   return { min: end(Math.floor, low), max: end(Math.ceil, high), step };
 }
 
-/** Of a logarithmic slider whose range starts at zero. */
+/** Most decades of a logarithmic slider. */
 const DECADES = 6;
 
-/** Where a logarithmic slider over the range starts; null where it has none: it needs values above zero. */
+/** Start of a logarithmic slider over the range; null if the range has values below zero or no width. */
 export function logarithmicStart([low, high]: Range): number | null {
   const start = Math.max(low, high / 10 ** DECADES);
   return low >= 0 && start > 0 && start < high ? start : null;
@@ -116,7 +116,7 @@ export function barHeights(counts: readonly number[], logarithmic: boolean): num
   return counts.map((count) => (top > 0 ? measure(count) / top : 0));
 }
 
-/** The middle of the widest gap: where one more value tells most. */
+/** Rounded middle of the widest gap between values and the ends of the range. */
 export function widestGap(values: readonly number[], [low, high]: Range): number {
   const stops = [low, ...values.filter((v) => v > low && v < high).sort((a, b) => a - b), high];
   let best = 0;

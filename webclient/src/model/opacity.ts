@@ -1,9 +1,9 @@
-// A volume's opacity curve: points (position from 0 to 1 over the range, opacity per unit length), in their order.
+// A volume's opacity curve: points (position from 0 to 1 over the range, opacity per unit length), in ascending order.
 import { clamp } from "./numbers";
 
 export type OpacityPoint = [position: number, opacity: number];
 
-/** As in the contract. */
+/** The contract's default. */
 export const DEFAULT_OPACITY: readonly OpacityPoint[] = [
   [0, 0],
   [1, 0.9],
@@ -12,19 +12,19 @@ export const MOST_POINTS = 256;
 
 const rounded = (value: number): number => Number(clamp(value, 0, 1).toFixed(4));
 
-/** Of values that fill most of the mesh: ten unit lengths of them, all of the box, take a seventh of the light. */
+/** Opacity of values that fill most of the mesh: ten unit lengths (the whole box) absorb a seventh of the light. */
 const OF_MOST = 0.015;
 const AT_THE_ENDS = 0.7;
-/** Narrower, an end of the range is no more than noise. */
+/** A narrower tail of the range is treated as noise. */
 const LEAST_TAIL = 0.02;
-/** All of the range, where it is not known which values are rare. */
+/** Curve over the whole range, used where the rare values are unknown. */
 const UNKNOWN: readonly OpacityPoint[] = [
   [0, 0],
   [0.5, OF_MOST],
   [1, AT_THE_ENDS],
 ];
 
-/** Where so many of all values are reached, from 0 to 1 along the range. */
+/** Position of a quantile, from 0 to 1 along the range. */
 function quantile(counts: readonly number[], share: number): number {
   const all = counts.reduce((sum, count) => sum + count, 0);
   let seen = 0;
@@ -32,8 +32,8 @@ function quantile(counts: readonly number[], share: number): number {
   return (bin + 0.5) / counts.length;
 }
 
-/** What a volume begins with: what fills most of the mesh hides next to nothing, so that the eye gets in to what is rare.
- * `counts`: a histogram over the range; null where it is not known. */
+/** Initial curve of a volume: common values are almost transparent, so that rare values are visible.
+ * `counts`: a histogram over the range; null if it is unknown. */
 export function firstOpacity(counts: readonly number[] | null): OpacityPoint[] {
   if (counts === null || !counts.some((count) => count > 0)) return [...UNKNOWN];
   const [low, high] = [quantile(counts, 0.1), quantile(counts, 0.9)];
@@ -61,7 +61,7 @@ export function moved(points: readonly OpacityPoint[], index: number, to: Opacit
   return points.map((point, i) => (i === index ? [rounded(clamp(to[0], low, high)), rounded(to[1])] : point));
 }
 
-/** With one more, and which it is. */
+/** The points with `point` inserted, and its index. */
 export function inserted(points: readonly OpacityPoint[], point: OpacityPoint): [OpacityPoint[], number] {
   const after = points.findIndex(([position]) => position > point[0]);
   const index = after < 0 ? points.length : after;
@@ -69,11 +69,11 @@ export function inserted(points: readonly OpacityPoint[], point: OpacityPoint): 
   return [[...points.slice(0, index), whole, ...points.slice(index)], index];
 }
 
-/** A curve has one point at least. */
+/** Removes a point unless it is the only one. */
 export const removed = (points: readonly OpacityPoint[], index: number): OpacityPoint[] =>
   points.length === 1 ? [...points] : points.filter((_, i) => i !== index);
 
-/** Where a further point changes the curve least: in the middle of the widest gap. */
+/** A new point on the curve in the middle of the widest gap; it changes the curve least. */
 export function middleOfGap(points: readonly OpacityPoint[]): OpacityPoint {
   const ends: OpacityPoint[] = [[0, points[0]?.[1] ?? 0], ...points, [1, points.at(-1)?.[1] ?? 0]];
   let best: OpacityPoint = [0.5, 0.5];
@@ -94,7 +94,7 @@ const STEPS: Record<string, [number, number]> = {
   ArrowDown: [0, -1],
 };
 
-/** Where a key moves a point to; null where it does not. */
+/** The point after an arrow key; null for other keys. */
 export function keyedPoint(key: string, shift: boolean, [position, opacity]: OpacityPoint): OpacityPoint | null {
   const step = STEPS[key];
   if (step === undefined) return null;

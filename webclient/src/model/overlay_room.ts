@@ -1,5 +1,5 @@
-// What lies over the canvas keeps clear of each other, by the rule of server/annotations/layout.hpp: captions, legends, triad,
-// axes; what comes later gives way. Places are CSS pixels of the stage.
+// Keeps overlays of the canvas apart, by the rule of server/annotations/layout.hpp. Priority: captions, legends, triad,
+// axes; the later one gives way. Coordinates are CSS pixels of the stage.
 import type { Size } from "./camera";
 import { clamp } from "./numbers";
 
@@ -12,41 +12,41 @@ export interface Box {
 
 export interface Overlays {
   captions: Box[];
-  /** In their order, the first column at the right. */
+  /** In legend order, the first column at the right. */
   legends: Box[];
   triad: Box[];
 }
 
 export interface Room {
-  /** Which legends are shown: those before the first that has no room. */
+  /** Whether each legend is shown: those before the first without room. */
   legends: boolean[];
   triad: boolean;
-  /** What stands there, for the axes to keep clear of. */
+  /** Boxes of the shown overlays; the axes avoid them. */
   taken: Box[];
 }
 
 const LEAST_SHARE = 1 / 3;
-const LEAST_SHARE_OF_FURTHER = 1 / 2; // the picture is what it is for
+const LEAST_SHARE_OF_FURTHER = 1 / 2; // further columns leave half for the picture
 
-/** Of legends, in pixels: smaller in small pictures, and a page is read from nearer than a picture of it. */
+/** Legend text in pixels: smaller in small pictures. A page is read from closer than a saved picture. */
 const USUAL_TEXT = 12;
 const SMALLEST_TEXT = 9;
 const USUAL_HEIGHT = 560;
 
-/** A legend would fill a narrow picture. */
+/** Text size in pixels. The width limits it too: a legend would fill a narrow picture. */
 export function legendText({ width, height }: Size): number {
   return clamp((USUAL_TEXT * Math.min(height, 0.75 * width)) / USUAL_HEIGHT, SMALLEST_TEXT, USUAL_TEXT);
 }
 
-/** Of the height; ems. */
+/** Bar height as a share of the picture's height; its limits and the room around it in ems. */
 const BAR_SHARE = 0.26;
 const LEAST_BAR = 5;
 const MOST_BAR = 14;
 const AROUND_BAR = 5;
-/** Pixels: buttons below a bar, and between legends. */
+/** Pixels for the buttons below a bar and the gap between legends. */
 const BESIDE_BARS = 40;
 
-/** How high the bars are of which so many stand in one column where they can. */
+/** Bar height in pixels at which `count` legends fit into one column where possible. */
 export function barHeight({ height }: Size, count: number, text: number): number {
   const shared = height / Math.max(1, count) - AROUND_BAR * text - BESIDE_BARS;
   return clamp(Math.min(BAR_SHARE * height, shared), LEAST_BAR * text, MOST_BAR * text);

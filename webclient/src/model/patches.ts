@@ -1,21 +1,21 @@
-// Which patches of the boundary a layer shows, and how a long list of them is put in order.
+// Which patches of the boundary a layer shows, and how a long list of them is grouped and searched.
 import type { DatasetDescription } from "../generated/protocol";
 
 export interface Patch {
   name: string;
-  /** Faces. */
+  /** Number of faces. */
   count: number;
-  /** What the solver calls it and does there, in words; empty where that is not known. */
+  /** The solver's patch type and boundary conditions, one a line; empty if unknown. */
   facts: string;
 }
 
 export interface PatchFamily {
-  /** What the names begin with; empty where a patch stands alone. */
+  /** Common prefix of the names; empty for a single patch. */
   prefix: string;
   patches: Patch[];
 }
 
-/** What a layer shows: patches by name, [] for the whole boundary, null for nothing. */
+/** Patches that a layer shows, by name; [] for the whole boundary, null for nothing. */
 export type Shown = readonly string[] | null;
 
 const factsOf = ({ type, conditions }: DatasetDescription["groups"][number]): string => {
@@ -30,11 +30,11 @@ export const patchesOf = (description: DatasetDescription | null): Patch[] =>
 
 const prefixOf = (name: string): string => /^[^_.:/\s]+(?=[_.:/\s].)/.exec(name)?.[0] ?? "";
 
-/** What of a name tells it from the others of its family. */
+/** A name without its family's prefix and separator. */
 export const withoutPrefix = (name: string, prefix: string): string =>
   prefix === "" ? name : name.slice(prefix.length + 1);
 
-/** In the order of the first of each; patches whose beginning no other of `among` shares stand alone. */
+/** Families in the order of their first patch. A patch whose prefix no other in `among` shares stands alone. */
 export function families(patches: readonly Patch[], among = patches): PatchFamily[] {
   const found = new Map<string, PatchFamily>();
   const sharing = new Map<string, number>();
@@ -49,7 +49,7 @@ export function families(patches: readonly Patch[], among = patches): PatchFamil
   return [...found.values()];
 }
 
-/** Those that have all the words of a search, in any order and case. */
+/** Patches whose names contain all words of a search, in any order and case. */
 export function searched(patches: readonly Patch[], text: string): Patch[] {
   const words = text.toLowerCase().split(/\s+/).filter(Boolean);
   return patches.filter(({ name }) => words.every((word) => name.toLowerCase().includes(word)));
@@ -57,25 +57,25 @@ export function searched(patches: readonly Patch[], text: string): Patch[] {
 
 const namesOf = (shown: Shown): readonly string[] => shown ?? [];
 
-/** In the dataset's order, so that the same choice is the same document however it was made. */
+/** Names in the dataset's order, so that equal choices give equal documents. */
 function inOrder(all: readonly Patch[], names: ReadonlySet<string>): Shown {
   const chosen = all.filter(({ name }) => names.has(name)).map(({ name }) => name);
   return chosen.length === 0 ? null : chosen;
 }
 
 export function withAll(all: readonly Patch[], shown: Shown, these: readonly Patch[]): Shown {
-  if (these.length === all.length) return []; // also faces that are in no patch
+  if (these.length === all.length) return []; // includes faces in no patch
   return inOrder(all, new Set([...namesOf(shown), ...these.map(({ name }) => name)]));
 }
 
-/** From the whole boundary its patches without these. */
+/** Shown patches without `these`. The whole boundary counts as all patches. */
 export function withNone(all: readonly Patch[], shown: Shown, these: readonly Patch[]): Shown {
   const before = shown !== null && shown.length === 0 ? all.map(({ name }) => name) : namesOf(shown);
   const gone = new Set(these.map(({ name }) => name));
   return inOrder(all, new Set(before.filter((name) => !gone.has(name))));
 }
 
-/** Of the whole boundary nothing is left, of nothing all of it. */
+/** Inverts the choice of `these`. Inverting all patches of the whole boundary gives nothing, and the reverse. */
 export function inverted(all: readonly Patch[], shown: Shown, these: readonly Patch[]): Shown {
   const before = new Set(shown !== null && shown.length === 0 ? all.map(({ name }) => name) : namesOf(shown));
   for (const { name } of these) if (!before.delete(name)) before.add(name);

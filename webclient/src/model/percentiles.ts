@@ -1,5 +1,5 @@
-// The range in which all but the outermost hundredths of an array's values lie, from histograms that zoom in: a few
-// values far away make the bars of the first too wide.
+// Percentiles of an array's values from histograms that zoom in: with a few outliers, the bars of the first histogram
+// are too wide.
 import type { Range } from "../generated/protocol";
 
 export interface Counts {
@@ -9,14 +9,14 @@ export interface Counts {
   above: number;
 }
 
-/** null for the array's own range. */
+/** Counts values in a range; null for the array's own range. */
 export type Count = (range: Range | null) => Promise<Counts>;
 
 const MOST_LOOKS = 12;
-/** Of a histogram's range: less of it is looked at more closely. */
+/** Share of a histogram's range: a narrower result is counted again with narrower bars. */
 const WIDE_ENOUGH = 0.125;
 
-/** The bars in which so many of all values are reached, as places. */
+/** From the lower edge of the bar that exceeds the first share of all values to the upper edge of the second's bar. */
 function between({ range: [low, high], counts, below }: Counts, shares: readonly [number, number], all: number): Range {
   const width = (high - low) / counts.length;
   let seen = below;
@@ -33,7 +33,7 @@ function between({ range: [low, high], counts, below }: Counts, shares: readonly
   return [first, last];
 }
 
-/** null where there are no values. */
+/** The range between two shares (0 to 1) of the values; null if there are no values. */
 export async function percentiles(count: Count, shares: readonly [number, number]): Promise<Range | null> {
   let found = await count(null);
   const all = found.counts.reduce((sum, n) => sum + n, found.below + found.above);

@@ -1,4 +1,4 @@
-// What a probe found, as text for a notebook or a spreadsheet: a line each, columns parted by tabs, all digits.
+// A probe's result as text for a notebook or a spreadsheet: one value a line, tab-separated columns, all digits.
 import type { ProbeResult } from "../generated/protocol";
 
 export interface ProbeContext {

@@ -1,4 +1,4 @@
-// What layers can be made from and colored by: the scalars of a dataset's arrays.
+// The scalars of a dataset's arrays: layers are made from them and colored by them.
 import { scaleOf } from "./color_range";
 import { layersInOrder } from "./layer_order";
 import { legendNameOf, legendNames } from "./legend_names";
@@ -11,7 +11,7 @@ export interface Scalar {
   array: ArrayInfo;
 }
 
-/** What boundaries can be colored by: scalars of points first, then those of cells, then those of patches. */
+/** Scalars that can color the boundary: of points first, then of cells, then of patches. */
 export function boundaryScalarsOf(description: DatasetDescription | null): Scalar[] {
   const arrays = description?.arrays ?? [];
   return (["point", "cell", "boundary_face"] as const).flatMap((of) =>
@@ -21,15 +21,15 @@ export function boundaryScalarsOf(description: DatasetDescription | null): Scala
   );
 }
 
-/** What any surface can be colored by and cells chosen by. */
+/** Scalars that can color any surface and select cells. */
 export const allScalarsOf = (description: DatasetDescription | null): Scalar[] =>
   boundaryScalarsOf(description).filter(({ array }) => array.association !== "boundary_face");
 
-/** What layers are made from: values at points. */
+/** Scalars at points: layers are made from these. */
 export const scalarsOf = (description: DatasetDescription | null): Scalar[] =>
   allScalarsOf(description).filter(({ array }) => array.association === "point");
 
-/** What a further layer begins with: what the dataset is first shown by, which has more than one value. */
+/** Default scalar of a new layer: that of the dataset's default scene, which has more than one value. */
 export function firstScalar(description: DatasetDescription | null): string | undefined {
   const shown = Object.values(description?.default_scene.layers ?? {});
   for (const layer of shown) if (layer.type === "iso" || layer.type === "volume") return layer.array;
@@ -44,7 +44,7 @@ export function firstScalar(description: DatasetDescription | null): string | un
   return scalarsOf(description)[0]?.name;
 }
 
-/** A vector's bare name with what it stands for, "U:magnitude"; other names as they are. */
+/** Expands a vector's bare name to its magnitude, "U:magnitude"; other names are unchanged. */
 export function fullName(description: Pick<DatasetDescription, "arrays"> | null, scalar: string): string {
   const magnitude = `${scalar}:magnitude`;
   const hasMagnitude = description?.arrays.some(({ name, scalars }) => name === scalar && scalars.includes(magnitude));
@@ -55,7 +55,7 @@ export function fullName(description: Pick<DatasetDescription, "arrays"> | null,
 export const arrayOf = (description: DatasetDescription | null, scalar: string): ArrayInfo | undefined =>
   boundaryScalarsOf(description).find(({ name }) => name === scalar)?.array;
 
-/** Also of an array's own name: a probe reads whole vectors. */
+/** Units of a scalar, or of an array by its own name: a probe reads whole vectors. */
 export function unitsOf(description: DatasetDescription | null, name: string): string {
   const array =
     arrayOf(description, name) ??
@@ -63,14 +63,14 @@ export function unitsOf(description: DatasetDescription | null, name: string): s
   return prettyUnits(array?.units ?? "");
 }
 
-/** null where it is known of single steps only: a vector's range is its magnitude's. */
+/** null if unknown. A vector array's range is that of its magnitude; components have ranges of single steps only. */
 export function rangeOfAllSteps(description: DatasetDescription | null, scalar: string): Range | null {
   const array = arrayOf(description, scalar);
   if (array === undefined || (array.components > 1 && !scalar.endsWith(":magnitude"))) return null;
   return array.range;
 }
 
-/** The step that a time stands for: the nearest; without a time, the first. */
+/** Index of the step nearest to a time; without a time, the first. */
 export function nearestStep(times: readonly number[], time = times[0] ?? 0): number {
   let best = 0;
   times.forEach((candidate, index) => {
@@ -101,7 +101,7 @@ export function freeId(scene: Scene, prefix: string): string {
 export const topOrder = (scene: Scene): number =>
   Object.values(scene.layers ?? {}).reduce((top, layer) => Math.max(top, layer.order ?? 0), 0) + 1;
 
-/** What has a color scale: layers by id, and the contour lines on layers, which have one of their own. */
+/** Users of a color scale: layers by id, and layers whose contour lines have their own scale. */
 export interface Colored {
   layers: string[];
   contours?: string[];
@@ -111,12 +111,12 @@ export type ScaledColoring = Coloring & { array: string };
 
 interface ScaleOf {
   part: keyof Colored;
-  /** Which layer it is written in. */
+  /** Id of the layer that holds the coloring. */
   id: string;
   coloring: ScaledColoring;
 }
 
-/** Of the caps that close a surface, where they have colors of their own. */
+/** Color scales of the caps that close a whole boundary, if they are colored by an array. */
 function scalesOfCaps(scene: Scene | null, layer: Layer): ScaleOf[] {
   if (layer.type !== "surface" || (layer.groups ?? []).length > 0) return [];
   return layersOf(scene, "clip").flatMap(([id, { visible, caps, color }]) =>
@@ -126,7 +126,7 @@ function scalesOfCaps(scene: Scene | null, layer: Layer): ScaleOf[] {
   );
 }
 
-/** The color scales of a layer, which is seen. */
+/** The color scales of a visible layer. */
 function scalesOf(scene: Scene | null, id: string, layer: Layer): ScaleOf[] {
   if (layer.type === "outline" || layer.type === "clip") return [];
   const array = layer.type === "volume" ? layer.array : layer.color?.array;
@@ -139,12 +139,12 @@ function scalesOf(scene: Scene | null, id: string, layer: Layer): ScaleOf[] {
 export interface LegendOf {
   coloring: ScaledColoring;
   of: Required<Colored>;
-  /** What tells it from others of its array; empty where there is none. */
+  /** Distinguishes legends of the same array; empty for the only one. */
   name: string;
 }
 
-/** The colorings that the visible layers use, each once, in the order of the layers, with those that share it; of
- * layers that show nothing there is none. */
+/** The distinct colorings of the visible layers, in layer order, each with the layers that share it. Layers in `empty`
+ * are skipped. */
 export function legendsOf(
   scene: Scene | null,
   description: Pick<DatasetDescription, "arrays"> | null,

@@ -1,4 +1,4 @@
-// Scenes by revision. A picture is a moment behind the hand: its camera and its dataset are those of its own revision.
+// Scenes by revision. A picture lags behind the newest scene: its camera and dataset are those of its own revision.
 import { complete, type FullCamera } from "./camera";
 import type { Scene } from "../generated/protocol";
 
@@ -8,10 +8,10 @@ interface Known {
 }
 
 export class ShownScenes {
-  /** Ascending. */
+  /** In ascending order of revision. */
   private known: Known[] = [];
 
-  /** Revisions of another session mean nothing here. */
+  /** For a new session: revisions of another session are not comparable. */
   clear(): void {
     this.known = [];
   }
@@ -21,14 +21,14 @@ export class ShownScenes {
     this.known = [...others, { revision, scene }].sort((a, b) => a.revision - b.revision);
   }
 
-  /** Of a picture that is shown; null where it is not known. Older ones are forgotten: no picture of them follows. */
+  /** Scene of the shown picture; null if unknown. Drops older scenes: no picture of them follows. */
   of(revision: number): Scene | null {
     const newest = this.known.findLastIndex((one) => one.revision <= revision);
     if (newest > 0) this.known = this.known.slice(newest);
     return newest < 0 ? null : (this.known[0]?.scene ?? null);
   }
 
-  /** null also where the scene has none. */
+  /** null if the scene is unknown or has no camera. */
   cameraOf(revision: number): FullCamera | null {
     const camera = this.of(revision)?.camera;
     return camera ? complete(camera) : null;

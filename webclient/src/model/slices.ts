@@ -1,4 +1,4 @@
-// Slices as a hand makes them: where a further one lies, how it looks, and how one becomes another plane.
+// Edits of slices: the position and looks of a new slice, and the change to another plane.
 import { boundsCentre, type Bounds } from "./camera";
 import type { Coloring, SliceLayer, Vec3 } from "../generated/protocol";
 import { diff, equal, type JsonObject } from "./merge_patch";
@@ -10,7 +10,7 @@ export type Slices = readonly [string, SliceLayer][];
 type Looks = Pick<SliceLayer, "color" | "opacity" | "contours" | "edges">;
 type Plane = Pick<SliceLayer, "axis" | "value" | "origin" | "normal">;
 
-/** Of free planes, until each has been used. */
+/** Normals of new free planes; each is used once before the first repeats. */
 const NORMALS: readonly Vec3[] = [
   [1, 1, 0],
   [1, -1, 0],
@@ -20,7 +20,7 @@ const NORMALS: readonly Vec3[] = [
   [0, 1, -1],
 ];
 
-/** What parts a slice from where it lies. */
+/** A slice's members other than its plane. */
 const looksOf = ({ color, opacity, contours, edges }: SliceLayer): Looks => ({
   ...(color && { color }),
   ...(opacity !== undefined && { opacity }),
@@ -37,14 +37,14 @@ function freshPlane(slices: Slices, across: Across, bounds: Bounds): Plane {
   return { origin: boundsCentre(bounds), normal: NORMALS.find((normal) => !isUsed(normal)) ?? [1, 1, 0] };
 }
 
-/** Where none lies yet, with those colors, and otherwise like the last one. */
+/** A new slice at a free place, with `color`, and otherwise the looks of the last slice. */
 export function furtherSlice(slices: Slices, across: Across, bounds: Bounds, color: Coloring): SliceLayer {
   const last = slices.at(-1)?.[1];
   return { type: "slice", ...freshPlane(slices, across, bounds), ...(last && looksOf(last)), color };
 }
 
-/** What changes of a slice that is to lie across something else. A free plane begins where the slice was, and leaves it
- * where its origin is. */
+/** Change that lays a slice across another axis. A new free plane keeps the slice's position; a free plane that becomes
+ * axis-aligned takes its origin's coordinate. */
 export function planeChange(slices: Slices, slice: SliceLayer, across: Across, bounds: Bounds): object {
   const { axis, value } = slice;
   if (across === (axis ?? "free")) return {};
@@ -57,7 +57,7 @@ export function planeChange(slices: Slices, slice: SliceLayer, across: Across, b
   return { axis: across, value: clamp(at, ...endsOf(across, bounds)), origin: null, normal: null };
 }
 
-/** What makes all others look like that one; empty where they do. */
+/** Changes by id that make all other slices look like `id`; empty if they already do. */
 export function likeThis(slices: Slices, id: string): Record<string, object> {
   const looks = looksOf(slices.find(([other]) => other === id)?.[1] ?? { type: "slice" });
   const changes = slices.map(
@@ -66,7 +66,7 @@ export function likeThis(slices: Slices, id: string): Record<string, object> {
   return Object.fromEntries(changes.filter(([, change]) => Object.keys(change).length > 0));
 }
 
-/** In a few words. */
+/** A short description of a slice's looks. */
 export function looksInWords({ color, contours, edges }: SliceLayer): string {
   const lines = contours !== undefined && contours.visible !== false ? [`lines of ${contours.array}`] : [];
   const cells = edges !== undefined && edges.visible !== false ? ["cell edges"] : [];

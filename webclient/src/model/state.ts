@@ -1,4 +1,4 @@
-// What the page knows; model.ts makes a signal of each member.
+// The page's state; model.ts makes a signal of each member.
 import type { FullCamera, Size } from "./camera";
 import type {
   CellExtremes,
@@ -17,12 +17,12 @@ export type ConnectionState =
   | { kind: "waiting"; attempt: number; retryAt: number }
   | { kind: "closed" };
 
-/** Why a server that answers lets no socket through. */
+/** Why a reachable server opens no socket. */
 export type Refusal =
   | { kind: "token" }
-  /** Another reason, in the server's or a proxy's words. */
+  /** Another reason, as the server or a proxy states it. */
   | { kind: "refused"; words: string }
-  /** Calls are answered, so something on the way holds WebSockets back. */
+  /** HTTP calls are answered, so something in between blocks WebSockets. */
   | { kind: "no-socket" };
 
 export type StreamChoice = "image" | "jpeg" | "geometry" | "auto";
@@ -32,7 +32,7 @@ export interface Readout {
   stream: "none" | "image" | "geometry";
   still: boolean;
   framesPerSecond: number;
-  /** From the hand's move to the picture of it. */
+  /** From the input to the picture that shows it. */
   latencyMs: number | null;
   roundTripMs: number | null;
   extractMs: number;
@@ -62,55 +62,55 @@ export interface Histogram {
   range: Range;
   counts: number[];
   invalid: number;
-  /** Of the cells that the array is of or was made from. */
+  /** Extremes over the cells of the array, or of the array that it was made from. */
   cells?: CellExtremes | undefined;
 }
 
 export interface PageState {
   connection: ConnectionState;
   draining: boolean;
-  /** Why a server that answers lets no socket through. */
+  /** Why a reachable server opens no socket. */
   refusal: Refusal | null;
-  /** A sentence that takes the canvas's place: nothing can be shown at all. */
+  /** A sentence shown instead of the canvas: nothing can be drawn. */
   fatal: string | null;
   server: Methods["server.info"]["result"] | null;
   datasets: Methods["dataset.list"]["result"] | null;
   description: DatasetDescription | null;
-  /** Whose description is on its way. */
+  /** Dataset whose description is being fetched. */
   describing: string | null;
-  /** A dataset that a hand has chosen, until the scene is of it. */
+  /** The chosen dataset, until the scene is of it. */
   chosen: string | null;
   /** The description of a chosen dataset, until the scene is of it. */
   upcoming: DatasetDescription | null;
-  /** Whose picture stands there. */
+  /** Dataset of the shown picture. */
   shownDataset: string | null;
-  /** The scene of the picture that stands there, where that is known. */
+  /** Scene of the shown picture, if known. */
   shownScene: Scene | null;
   scene: Scene | null;
-  /** What the server takes for the camera that the scene of a dataset lacks. */
+  /** The server's camera for a scene of the dataset without one. */
   seenFrom: { dataset: string; camera: FullCamera } | null;
-  /** The camera of the picture that stands there; null where that is drawn here, by the newest. */
+  /** Camera of the shown picture; null if this page draws it with the newest camera. */
   shownFrom: FullCamera | null;
   canUndo: boolean;
   canRedo: boolean;
-  /** The server has not taken the newest change yet. */
+  /** The server has not accepted the newest change yet. */
   pending: boolean;
-  /** Of the newest change that the server has taken. */
+  /** Revision of the newest change that the server has accepted. */
   revision: number;
   streamChoice: StreamChoice;
-  /** What `auto` has chosen, and why. */
+  /** The stream that `auto` has chosen, and why. */
   streamWhy: string;
   readout: Readout;
-  /** Of the picture that the server could not draw, until another comes. */
+  /** Revision that the server could not draw, until another picture arrives. */
   failedRevision: number | null;
-  /** What the picture lacks, a sentence each. */
+  /** Missing parts of the picture, a sentence each. */
   lacking: string[];
-  /** Layers that are switched on and of which nothing is seen. */
+  /** Visible layers that show nothing. */
   empty: EmptyLayer[];
-  /** Layers whose colors have places without a value. */
+  /** Layers that have places without a value to color by. */
   missing: string[];
   probe: Probe | null;
-  /** The layer that a hand has changed last. */
+  /** The layer that was changed last. */
   touched: string | null;
   playing: boolean;
   playRate: number;
@@ -122,7 +122,7 @@ export interface PageState {
   toasts: Toast[];
   /** CSS pixels. */
   canvasSize: Size;
-  /** Of the stage, by what stands over the canvas, but for the axes of the box. */
+  /** Boxes of the stage that overlays cover, except the box axes. */
   taken: Box[];
 }
 

@@ -1,15 +1,15 @@
-// Where a scale is marked, and how its numbers are written: the twin of server/annotations/ticks.cpp, held to the same cases
-// (tests/support/tick_cases.json), so that the page and the pictures that are saved of it say the same.
+// Ticks and labels of a scale: the twin of server/annotations/ticks.cpp. tests/support/tick_cases.json tests both, so
+// that the page and its saved pictures agree.
 import { clamp, MINUS, superscript } from "./numbers";
 
 export interface Tick {
   value: number;
-  /** Times 10^exponent of its scale. */
+  /** To be multiplied by 10^exponent of the scale. */
   label: string;
 }
 
 export interface Scale {
-  /** Ascending. */
+  /** In ascending order. */
   ticks: Tick[];
   /** Written once beside the scale, not at every tick. */
   exponent: number;
@@ -20,15 +20,15 @@ const SMALLEST_SPAN = 1e-300; // below it steps lose their digits
 // Numbers from 0.001 to 9,999,999 are written out: coordinates of a map grid have seven digits before the point.
 const SMALLEST_PLAIN = -3;
 const LARGEST_PLAIN = 6;
-const DIGITS_OF_ENDS = 6; // those of a scale are floats: a ten-thousandth is a little less than 1e-4
+const DIGITS_OF_ENDS = 6; // ends are floats: 0.0001 is a little less than 1e-4
 
 const magnitude = (value: number): number => Math.floor(Math.log10(value));
-/** With so many digits: 9.9996 is 10 with three of them. */
+/** Magnitude after rounding to `digits` digits: 9.9996 is 10 with three. */
 const roundedMagnitude = (value: number, digits: number): number =>
   Number(value.toExponential(clamp(digits - 1, 0, MOST_DECIMALS)).split("e")[1]);
 const isPlain = (exponent: number): boolean => exponent >= SMALLEST_PLAIN && exponent <= LARGEST_PLAIN;
 
-/** Of a number of that size, above 0, that is written with so many digits. */
+/** Power of ten to factor out of a number with absolute value `size` > 0, written with `digits` digits. */
 function takenOut(size: number, digits: number): number {
   const exponent = isPlain(magnitude(size)) ? 0 : roundedMagnitude(size, digits);
   return isPlain(exponent) ? 0 : exponent;
@@ -47,13 +47,13 @@ function withDecimals(value: number, decimals: number): string {
 
 const withoutTrailingZeros = (text: string): string => (text.includes(".") ? text.replace(/\.?0+$/, "") : text);
 
-/** The power of ten that is taken out of the numbers of a scale: 0 where they can be read as they are. */
+/** Common power of ten of a scale's labels; 0 if they are readable without it. */
 export function commonExponent(low: number, high: number): number {
   const largest = Math.max(Math.abs(low), Math.abs(high));
   return largest > 0 && Number.isFinite(largest) ? takenOut(largest, DIGITS_OF_ENDS) : 0;
 }
 
-/** With the digits that tell apart thousandths of `span`; no trailing zeros. */
+/** Label with enough digits to distinguish thousandths of `span`; no trailing zeros. */
 export function numberLabel(value: number, span: number, exponent: number): string {
   if (!Number.isFinite(value)) return "n/a";
   const size = span > 0 && Number.isFinite(span) ? span : Math.abs(value);
@@ -61,7 +61,7 @@ export function numberLabel(value: number, span: number, exponent: number): stri
   return withoutTrailingZeros(withDecimals(value * 10 ** -exponent, 2 - magnitude(size) + exponent));
 }
 
-/** As it stands, with so many digits at most and its own power of ten: a time, or a number on a logarithmic scale. */
+/** A single number with at most `digits` digits and its own power of ten: a time, or a label of a logarithmic scale. */
 export function numberAlone(value: number, digits = 6): string {
   if (!Number.isFinite(value)) return "n/a";
   const exponent = value === 0 ? 0 : takenOut(Math.abs(value), digits);
@@ -73,7 +73,7 @@ export function numberAlone(value: number, digits = 6): string {
 }
 
 function multiples(low: number, high: number, step: number): [first: number, last: number] {
-  const slack = (1e-9 * (high - low)) / step; // a multiple that lies on an end is one, whatever the rounding
+  const slack = (1e-9 * (high - low)) / step; // includes a multiple at an end in spite of rounding
   return [Math.ceil(low / step - slack), Math.floor(high / step + slack)];
 }
 
@@ -88,8 +88,8 @@ function niceStep(low: number, high: number, most: number): { size: number; powe
 }
 
 /**
- * Multiples of 1, 2 or 5 times a power of ten between low and high, as many as possible but at most `most` of them. One
- * tick where the range has no width, none where an end is not finite or low > high.
+ * Ticks at multiples of 1, 2 or 5 times a power of ten between low and high, as many as possible but at most `most`.
+ * One tick if the range has no width; none if an end is not finite or low > high.
  */
 export function niceScale(low: number, high: number, most: number): Scale {
   if (!Number.isFinite(low) || !Number.isFinite(high) || low > high || most < 1) return { ticks: [], exponent: 0 };

@@ -1,4 +1,4 @@
-// Short messages that go by themselves.
+// Short messages that disappear by themselves.
 import type { Model } from "./model";
 
 const SHOWN_MS = 9000;

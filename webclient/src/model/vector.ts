@@ -20,13 +20,13 @@ export const cross = (a: Vec3, b: Vec3): Vec3 => [
   a[0] * b[1] - a[1] * b[0],
 ];
 
-/** Of length one; `fallback` where the vector has no direction. */
+/** Unit vector; `fallback` for the zero vector. */
 export function normalize(a: Vec3, fallback: Vec3 = [0, 0, 1]): Vec3 {
   const size = length(a);
   return size > 0 ? scale(a, 1 / size) : fallback;
 }
 
-/** Rodrigues: `axis` has length one. */
+/** Rodrigues' rotation by `angle` in radians; `axis` has length one. */
 export function rotate(a: Vec3, axis: Vec3, angle: number): Vec3 {
   const c = Math.cos(angle);
   const s = Math.sin(angle);

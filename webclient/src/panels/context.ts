@@ -1,4 +1,4 @@
-// What panels work with: what the page knows, and what a person can do.
+// Context of the panels: the model and the commands.
 import { useComputed } from "@preact/signals";
 import { createContext } from "preact";
 import { useContext } from "preact/hooks";
@@ -21,13 +21,13 @@ function usePage(): Page {
 
 export const useCommands = (): Commands => usePage().commands;
 
-/** Draws the panel again when what `select` returns is another value. */
+/** Renders the panel again when the result of `select` changes. */
 export function useModel<V>(select: (model: Model) => V): V {
   const { model } = usePage();
   return useComputed(() => select(model)).value;
 }
 
-/** The camera of what is seen, which is not always the newest. */
+/** The camera of the shown picture, which may be older than the scene's. */
 export function useCamera(): FullCamera | null {
   return useModel((model) => model.shownFrom.value ?? cameraOf(model));
 }

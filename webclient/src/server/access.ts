@@ -1,4 +1,4 @@
-// Why a server that answers lets no socket through, asked by plain HTTP: a WebSocket that fails tells a page nothing.
+// Asks a reachable server by plain HTTP why it refuses the WebSocket: a failed WebSocket gives a page no reason.
 import type { Refusal } from "../model/state";
 
 export type Fetch = (address: URL, init?: RequestInit) => Promise<Response>;
@@ -13,7 +13,7 @@ async function sentenceOf(response: Response): Promise<string> {
   return `What answers at ${new URL(response.url).host} is no CIEL server: ${response.status} ${response.statusText}`.trim();
 }
 
-/** null where nobody answers at all. `base`: the page's address. */
+/** Returns null if nothing answers. `base`: the page's address. */
 export async function askRefusal(base: string, fetch: Fetch): Promise<Refusal | null> {
   try {
     const headers = { "Content-Type": "application/json" };
@@ -26,14 +26,14 @@ export async function askRefusal(base: string, fetch: Fetch): Promise<Refusal | 
   }
 }
 
-/** The token in what a person has typed or pasted: itself, or the whole address that the server printed. */
+/** Returns the token in the user's input: a bare token, or the whole address that the server printed. */
 export function tokenIn(typed: string): string {
   const text = typed.trim();
   const query = /\?[^#]*/.exec(text)?.[0];
   return (query === undefined ? null : new URLSearchParams(query).get("token")) ?? text;
 }
 
-/** Whether the server takes the token; it then lives in a cookie that the page itself cannot read. */
+/** Whether the server accepts the token. It then sets a cookie that the page cannot read. Throws Error if refused otherwise. */
 export async function offerToken(base: string, token: string, fetch: Fetch): Promise<boolean> {
   const address = new URL("./", base);
   address.searchParams.set("token", token);

@@ -1,8 +1,8 @@
-// Where the server is, as seen from this page: beside it, under whatever prefix.
+// The server's addresses, relative to the page and its prefix.
 import type { SocketLike } from "./connection";
 import { Disconnected, type Post } from "./rpc";
 
-/** The server has turned a token in the address into a cookie; taken out here, it does not leave in a link. */
+/** Removes the token from the address, so that links do not contain it. The server has made it a cookie. */
 export function hideToken(): void {
   const address = new URL(location.href);
   if (!address.searchParams.has("token")) return;

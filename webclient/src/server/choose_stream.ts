@@ -1,49 +1,49 @@
-// Automatic: pictures or polygons, by what a change costs as each. A function of what is known.
+// Automatic choice of pictures or polygons by the cost of a change. A pure function of measured facts.
 
 export type Kind = "image" | "geometry";
-/** What the hand moves: the camera, which needs no new polygons; anything else, which does; or nothing. */
+/** What the user changes: the camera (needs no new polygons), a value (does), or nothing. */
 export type Gesture = "camera" | "value" | "rest";
 
 export interface StreamFacts {
   current: Kind;
   gesture: Gesture;
-  /** Bytes a second; null where no long frame has come yet. */
+  /** Bytes per second; null until a long frame has arrived. */
   lineRate: number | null;
-  /** A still has come: it measures the line wherever it is long enough. */
+  /** A still has arrived. If long enough, it has measured the line. */
   sawStill: boolean;
-  /** Of a call; null where none has been answered. */
+  /** Round trip of a call; null until one was answered. */
   roundTripMs: number | null;
-  /** Of an interactive picture; `pictureMs`: the server's time for it, the extraction included. */
+  /** Bytes of an interactive picture. `pictureMs`: server time including extraction. */
   pictureBytes: number;
   pictureMs: number;
-  /** Of all polygons of the scene; `extractMs`: the server's time for them. */
+  /** Bytes of all polygons of the scene. `extractMs`: server time for them. */
   polygonBytes: number;
   extractMs: number;
-  /** From the wish to the drawing of polygons here; null where it has not been seen. */
+  /** Time from request to drawn polygons in this browser; null if not measured. */
   drawMs: number | null;
-  /** WebGL2 by the graphics card. */
+  /** WebGL2 uses the graphics card. */
   hardware: boolean;
-  /** What only pictures show, in words; empty: nothing. */
+  /** Name of a feature that only pictures can show; empty: none. */
   onlyPictures: string;
 }
 
 export interface Choice {
   stream: Kind;
-  /** For a person. */
+  /** Reason, for the user. */
   why: string;
 }
 
-/** A drawing that has not been seen, by a graphics card. */
+/** Assumed draw time with a graphics card before any measurement. */
 const USUAL_DRAW_MS = 16;
-/** As slow as nobody wants to turn things, however slow pictures are. */
+/** Polygons that take longer to draw are used only if pictures are slower still. */
 const TOO_SLOW_MS = 100;
-/** A stream is left for one that is so much quicker: a scene at the border must not flip. */
+/** Hysteresis: the stream changes only for one that is faster by this factor. */
 const BETTER = 1.3;
-/** Seconds that polygons may take to come while the hand holds still, and while it turns the view. */
+/** Seconds that polygons may take to arrive at rest, and during a camera gesture. */
 const FETCH_AT_REST = 3;
 const FETCH_IN_GESTURE = 0.3;
 
-/** A server this near is reached by a fast line: what is known of it where all frames were too short to measure. */
+/** Assumed line rate for a round trip up to NEAR_MS, if all frames were too short to measure. */
 const NEAR_MS = 25;
 const NEAR_RATE = 12.5e6;
 
@@ -82,7 +82,7 @@ export function chooseStream(facts: StreamFacts): Choice {
     : pictures(cost);
 }
 
-/** Polygons of no more bytes than a picture are right on any line, unless they are made for every change. */
+/** Polygons not larger than a picture suit any line, except when every change makes new ones. */
 function unmeasured({ current, gesture, sawStill, polygonBytes, pictureBytes }: StreamFacts): Choice {
   const isFewer = sawStill && polygonBytes <= pictureBytes;
   if (isFewer && (gesture !== "value" || current === "geometry"))
@@ -95,7 +95,7 @@ function unmeasured({ current, gesture, sawStill, polygonBytes, pictureBytes }: 
 
 const pictures = (why: string): Choice => ({ stream: "image", why });
 
-/** Asks the browser who draws its WebGL2. */
+/** Whether the browser's WebGL2 renderer is not a software renderer. */
 export function hasHardwareWebGL(): boolean {
   const gl = document.createElement("canvas").getContext("webgl2");
   if (gl === null) return false;

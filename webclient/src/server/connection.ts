@@ -1,4 +1,4 @@
-// One WebSocket that comes back by itself: exponential back-off with jitter, a heartbeat, and a state to show.
+// One WebSocket that reconnects: exponential back-off with jitter, a heartbeat, and a visible state.
 import type { ConnectionState } from "../model/state";
 import { Disconnected, Rpc, type Post } from "./rpc";
 
@@ -13,14 +13,14 @@ export interface SocketLike {
 
 export interface ConnectionEvents {
   state(state: ConnectionState): void;
-  /** A fresh socket: whatever the server knew of the last one is gone. */
+  /** A new socket: the server's state of the last connection is gone. */
   opened(rpc: Rpc): void;
   notification(name: string, params: unknown): void;
   binary(message: ArrayBuffer): void;
   roundTrip(milliseconds: number): void;
 }
 
-/** Time and chance, so that a test can hold them. */
+/** Time and randomness, replaceable in tests. */
 export interface Clock {
   now(): number;
   random(): number;
@@ -33,7 +33,7 @@ export const LAST_RETRY_MS = 15_000;
 export const HEARTBEAT_MS = 10_000;
 export const CONNECT_TIMEOUT_MS = 10_000;
 
-/** Doubles from FIRST_RETRY_MS to LAST_RETRY_MS; a quarter is chance, so that clients do not return all at once. */
+/** Doubles from FIRST_RETRY_MS to LAST_RETRY_MS. A quarter is random, so that clients do not return all at once. */
 export function retryDelay(attempt: number, random: number): number {
   const delay = Math.min(LAST_RETRY_MS, FIRST_RETRY_MS * 2 ** Math.min(attempt, 16));
   return delay * (0.75 + 0.25 * random);
@@ -61,12 +61,12 @@ export class Connection {
     this.events.state({ kind: "closed" });
   }
 
-  /** Now rather than at the end of the wait. Does nothing while a socket lives. */
+  /** Connects now instead of after the delay. Does nothing while a socket exists. */
   retryNow(): void {
     if (this.socket === null) this.connect();
   }
 
-  /** The network says it is gone: do not wait for the heartbeat to find out. */
+  /** Call when the network is lost: ends the socket without waiting for the heartbeat. */
   lost(): void {
     if (this.socket !== null) this.ended();
   }
@@ -98,7 +98,7 @@ export class Connection {
     this.setTimer(() => this.ended(), CONNECT_TIMEOUT_MS);
   }
 
-  // A cable that is pulled closes no socket; an unanswered call tells.
+  // Detects a dead line by an unanswered call: pulling a cable closes no socket.
   private heartbeat(rpc: Rpc): void {
     const sent = this.clock.now();
     this.setTimer(() => this.ended(), HEARTBEAT_MS);
@@ -109,7 +109,7 @@ export class Connection {
         this.setTimer(() => this.heartbeat(rpc), HEARTBEAT_MS);
       },
       (error: unknown) => {
-        // An answer with an error is an answer.
+        // An error answer also proves that the line works.
         if (this.rpc === rpc && !(error instanceof Disconnected))
           this.setTimer(() => this.heartbeat(rpc), HEARTBEAT_MS);
       },

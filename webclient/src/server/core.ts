@@ -1,4 +1,4 @@
-// What the parts of this folder reach of each other; server.ts is all of it.
+// Shared interface of the parts of this folder; Server in server.ts implements it.
 import type { Scene } from "../generated/protocol";
 import type { CanvasSize } from "../model/canvas_size";
 import type { Model } from "../model/model";
@@ -9,23 +9,23 @@ import type { Histograms } from "./histograms";
 import type { Latency } from "./latency";
 import type { Session, StreamWish } from "./session";
 
-/** Where the frames of a view go. */
+/** Receives the frames of a view. */
 export interface FrameReceiver {
-  /** Frames of a view that is not named yet may come. */
+  /** A view is being opened: its frames may arrive before show(). */
   expect(): void;
   show(view: number): void;
   receive(message: ArrayBuffer): void;
 }
 
-/** What the server is told of the page around it. */
+/** The page, as used by the server's code. */
 export interface Page {
   background(): "dark" | "light";
-  /** The scene of the link that the page was opened with. */
+  /** Scene of the link that opened the page; null without one. */
   link(): Scene | null;
-  /** null before there are canvases. */
+  /** null until the canvases exist. */
   frames(): FrameReceiver | null;
   clearPicture(): void;
-  /** Which canvas is seen. */
+  /** The visible canvas. */
   shown(): "none" | "image" | "geometry";
   stopPlaying(): void;
 }
@@ -43,6 +43,6 @@ export interface Core {
   readonly entry: Entry;
   readonly streams: { current(): StreamWish; reconsider(): void };
   fail(error: unknown): void;
-  /** The server has a revision of the scene. */
+  /** The server's scene at this revision. */
   taken(revision: number, scene: Scene): void;
 }

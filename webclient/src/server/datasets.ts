@@ -1,4 +1,4 @@
-// Keeps the description of the scene's dataset at hand.
+// Keeps the dataset list and the description of the scene's dataset up to date.
 import { update } from "../model/model";
 import type { Core } from "./core";
 
@@ -10,7 +10,7 @@ export async function listDatasets(server: Core): Promise<void> {
   }
 }
 
-/** Fetches the description when the scene's dataset is another one than the described. */
+/** Fetches the description if the scene's dataset differs from the described one, or always with `again`. */
 export async function describeDataset(server: Core, again = false): Promise<void> {
   const { model } = server;
   const name = model.scene.peek()?.dataset;

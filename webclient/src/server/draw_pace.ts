@@ -1,8 +1,8 @@
-// How soon the browser draws polygons after it is asked to. Its calls return at once, whatever draws; but the next
-// animation frame does not come before the last is drawn.
+// Time from a redraw request to the drawn polygons. WebGL calls return at once, but the next animation frame waits until
+// the last one is drawn.
 
 const REMEMBERED = 8;
-/** The first of them wait for programs to be compiled. */
+/** Measurements needed for a result: the first ones include shader compilation. */
 const FEWEST = 4;
 
 export class DrawPace {
@@ -12,7 +12,7 @@ export class DrawPace {
     this.waits = [...this.waits.slice(1 - REMEMBERED), at - requestedAt];
   }
 
-  /** Milliseconds between the wish and the picture; null where it is not known. */
+  /** Median milliseconds from request to picture; null if unknown. */
   get milliseconds(): number | null {
     if (this.waits.length < FEWEST) return null;
     const sorted = [...this.waits].sort((a, b) => a - b);

@@ -1,4 +1,4 @@
-// The scene as this page sees it: changed at once, sent at most once per animation frame, agreed with the server's.
+// Local copy of the scene. Changes apply at once, are sent at most once per animation frame, and follow the server's state.
 import type { Layer, Revision, Scene, SessionState } from "../generated/protocol";
 import { applyPatch, composePatches, diff, equal, type Json, type JsonObject } from "../model/merge_patch";
 import { Disconnected } from "./rpc";
@@ -16,15 +16,14 @@ export interface SceneServer {
 export type Step = "undo" | "redo";
 
 export interface EditorEvents {
-  /** The scene or what can be undone differs. */
+  /** The scene, canUndo or canRedo has changed. */
   changed(): void;
-  /** The server has taken the changes made since `since` (performance.now), after which the scene is this, as this
-   * revision. */
+  /** The server has accepted a change made at `since` (performance.now). `scene` is the result, as `revision`. */
   accepted(revision: number, since: number, scene: Scene): void;
   refused(error: Error): void;
-  /** A change was for this layer, which others have removed; it has not been made. */
+  /** A change of this layer was dropped: another client has removed the layer. */
   gone(layer: Layer): void;
-  /** The server cannot show what that step leads to. */
+  /** The server cannot show the result of this step. */
   stuck(step: Step, error: Error): void;
 }
 
@@ -37,9 +36,9 @@ interface Change {
   patch: JsonObject;
   gesture: string;
   since: number;
-  /** After it. */
+  /** The scene after the change. */
   scene: Scene;
-  /** Of a layer that is gone, which has been said: the server's refusal tells nothing more. */
+  /** Targets a removed layer, as already reported: a refusal is not reported again. */
   isVain?: boolean;
 }
 
@@ -49,15 +48,15 @@ export class SceneEditor {
   private queue: Change[] = [];
   private unanswered: Change[] = [];
   private differsFromServer = false;
-  /** The local scene may have parted from the server's; asked for when nothing is on its way. */
+  /** The local scene may differ from the server's; fetched when nothing is in flight. */
   private doubtful = false;
   private asking = false;
-  /** Undos, redos and followed links that are not answered yet. */
+  /** Unanswered undos, redos and followed links. */
   private travelling = 0;
   private patchesAtOnce = new PatchesAtOnce();
   private frameRequested = false;
   private gestures = 0;
-  /** As they were last, layers that others have removed. */
+  /** Last state of layers that other clients have removed. */
   private readonly lost = new Map<string, Layer>();
   private readonly history = new SceneHistory();
   canUndo = false;
@@ -77,17 +76,17 @@ export class SceneEditor {
     return this.server !== null;
   }
 
-  /** Whether the server has not taken everything yet. */
+  /** Whether changes are not yet accepted by the server. */
   get isPending(): boolean {
     return this.differsFromServer || this.travelling > 0;
   }
 
-  /** What a server that has to begin the session anew with this scene can undo and redo. */
+  /** Undo and redo steps for reopening the session with this scene. */
   stepsAround(scene: Scene): Steps {
     return this.history.around(scene);
   }
 
-  /** Changes that share the name are one undo step. */
+  /** Returns a gesture name. Changes with the same name are one undo step. */
   newGesture(): string {
     return `${this.name}-${++this.gestures}`;
   }
@@ -107,12 +106,12 @@ export class SceneEditor {
     this.requestFlush();
   }
 
-  /** A change that no hand made: it is undone together with the step before it. */
+  /** An automatic change, undone together with the previous step. */
   amend(patch: object): void {
     this.change(patch, `${this.name}-${this.gestures}`);
   }
 
-  /** Changes into another document, as one step. */
+  /** Replaces the document, as one step. */
   replace(scene: Scene, gesture?: string): void {
     if (this.document === null) return;
     this.change(diff(this.document as unknown as JsonObject, scene as unknown as JsonObject), gesture);
@@ -136,7 +135,7 @@ export class SceneEditor {
     await this.travel((server) => server.redo(), moved, stuck);
   }
 
-  /** What a session that was just opened holds. Changes that were made while there was none are sent as one step. */
+  /** Call when a session was opened. Changes made while disconnected are sent as one step. */
   connected(server: SceneServer, state: SessionState): void {
     this.server = server;
     this.patchesAtOnce = new PatchesAtOnce();
@@ -159,20 +158,20 @@ export class SceneEditor {
     this.events.changed();
   }
 
-  /** Before `connected`, where another scene has been chosen than the one that stood here. */
+  /** Call before `connected` if another scene was chosen to replace the local one. */
   forget(): void {
     this.document = null;
     this.history.forget();
   }
 
-  /** Another client of the session has changed the scene, perhaps while a change of this one was on its way. */
+  /** Another client has changed the scene. Changes of this page may be in flight. */
   overheard(scene: Scene): void {
     this.history.found(scene);
     this.adopt({ scene }, this.unanswered);
-    this.doubt(); // what can be undone now was not told
+    this.doubt(); // canUndo and canRedo are now unknown
   }
 
-  /** Like `replace`, for a scene that the server has not seen: it stands here when the server has taken it. */
+  /** Like `replace`, but the local scene changes only after the server has accepted the new one. */
   async propose(scene: Scene): Promise<void> {
     const patch = diff((this.document ?? {}) as unknown as JsonObject, scene as unknown as JsonObject);
     await this.travel(
@@ -184,7 +183,7 @@ export class SceneEditor {
     );
   }
 
-  /** The server's own word. `onTheWay` and what is not sent yet stay on top of it. */
+  /** Takes the server's state and reapplies changes that are in flight or not sent yet. */
   private adopt(state: { scene: Scene; can_undo?: boolean; can_redo?: boolean }, onTheWay: Change[]): void {
     this.canUndo = state.can_undo ?? this.canUndo;
     this.canRedo = state.can_redo ?? this.canRedo;
@@ -200,7 +199,7 @@ export class SceneEditor {
     this.events.changed();
   }
 
-  /** A part of a layer that is no more would be sent as a whole layer, which it is not. */
+  /** Removes changes of lost layers: merged into the scene they would be incomplete layers. */
   private withoutLost(patch: JsonObject, scene: Scene): JsonObject {
     const stray = strayLayers(patch, scene).filter((id) => this.lost.has(id));
     for (const id of stray) this.events.gone(this.lost.get(id) as Layer);
@@ -217,7 +216,7 @@ export class SceneEditor {
       this.events.refused(new Error("There is no open session now; try it again when the picture is back"));
       return;
     }
-    while (this.queue.length > 0) this.sendOldest(server); // an undo takes back what the hand did last
+    while (this.queue.length > 0) this.sendOldest(server); // undo must revert the user's latest change
     const since = this.timing.now();
     const before = new Set(this.unanswered); // the server takes these first
     this.travelling += 1;
@@ -274,7 +273,7 @@ export class SceneEditor {
       (error: unknown) => {
         if (this.server !== server || error instanceof Disconnected) return;
         if (change.isVain !== true) this.events.refused(error as Error);
-        this.doubtful = true; // a refused change stands in the local scene only
+        this.doubtful = true; // the local scene still has the refused change
         this.answered(change);
       },
     );
@@ -298,7 +297,7 @@ export class SceneEditor {
         if (this.server !== server) return;
         this.asking = false;
         if (this.differsFromServer)
-          this.doubtful = true; // changed meanwhile: once more, after its answer
+          this.doubtful = true; // changed meanwhile: ask again after its answer
         else {
           this.history.found(state.scene);
           this.adopt(state, []);

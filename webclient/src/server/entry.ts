@@ -1,10 +1,10 @@
-// What stands between this page and a server that is there, and the token that may open it.
+// Finds out why a reachable server refuses this page, and offers a token to it.
 import type { Model } from "../model/model";
 import { askRefusal, offerToken, tokenIn, type Fetch } from "./access";
 
 const get: Fetch = (address, init) => fetch(address, init);
 
-/** A server that has just come back answers calls before the next socket is tried. */
+/** A restarted server answers calls before the next socket attempt, so one answer is no proof. */
 const TRIES_BEFORE_NO_SOCKET = 2;
 
 export class Entry {
@@ -15,7 +15,7 @@ export class Entry {
     private readonly retry: () => void,
   ) {}
 
-  /** After a socket failed. */
+  /** Call after a socket failed. */
   async explain(): Promise<void> {
     const refusal = await askRefusal(document.baseURI, get);
     if (this.model.connection.peek().kind === "open") return;
@@ -29,7 +29,7 @@ export class Entry {
     this.model.refusal.value = null;
   }
 
-  /** A sentence where it opens nothing. */
+  /** Returns null if the token was accepted, else a sentence for the user. */
   async enter(typed: string): Promise<string | null> {
     try {
       if (!(await offerToken(document.baseURI, tokenIn(typed), get))) return "This is not the server's token.";

@@ -1,4 +1,4 @@
-// What a page shows first: the link's scene, else the tab's own session, else the first dataset that can be opened.
+// First scene of a page: the link's scene, else the tab's own session, else the first usable dataset.
 import type { Camera, DatasetDescription, Scene } from "../generated/protocol";
 import { complete, defaultView, distance, fit, type Bounds, type FullCamera } from "../model/camera";
 import { subtract } from "../model/vector";
@@ -9,7 +9,7 @@ import type { CanvasSize } from "../model/canvas_size";
 
 export interface FirstSceneOptions {
   session: string;
-  /** The tab has had the session before. */
+  /** The tab had this session before. */
   rejoin: boolean;
   link: Scene | null;
   size: CanvasSize;
@@ -22,7 +22,7 @@ function openingCamera(camera: Camera | null | undefined, bounds: Bounds, aspect
   return fit(bounds, subtract(target, position), up, aspect, fov, parallel);
 }
 
-/** The dataset's own first view, fitted to this canvas and theme. */
+/** The dataset's default scene, fitted to this canvas and theme. */
 export function openingScene(description: DatasetDescription, size: CanvasSize, background: "dark" | "light"): Scene {
   const scene = description.default_scene;
   const bounds = description.default_bounds;
@@ -30,7 +30,7 @@ export function openingScene(description: DatasetDescription, size: CanvasSize, 
   return { ...scene, camera, background };
 }
 
-/** What lies over the canvas is drawn by the camera, so a scene from elsewhere gets the one that it would be shown with. */
+/** Adds the default camera to a scene without one: overlays of the canvas need a camera. */
 async function withCamera(call: Caller, scene: Scene, size: CanvasSize): Promise<Scene> {
   if (scene.camera) return scene;
   try {
@@ -40,17 +40,17 @@ async function withCamera(call: Caller, scene: Scene, size: CanvasSize): Promise
     return { ...scene, camera: size.clearOfCorner(defaultView(bounds, size.aspect), bounds) };
   } catch (error) {
     if (!(error instanceof RpcError)) throw error;
-    return scene; // what is wrong with it, opening it will say
+    return scene; // opening it reports the error
   }
 }
 
-/** null where the server offers nothing that can be opened. */
+/** Returns null if the server has no usable dataset. */
 export async function firstScene(call: Caller, options: FirstSceneOptions): Promise<Scene | null> {
   if (options.link !== null) return withCamera(call, options.link, options.size);
   try {
     if (options.rejoin) return (await call("scene.get", { session: options.session })).scene;
   } catch (error) {
-    if (!(error instanceof RpcError)) throw error; // the server does not know the session: a new one
+    if (!(error instanceof RpcError)) throw error; // unknown session: continue with a new one
   }
   const usable = (await call("dataset.list", {})).find(({ problem }) => problem === "");
   if (usable === undefined) return null;

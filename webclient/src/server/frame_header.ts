@@ -21,18 +21,18 @@ export interface FrameHeader {
   drawMs: number;
   encodeMs: number;
   triangles: number;
-  /** Of this message. */
+  /** Payload of this message. */
   payloadBytes: number;
-  /** Of the picture or batch. */
+  /** Payload of the whole picture or batch. */
   wholeBytes: number;
-  /** Where in it this message's bytes lie. */
+  /** Offset of this message's payload in the whole. */
   pieceOffset: number;
 }
 
 const MAGIC = 0x4c454943; // "CIEL", little-endian
 const VERSION = 2;
 
-/** Throws an Error that says what is wrong with the message. */
+/** Throws Error when the message is not a valid frame. */
 export function decodeHeader(message: ArrayBuffer): FrameHeader {
   if (message.byteLength < HEADER_BYTES) {
     throw new Error(`A frame of ${message.byteLength} bytes is shorter than its header`);
@@ -75,7 +75,7 @@ export function decodeHeader(message: ArrayBuffer): FrameHeader {
   return header;
 }
 
-/** Makes a message of all pieces' bytes and the first one's header say that it is whole. */
+/** Completes the header of a reassembled message, which is a copy of its first piece's header. */
 export function setWhole(message: ArrayBuffer, flags: number): void {
   const view = new DataView(message);
   view.setUint16(6, flags, true);

@@ -28,13 +28,13 @@ interface MeshPart {
   id: string;
   step: number;
   low: Vec3;
-  bytes?: [number, number]; // absent where it came before
+  bytes?: [number, number]; // absent if sent in an earlier frame
 }
 
 interface ValuesPart {
   id: string;
   of: "vertices" | "triangles" | "lines" | "points";
-  step?: number; // absent: floats
+  step?: number; // absent: values are floats
   origin?: number;
   low?: number;
   bytes?: number;
@@ -49,7 +49,7 @@ interface BatchHeader {
   mesh: MeshPart;
   values?: ValuesPart;
   map: string;
-  range?: Range; // absent where there are no scalars
+  range?: Range; // absent without scalars
   scale: Coloring;
   color: [number, number, number, number];
   lit: boolean;
@@ -69,13 +69,13 @@ interface Mesh {
 const NO_VALUE = 0xffffffff;
 const CORNERS = { triangles: 3, lines: 2, points: 1 } as const;
 
-/** Before the first batch is decoded. Rejects where the browser has no WebAssembly. */
+/** Await before decoding the first batch. Rejects if the browser has no WebAssembly. */
 export const geometryReady: Promise<void> = MeshoptDecoder.ready;
 
-/** A batch names what this client has not kept: the server must send it once more. */
+/** A batch refers to a part that is not kept here: the server must send it again. */
 export class MissingPart extends Error {}
 
-/** Takes consecutive parts of a message. Throws where it ends before they do. */
+/** Reads consecutive parts of a message. Throws Error when the message is too short, or too long at end(). */
 class Rest {
   constructor(private bytes: Uint8Array) {}
 
@@ -91,11 +91,11 @@ class Rest {
   }
 }
 
-/** Parts of batches by their ids, for batches to come that name them instead of bringing them. */
+/** Parts of batches by id. Later batches may refer to them instead of sending them again. */
 class KeptParts {
   private readonly parts = new Map<string, { frame: number; part: unknown }>();
 
-  /** The part is used in this frame. `decode`: null where it must have come before. */
+  /** Returns the part and marks it as used in this frame. `decode` null: it must be kept. Throws MissingPart if not. */
   use<Part>(id: string, frame: number, decode: (() => Part) | null): Part {
     const part = decode === null ? this.parts.get(id)?.part : decode();
     if (part === undefined) throw new MissingPart(`A geometry frame names a part ${id} that did not come before`);
@@ -103,7 +103,7 @@ class KeptParts {
     return part as Part;
   }
 
-  /** No batch names what only frames before this one have. */
+  /** Drops parts last used before frame `base`: no later batch refers to them. */
   forgetBefore(base: number): void {
     for (const [id, { frame }] of this.parts) if (frame < base) this.parts.delete(id);
   }
@@ -158,7 +158,7 @@ function decodeValues({ vertices, indices }: BatchHeader, part: ValuesPart, rest
   return values;
 }
 
-/** A vertex for each corner, so that each has the value of its triangle, line or point. */
+/** Makes one vertex per corner, with the value of its triangle, line or point. */
 function apart(
   { positions, normals, indices }: Mesh,
   values: Float32Array,
@@ -177,16 +177,16 @@ function apart(
   };
 }
 
-/** Of the frames of one view, which share what has not changed. */
+/** Decodes the frames of one view, which share unchanged parts. */
 export class GeometryDecoder {
   private kept = new KeptParts();
 
-  /** Another view follows. */
+  /** Call before the frames of another view. */
   clear(): void {
     this.kept = new KeptParts();
   }
 
-  /** null for a frame without polygons. Throws where the sizes do not agree, or what it names did not come before. */
+  /** Returns null for a frame without polygons. Throws Error on inconsistent sizes, MissingPart on an unknown part. */
   decode(message: ArrayBuffer): GeometryBatch | null {
     const bytes = message.byteLength - HEADER_BYTES;
     if (bytes < 4) throw new Error("A geometry frame is cut off");

@@ -4,10 +4,10 @@ import { Disconnected, RpcError } from "./rpc";
 import type { Histogram } from "../model/state";
 
 const KEPT = 200;
-/** The server makes few at a time, and refuses a connection of which many wait. */
+/** The server computes few at a time and refuses a connection with many waiting calls. */
 const AT_ONCE = 2;
 const RETRY_MILLISECONDS = 1000;
-const LIMIT_REACHED = -32003; // components/errors/Limit of the contract
+const LIMIT_REACHED = -32003; // components/errors/Limit in the contract
 
 interface Known {
   histogram: Signal<Histogram | null>;
@@ -20,7 +20,7 @@ export class Histograms {
   private wanted: Of[] = [];
   private underWay = 0;
   private isDue = false;
-  /** Answers to what was asked before `clear` are of another dataset, perhaps. */
+  /** Number of `clear` calls. Answers to earlier requests may be of another dataset. */
   private cleared = 0;
 
   constructor(
@@ -29,8 +29,8 @@ export class Histograms {
   ) {}
 
   /**
-   * null until it has arrived, and where there is none; who reads it is run again then. Only looks: it is fetched when
-   * the page has been drawn.
+   * Returns null until it has arrived, or if there is none. Reading it subscribes to its arrival. The fetch starts later,
+   * after the page has been drawn.
    */
   get(...of: Of): Histogram | null {
     const known = this.knownOf(of);
@@ -38,7 +38,7 @@ export class Histograms {
     return known.histogram.value;
   }
 
-  /** After a reconnection unanswered ones are asked again. */
+  /** Forgets all histograms and requests; they are fetched again when read. */
   clear(): void {
     for (const known of this.known.values()) {
       known.state = "forgotten";
@@ -79,11 +79,11 @@ export class Histograms {
       this.remember(of, "here", answer);
     } else if (answer instanceof RpcError && answer.code === LIMIT_REACHED) {
       this.want(of, RETRY_MILLISECONDS);
-      return; // the others would be refused, too
+      return; // the server would refuse the others too
     } else if (answer instanceof Disconnected) {
       this.remember(of, "forgotten");
     } else {
-      this.remember(of, "missing"); // not written at this step: the layer itself says so
+      this.remember(of, "missing"); // no values at this step; the layer reports it
     }
     this.askMore();
   }

@@ -6,7 +6,7 @@ const SIGNATURES: Record<string, number[]> = {
   "image/jpeg": [0xff, 0xd8, 0xff],
 };
 
-/** The picture in an image frame; throws where the payload is something else. */
+/** Returns the picture of an image frame. Throws Error if the payload is neither PNG nor JPEG. */
 export function pictureOf(message: ArrayBuffer): Blob {
   const picture = new Uint8Array(message, HEADER_BYTES);
   for (const [type, signature] of Object.entries(SIGNATURES))

@@ -1,4 +1,4 @@
-// From the hand's move to the picture of it, and pictures per second.
+// Time from a change to its picture, and pictures per second.
 
 const WINDOW_MS = 1500;
 
@@ -8,7 +8,7 @@ export class Latency {
   private times: number[] = [];
   last: number | null = null;
 
-  /** A change made at `since` became `revision`. Its picture may have come before this answer. */
+  /** A change made at `since` became `revision`. Its picture may have arrived before this answer. */
   accepted(revision: number, since: number): void {
     if (this.presented.revision >= revision) this.last = Math.max(0, this.presented.at - since);
     else this.waiting.push({ revision, since });
@@ -17,7 +17,7 @@ export class Latency {
   shown(revision: number, now: number): void {
     this.times = this.times.filter((time) => now - time < WINDOW_MS);
     this.times.push(now);
-    if (revision <= this.presented.revision) return; // the still of what is shown already
+    if (revision <= this.presented.revision) return; // the still of a shown revision
     this.presented = { revision, at: now };
     const answered = this.waiting.filter((change) => change.revision <= revision);
     this.waiting = this.waiting.filter((change) => change.revision > revision);
@@ -33,7 +33,7 @@ export class Latency {
     return ((recent.length - 1) * 1000) / (newest - first);
   }
 
-  /** Revisions of another session mean nothing here. */
+  /** Call for a new session: revisions of different sessions are not comparable. */
   reset(): void {
     this.waiting = [];
     this.presented = { revision: -1, at: 0 };

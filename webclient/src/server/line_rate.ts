@@ -1,8 +1,8 @@
-// Bytes a second of the line, by the pieces of frames (protocol/frame.md): what came after the first piece, by the time
-// that it took. Moving pictures of one piece say nothing; the still behind them is longer.
+// Line rate in bytes per second, from the pieces of a frame (protocol/frame.md): bytes after the first piece, divided by
+// the time since it. Moving pictures of one piece give no measurement; the still after them is longer.
 import type { FrameHeader } from "./frame_header";
 
-/** Fewer come out of the buffers at once. Frames that are longer by a short piece begin with one. */
+/** Fewer bytes may arrive at once from buffers. Frames longer than this by a short piece begin with one. */
 const FEWEST_BYTES = 32 << 10;
 const REMEMBERED = 5;
 
@@ -16,10 +16,10 @@ interface Measured {
 export class LineRate {
   private now: Measured | null = null;
   private rates: number[] = [];
-  /** Whether the newest of them is of the frame that is on its way: it is taken again with each piece. */
+  /** Whether the newest rate is of the current frame; each piece then updates it. */
   private isOfNow = false;
 
-  /** A message has come, at `at` milliseconds. Returns whether it says something about the rate. */
+  /** Call for each message; `at` in milliseconds. Returns whether it gave a measurement. */
   arrived({ view, frame, payloadBytes }: FrameHeader, at: number): boolean {
     if (this.now?.view !== view || this.now.frame !== frame) {
       this.now = { view, frame, from: at, bytes: 0 };
@@ -35,7 +35,7 @@ export class LineRate {
     return true;
   }
 
-  /** The middle one of the last few: where the page was busy, all of a frame seems to come at once. null: not known. */
+  /** Median of the last few rates, since a busy page sees a whole frame arrive at once. null: unknown. */
   get bytesPerSecond(): number | null {
     const sorted = [...this.rates].sort((a, b) => a - b);
     return sorted[Math.floor((sorted.length - 1) / 2)] ?? null;

@@ -1,19 +1,19 @@
-// Pictures and batches come in pieces, since proxies cut long messages (protocol/frame.md).
+// Reassembles pictures and batches. They arrive in pieces, since proxies cut long messages (protocol/frame.md).
 import { HEADER_BYTES, setWhole, type FrameHeader } from "./frame_header";
 
 interface Begun {
   frame: number;
   flags: number;
   message: ArrayBuffer;
-  /** Of the payload. */
+  /** Bytes of the payload. */
   arrived: number;
 }
 
-/** Of one view. */
+/** The pieces of one view. */
 export class Pieces {
   private begun: Begun | null = null;
 
-  /** The whole as one message, once the last piece of it is here; else null. Throws where a piece is missing. */
+  /** Returns the whole message after its last piece, else null. Throws Error when a piece is missing. */
   add(header: FrameHeader, message: ArrayBuffer): ArrayBuffer | null {
     if (header.payloadBytes === header.wholeBytes) {
       this.begun = null;
@@ -34,7 +34,7 @@ export class Pieces {
     return begun.message;
   }
 
-  /** What has arrived of a frame is dropped. */
+  /** Drops an incomplete frame. */
   clear(): void {
     this.begun = null;
   }

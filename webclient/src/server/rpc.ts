@@ -1,5 +1,5 @@
 // JSON-RPC 2.0 over one text channel: calls, answers, notifications. It knows no socket. Answers that are too long for a
-// message of the socket come by POST.
+// socket message are fetched by POST.
 import { ErrorCode, type Methods, type Notifications } from "../generated/protocol";
 
 export type MethodName = keyof Methods;
@@ -26,7 +26,7 @@ export class Disconnected extends Error {
   }
 }
 
-/** Sends one request by POST and gives the answer's text. */
+/** Sends one request by POST and returns the answer's text. */
 export type Post = (request: string) => Promise<string>;
 
 interface Pending {
@@ -44,10 +44,10 @@ interface Message {
   error?: { code: number; message: string; data?: unknown };
 }
 
-/** Pictures and files of surfaces are longer than a message of the socket may be. */
+/** Pictures and surface files exceed the limit of a socket message. */
 const BY_POST = new Set<MethodName>(["picture.render", "surface.export"]);
 
-/** What has been done must not be done twice where only the answer was too long. */
+/** Methods with effects must not be repeated when only the answer was too long. */
 const ASKED_AGAIN_AS: Partial<Record<MethodName, MethodName>> = {
   "scene.undo": "scene.get",
   "scene.redo": "scene.get",
@@ -83,7 +83,7 @@ export class Rpc {
       return;
     }
     const call = typeof message.id === "number" ? this.pending.get(message.id) : undefined;
-    if (call === undefined) return; // an answer to a call that was given up
+    if (call === undefined) return; // answer to an abandoned call
     this.pending.delete(message.id as number);
     if (message.error?.code === ErrorCode.AnswerTooLong)
       this.byPost(ASKED_AGAIN_AS[call.method] ?? call.method, call.params).then(call.resolve, call.reject);
@@ -95,7 +95,7 @@ export class Rpc {
     return new Promise((resolve, reject) => settle(JSON.parse(text) as Message, { resolve, reject }));
   }
 
-  /** Rejects whatever is unanswered: a closed socket answers no more. */
+  /** Rejects all pending calls with Disconnected. Call when the socket has closed. */
   close(): void {
     for (const call of this.pending.values()) call.reject(new Disconnected());
     this.pending.clear();

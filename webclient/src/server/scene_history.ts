@@ -1,38 +1,38 @@
-// What can be undone and redone, as the server keeps it: for a server that was restarted and has forgotten it.
+// Copy of the server's undo and redo steps. Restores them after a server restart.
 import type { Scene } from "../generated/protocol";
 import { applyPatch, diff, equal, type JsonObject } from "../model/merge_patch";
 
-/** Merge patches, the nearest step first: the first one applies to the scene, each other to what the one before it makes. */
+/** Merge patches, nearest step first. The first applies to the scene, each next one to the previous result. */
 export interface Steps {
   undo: JsonObject[];
   redo: JsonObject[];
 }
 
 const MOST_STEPS = 50;
-/** Of all patches as JSON: the message that hands them over has at most 1 MiB. */
+/** Limit of all patches as JSON: the message that carries them has at most 1 MiB. */
 const MOST_CHARACTERS = 400_000;
-/** Changes of other clients in a row are one step here: their gestures are not told. */
+/** Gesture of other clients' changes. Consecutive ones are one step: their gestures are unknown. */
 const OF_OTHERS = "others";
 
 export class SceneHistory {
-  /** The server's scene; null: no session was open yet. */
+  /** The server's scene; null until a session was open. */
   private scene: JsonObject | null = null;
   private steps: Steps = { undo: [], redo: [] };
   private gesture = "";
 
-  /** The server has taken a change of this page. */
+  /** Call when the server has accepted a change of this page. */
   changed(patch: JsonObject, gesture: string): void {
     if (this.scene !== null) this.become(applyPatch(this.scene, patch) as JsonObject, gesture);
   }
 
-  /** The server's scene is this, whoever changed it. */
+  /** Call with the server's scene, whichever client changed it. */
   found(scene: Scene): void {
     const found = scene as unknown as JsonObject;
     if (this.scene === null) this.scene = found;
     else this.become(found, OF_OTHERS);
   }
 
-  /** Undo or redo has led to this scene. The server passes over steps that it cannot show. */
+  /** Call with the scene after an undo or redo. The server skips steps that it cannot show. */
   moved(step: keyof Steps, scene: Scene): void {
     const found = scene as unknown as JsonObject;
     if (this.scene === null || equal(this.scene, found)) return;
@@ -42,7 +42,7 @@ export class SceneHistory {
     while (!equal(at, found)) {
       const patch = taken.shift();
       if (patch === undefined) {
-        this.found(scene); // where this page has never been
+        this.found(scene); // a scene unknown to this page
         return;
       }
       const next = applyPatch(at, patch) as JsonObject;
@@ -54,7 +54,7 @@ export class SceneHistory {
     this.steps = step === "undo" ? { undo: taken, redo: back } : { undo: back, redo: taken };
   }
 
-  /** The steps around a session that begins with this scene, which may hold changes that no server has seen. */
+  /** Steps for a session that begins with this scene. The scene may have changes unknown to the server. */
   around(scene: Scene): Steps {
     const begun = scene as unknown as JsonObject;
     if (this.scene === null) return { undo: [], redo: [] };
@@ -82,7 +82,7 @@ export class SceneHistory {
   }
 }
 
-/** The steps that lie nearest, as many as one message holds. */
+/** The nearest steps that fit in one message. */
 function fitting({ undo, redo }: Steps): Steps {
   let left = MOST_CHARACTERS;
   const near = (patches: JsonObject[]): JsonObject[] => {

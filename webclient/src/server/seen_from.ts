@@ -1,5 +1,5 @@
-// Where a scene without a camera is seen from. The server knows: it leaves room for what is written over pictures. What
-// lies over the canvas, and the first turn of a hand, begin there.
+// Camera of a scene without one. The server chooses it and leaves room for annotations. Overlays of the canvas and the
+// first camera gesture use it.
 import { complete } from "../model/camera";
 import type { Core } from "./core";
 
@@ -8,7 +8,7 @@ export class SeenFrom {
 
   constructor(private readonly server: Core) {}
 
-  /** After anything that may have another camera: the scene as the server has it, or the canvas. */
+  /** Call after the server's scene or the canvas has changed. */
   async reconsider(): Promise<void> {
     const { editor, model, session, size, tab } = this.server;
     const { scene } = editor;
@@ -21,7 +21,7 @@ export class SeenFrom {
       const camera = complete(await session.call("scene.camera", { session: tab.id, ...pixels }));
       if (key === this.asked) model.seenFrom.value = { dataset: scene.dataset, camera };
     } catch {
-      this.asked = ""; // the view's own failure says why
+      this.asked = ""; // the view reports the failure
     }
   }
 }

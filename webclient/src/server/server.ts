@@ -1,4 +1,4 @@
-// The server as the page has it: one session, its scene, and what is asked of it. Writes what it hears into the model.
+// The page's access to the server: one session, its scene and its calls. Writes results into the model.
 import type { CanvasSize } from "../model/canvas_size";
 import { layerName } from "../model/layer_names";
 import { update, stateOf, type Model } from "../model/model";
@@ -63,7 +63,7 @@ export class Server implements Core {
           showToast(model, `This cannot be ${step === "undo" ? "undone" : "redone"}. ${wordsFor(error)}`, "error"),
       },
       { now, requestFrame: (callback) => void requestAnimationFrame(callback) },
-      Math.random().toString(36).slice(2, 10), // other pages of the session name their gestures otherwise
+      Math.random().toString(36).slice(2, 10), // distinguishes gestures from those of other pages
     );
     const address = socketAddress(document.baseURI);
     const post = postTo(document.baseURI);
@@ -84,22 +84,22 @@ export class Server implements Core {
     setInterval(() => this.refreshRate(), RATE_MS);
   }
 
-  /** After the canvas has another size. */
+  /** Call after the canvas size has changed. */
   resized(): void {
     this.session.resize();
     void this.seenFrom.reconsider();
   }
 
   fail(error: unknown): void {
-    // The end of a connection has a notice of its own.
+    // A lost connection has its own notice.
     if (!(error instanceof Disconnected)) showToast(this.model, wordsFor(error as Error), "error");
   }
 
-  /** The server's revisions of the scene; the picture of one may be here before. */
+  /** The server's scene at a revision. Its picture may already be shown. */
   taken(revision: number, scene: Scene): void {
     this.scenes.taken(revision, scene);
     const { readout } = this.model;
-    if (readout.peek().revision !== 0) this.showScene(readout.peek().revision); // else no picture of this session yet
+    if (readout.peek().revision !== 0) this.showScene(readout.peek().revision); // 0: no picture of this session yet
   }
 
   /** A frame is on the screen. */

@@ -1,4 +1,4 @@
-// One viewer's conversation with the server: opens or rejoins the session and its view after every (re)connection.
+// Opens or rejoins the session and its view after every connection.
 import type { Notifications, Scene, SessionState } from "../generated/protocol";
 import type { ConnectionState } from "../model/state";
 import { Connection, type Clock, type SocketLike } from "./connection";
@@ -11,23 +11,23 @@ export interface ViewSize {
   pixel_ratio: number;
 }
 
-/** What a view is asked to send; a still is a PNG whatever the moving pictures are. */
+/** Requested stream of a view. `moving` is the format of moving pictures; stills are always PNG. */
 export interface StreamWish {
   stream: "image" | "geometry";
   moving: "png" | "jpeg";
 }
 
 export interface SessionHost {
-  /** The scene of a session that does not exist yet, or null when there is nothing to show. */
+  /** Returns the scene to open a new session with; null if there is nothing to show. */
   firstScene(call: Caller): Promise<Scene | null>;
   viewSize(): ViewSize;
   stream(): StreamWish;
-  /** Frames of a view that is not named yet may come from here on. */
+  /** A view is being opened: its frames may arrive before viewOpened(). */
   viewOpening(): void;
   /** 0: no view. */
   viewOpened(view: number): void;
   opened(state: SessionState): void;
-  /** The server is there, but opens no session with this scene, or no view of it. */
+  /** The server refused to open the session or its view. */
   refused(error: Error): void;
   connection(state: ConnectionState): void;
   roundTrip(milliseconds: number): void;
@@ -42,7 +42,7 @@ export class Session {
   private readonly connection: Connection;
   private rpc: Rpc | null = null;
   private joining: Promise<void> = Promise.resolve();
-  /** What is to be shown in place of the editor's scene, which the server has refused or never had. */
+  /** Scene to open instead of the editor's scene, which the server refused or never had. */
   private chosen: Scene | null = null;
   private view = 0;
   private sentSize: ViewSize = { width: 0, height: 0, pixel_ratio: 1 };
@@ -98,7 +98,7 @@ export class Session {
     if (!isSame) this.renew();
   }
 
-  /** The view's frame is sent once more, with all of its polygons. */
+  /** Requests the view's frame again, with all of its polygons. */
   renew(): void {
     if (this.view === 0) return;
     const size = this.host.viewSize();
@@ -112,11 +112,11 @@ export class Session {
     this.call("view.stream", { view: this.view, ...wish }).catch((error: unknown) => this.report(error));
   }
 
-  /** Opens the session with this scene where there is none: nothing to open it with until now, or refused before. */
+  /** Shows this scene. If no session is open (no scene before, or refused), opens it with this scene. */
   async begin(scene: Scene): Promise<void> {
     this.chosen = scene;
     await this.joining;
-    if (this.chosen !== scene) return; // another was chosen meanwhile
+    if (this.chosen !== scene) return; // another scene was chosen meanwhile
     if (!this.editor.isConnected) await this.open();
     else {
       this.chosen = null;
@@ -124,11 +124,11 @@ export class Session {
     }
   }
 
-  /** Once more what the server has refused. */
+  /** Retries to open the session after a refusal. */
   async open(): Promise<void> {
     const { rpc, joining } = this;
     await joining;
-    if (this.joining !== joining) return; // asked for twice in a hurry
+    if (this.joining !== joining) return; // another call is already opening it
     if (rpc !== null && rpc === this.rpc && !this.editor.isConnected) await this.joinOrSayWhy(rpc);
   }
 
@@ -150,7 +150,7 @@ export class Session {
     const { chosen } = this;
     this.joining = this.join(rpc, chosen).catch((error: unknown) => {
       if (this.rpc !== rpc) return;
-      if (this.chosen === chosen) this.chosen = null; // the scene that stood before is tried again, if any
+      if (this.chosen === chosen) this.chosen = null; // the next try uses the previous scene, if any
       this.setView(0);
       this.editor.disconnected();
       this.host.refused(error as Error);
@@ -178,7 +178,7 @@ export class Session {
       state,
     );
     this.host.opened(state);
-    // Another page of the session may have opened it with something else.
+    // Another page may have opened the session with another dataset.
     if (chosen !== null && chosen.dataset !== state.scene.dataset) void this.editor.propose(chosen);
     this.sentSize = this.host.viewSize();
     this.sentStream = this.host.stream();
@@ -186,7 +186,7 @@ export class Session {
     const { view } = await rpc.call("view.open", { session, ...this.sentSize, ...this.sentStream });
     if (this.rpc !== rpc) return;
     this.setView(view);
-    this.resize(); // both may have changed meanwhile
+    this.resize(); // size and stream may have changed meanwhile
     this.setStream(this.host.stream());
   }
 
@@ -200,12 +200,12 @@ export class Session {
   }
 }
 
-/** What a person is told: the server's reason, and where in the scene. */
+/** Error text for the user: the server's reason and the path in the scene. */
 export function wordsFor(error: Error): string {
   if (!(error instanceof RpcError) || typeof error.data !== "object" || error.data === null) return error.message;
   const { reason, path } = error.data as { reason?: unknown; path?: unknown };
   const words = typeof reason === "string" && reason !== "" ? reason : error.message;
   const sentence = words.charAt(0).toUpperCase() + words.slice(1);
-  // A violation of the schema begins with the place itself.
+  // A schema error already begins with the path.
   return typeof path === "string" && !words.startsWith(path) ? `${sentence} (${path})` : sentence;
 }

@@ -1,4 +1,4 @@
-// What the server's word does to the page.
+// Applies the server's answers and notifications to the page.
 import type { Notifications, Scene } from "../generated/protocol";
 import { wordsFor, type SessionHost } from "./session";
 import { describeDataset, listDatasets } from "./datasets";
@@ -42,13 +42,13 @@ export function sessionHost(server: Core): SessionHost {
       server.latency.reset();
       server.scenes.clear();
       server.histograms.clear();
-      // Revisions of the session before, if the server forgot it, mean nothing here.
+      // If the server forgot the previous session, its revisions are invalid now.
       update(server.model, { fatal: null, revision, readout: { ...server.model.readout.peek(), revision: 0 } });
       server.taken(revision, scene);
       void describeDataset(server, true);
     },
     refused: (error) => {
-      removePicture(server); // which is of a session that is no more
+      removePicture(server); // it shows a session that no longer exists
       update(server.model, {
         fatal: wordsFor(error),
         description: null,
@@ -95,12 +95,12 @@ function notificationHandlers(server: Core): Handlers {
   return {
     "dataset.changed": ({ dataset, times }) => {
       const description = server.model.description.peek();
-      void listDatasets(server); // it may have become one that cannot be opened, or can be again
+      void listDatasets(server); // it may have become unusable, or usable again
       if (description?.name !== dataset) return;
       const more = times === undefined ? 0 : times.length - description.times.length;
       const appended = more > 0 && description.times.every((time, step) => time === times?.[step]);
       if (appended) showToast(server.model, `${more} more time ${more === 1 ? "step has" : "steps have"} arrived`);
-      else server.histograms.clear(); // another dataset of the name; an appended one keeps the steps that it had
+      else server.histograms.clear(); // replaced; an append keeps the existing steps
       void describeDataset(server, true);
     },
     "scene.changed": ({ session, revision, scene }) => {
@@ -111,7 +111,7 @@ function notificationHandlers(server: Core): Handlers {
     },
     "view.failed": ({ message, revision }) => {
       server.page.stopPlaying();
-      if (openingDataset(stateOf(server.model)) !== null) removePicture(server); // which is of another dataset
+      if (openingDataset(stateOf(server.model)) !== null) removePicture(server); // it shows another dataset
       update(server.model, { failedRevision: revision });
       showToast(server.model, message, "error");
     },

@@ -1,4 +1,4 @@
-// Changes of layers that are not there: another client of the session has removed them meanwhile.
+// Changes of layers that another client of the session has removed.
 import type { Layer, Scene } from "../generated/protocol";
 import { isObject, type JsonObject } from "../model/merge_patch";
 
@@ -6,7 +6,7 @@ export function removedBetween(before: Scene | null, after: Scene): [string, Lay
   return Object.entries(before?.layers ?? {}).filter(([id]) => !(id in (after.layers ?? {})));
 }
 
-/** Of which layers the patch changes a part though the scene has none of that id; a new layer says its type. */
+/** Ids of layers that the patch changes but the scene does not have. A layer with a type is new, not stray. */
 export function strayLayers({ layers }: JsonObject, scene: Scene): string[] {
   if (!isObject(layers)) return [];
   return Object.keys(layers).filter((id) => {

@@ -1,4 +1,4 @@
-// Which stream the view gets: the person's choice, or for `auto` what the scene, the hand and the line suggest.
+// Selects the stream of the view: the user's choice, or for `auto` by scene, gesture and line rate.
 import type { Scene } from "../generated/protocol";
 import { KIND_IMAGE, type FrameHeader } from "./frame_header";
 import { layersOf } from "../model/scalars";
@@ -8,12 +8,12 @@ import { LineRate } from "./line_rate";
 import type { StreamWish } from "./session";
 import type { Core } from "./core";
 
-/** After it a hand has let go. */
+/** A gesture ends after this pause. */
 const REST_MS = 600;
-/** Before the first of a kind has come. */
+/** Estimates until the first frame of each kind. */
 const USUAL_PICTURE = { bytesOfPixel: 0.07, ms: 60 };
 const USUAL_TRIANGLE_BYTES = 8;
-/** What the browser draws as soon costs nothing more for fewer triangles. */
+/** Draw times up to this are not scaled by the number of triangles. */
 const SMOOTH_MS = 33;
 
 export class Streams {
@@ -24,20 +24,20 @@ export class Streams {
   private gesture: Gesture = "rest";
   private resting = 0;
   private said = "";
-  /** Without the extraction, which changes from one value to the next. */
+  /** Times exclude extraction, which varies with the iso-value. */
   private picture: { bytes: number; ms: number } | null = null;
   private still: { ms: number } | null = null;
   private polygons: { bytes: number; triangles: number } | null = null;
 
   constructor(private readonly server: Core) {}
 
-  /** For a view that is about to be opened. */
+  /** Returns the stream to open a view with. */
   current(): StreamWish {
     this.asked = this.wanted();
     return this.asked;
   }
 
-  /** A message of the view: the rate may be known by it, long before all of its frame is here. */
+  /** Call for each message of the view. The line rate may be known before the frame is complete. */
   arrived(header: FrameHeader, at: number): void {
     if (this.rate.arrived(header, at)) this.reconsider();
   }
@@ -50,7 +50,7 @@ export class Streams {
     this.reconsider();
   }
 
-  /** The hand, or another window, has changed the scene. */
+  /** Call when the scene has changed, here or in another window. */
   changed(before: Scene | null, now: Scene | null): void {
     if (before === null || now === null || before === now) return;
     const keys = new Set([...Object.keys(before), ...Object.keys(now)]) as Set<keyof Scene>;
@@ -64,7 +64,7 @@ export class Streams {
     this.reconsider();
   }
 
-  /** What it goes by may have become known. */
+  /** Call when an input of the choice may have changed. */
   reconsider(): void {
     const wanted = this.wanted();
     if (wanted.stream === this.asked?.stream && wanted.moving === this.asked.moving) return;
@@ -108,14 +108,14 @@ export class Streams {
     return stream;
   }
 
-  /** Once about the same: the numbers differ a little with every frame. */
+  /** Keeps the text while `about` is the same: the numbers vary with every frame. */
   private say(about: string, streamWhy: string): void {
     if (about === this.said) return;
     this.said = about;
     this.server.model.streamWhy.value = streamWhy;
   }
 
-  /** As seen, or of so many triangles more. */
+  /** Measured draw time, scaled to `triangles` if above SMOOTH_MS; null if unknown. */
   private drawMs(triangles: number): number | null {
     const { milliseconds } = this.pace;
     const drawn = this.polygons?.triangles ?? 0;
@@ -123,7 +123,7 @@ export class Streams {
     return (milliseconds * triangles) / drawn;
   }
 
-  /** The first one waits for programs to be compiled; but none takes longer than its still. */
+  /** At most the still's time: the first picture includes shader compilation. */
   private pictureMs(): number {
     if (this.picture === null) return USUAL_PICTURE.ms;
     return Math.min(this.picture.ms, this.still?.ms ?? Infinity);

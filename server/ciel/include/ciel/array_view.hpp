@@ -1,4 +1,4 @@
-// The caller's arrays as they are: borrowed, of any usual number type, with strides. Not in the paper.
+// Borrowed view of a caller's array: any common number type, with strides. Not in the paper.
 #pragma once
 
 #include "ciel/types.hpp"
@@ -35,7 +35,7 @@ requires is_array_number<T>
 class ArrayView {
 public:
     ArrayView() = default;
-    // values.size() / columns rows, one after the other.
+    // values.size() / columns dense rows.
     template <class T>
     requires is_array_number<T> ArrayView(std::span<const T> values, std::size_t columns = 1)
         : ArrayView(values.data(), number_type<T>(), values.size() / columns, columns,
@@ -53,7 +53,7 @@ public:
     [[nodiscard]] std::size_t columns() const { return columns_; }
     [[nodiscard]] bool empty() const { return rows_ == 0; }
     [[nodiscard]] NumberType type() const { return type_; }
-    // The whole array where it is of T and without gaps, else empty: what need not be copied.
+    // Returns the whole array if its type is T and it has no gaps, else an empty span. Lets callers avoid a copy.
     template <class T>
     requires is_array_number<T>
     [[nodiscard]] std::span<const T> as() const {
@@ -63,8 +63,9 @@ public:
         return {reinterpret_cast<const T*>(begin_), rows_ * columns_};
     }
 
-    [[nodiscard]] double real(std::size_t row, std::size_t column = 0) const; // of any type
-    // Throws Error for an array of reals. 64 unsigned bits beyond the signed range come out negative.
+    [[nodiscard]] double real(std::size_t row, std::size_t column = 0) const; // converts from any type
+    // Throws Error when the array has floating-point numbers. A uint64 above the int64 range is returned as a negative
+    // number.
     [[nodiscard]] std::int64_t integer(std::size_t row, std::size_t column = 0) const;
     [[nodiscard]] bool has_integers() const { return type_ != NumberType::float32 && type_ != NumberType::float64; }
 

@@ -11,10 +11,10 @@
 
 namespace ciel {
 
-// Borrowed. Faces belong to one cell each (a face between two cells appears twice, once per cell), in any winding.
-// Collapsed cells are welcome: vertex ids may repeat in a loop, faces may have collapsed to a line or a point. A cell
-// is closed when its half-edges between distinct vertices pair up. A face that lists fewer than three vertices is none:
-// the cell is judged by its others.
+// Borrowed. Each face belongs to one cell, in any winding. A face between two cells is listed twice, once per cell.
+// Collapsed cells are allowed: a loop may repeat vertex ids, and a face may have collapsed to a line or a point. A cell
+// is closed when its half-edges between distinct vertices pair up.
+// A face with fewer than three vertices is ignored; the other faces decide whether the cell is usable.
 struct PolyhedraView {
     Vec3d origin{};
     std::span<const float> positions;           // 3 V
@@ -26,8 +26,8 @@ struct PolyhedraView {
     [[nodiscard]] bool is_face(std::uint64_t f) const { return face_offset[f + 1] - face_offset[f] >= 3; }
 };
 
-// Cells that cannot be handled are left out and their neighbours' faces become boundary (but for those of a cell that
-// is listed twice: they stay with the first).
+// Unusable cells are left out, and the faces of their neighbours become boundary faces. Exception: the neighbours of a
+// repeated cell stay matched with the first copy.
 struct BadCells {
     enum class Reason {
         open,
@@ -43,13 +43,13 @@ struct BadCells {
 };
 
 struct AssembleReport {
-    std::vector<BadCells> bad_cells;       // one entry per reason met
-    std::uint64_t reversed_cells = 0;      // wound inwards in the input, turned
-    std::uint64_t reversed_faces = 0;      // single faces turned to agree with their cell
-    std::uint64_t internal_boundaries = 0; // faces three or more cells claim: left unmatched
-    std::uint64_t short_faces = 0;         // with fewer than three vertices, of cells that are kept: left out
-    std::vector<Index> first_short;        // at most 10 ids in the input of cells that had them
-    // Kept, and wound like their neighbours, although that makes their volume negative (folded curvilinear grids).
+    std::vector<BadCells> bad_cells;       // one entry per reason found
+    std::uint64_t reversed_cells = 0;      // wound inwards in the input; all faces reversed
+    std::uint64_t reversed_faces = 0;      // single faces reversed to agree with their cell
+    std::uint64_t internal_boundaries = 0; // faces of three or more cells: left unmatched
+    std::uint64_t short_faces = 0;         // faces of kept cells with fewer than three vertices: left out
+    std::vector<Index> first_short;        // cells with such faces: at most 10, ids in the input
+    // Kept and wound like their neighbours, which makes their volume negative (folded curvilinear grids).
     std::uint64_t inverted_cells = 0;
     std::vector<Index> first_inverted; // at most 10, ids in the input
 };
@@ -57,18 +57,18 @@ struct AssembleReport {
 struct Assembled {
     FaceMesh mesh;                          // cells in space-filling-curve (Hilbert) order, vertices by first use,
                                             // faces by (owner, neighbour)
-    std::vector<Index> original_vertex;     // stored vertex -> input vertex; input vertices no cell uses are dropped
+    std::vector<Index> original_vertex;     // stored vertex -> input vertex; unused input vertices are dropped
     std::vector<Index> original_cell;       // stored cell -> input cell
     std::vector<std::uint64_t> face_source; // stored face -> input face (of the owner): for naming patches
     AssembleReport report;
 };
 
-// Owns all that it returns. Uses all threads of the parallel loop. Throws Error when an array has a wrong size. Bad
-// cells never throw; they are reported.
+// Returns arrays that own their data. Throws Error when an array has a wrong size or a cell type is unknown. Bad cells
+// do not throw; they are reported. Uses all threads of the parallel loop.
 [[nodiscard]] Assembled assemble(const PolyhedraView& input);
 
-// Appends the faces of one standard cell (corners in VTK order) as loops wound outwards. `corners` has the number of
-// corners its type has; throws Error for a type that is not standard.
+// Appends the faces of one standard cell (corners in VTK order) as loops wound outwards. Throws Error when `type` is
+// not standard or `corners` has another size than the type.
 void append_standard_faces(CellType type, std::span<const Index> corners, std::vector<std::uint64_t>& face_offset,
                            std::vector<Index>& face_vertex);
 

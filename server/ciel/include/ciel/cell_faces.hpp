@@ -1,5 +1,5 @@
-// Cell -> its faces, the inverse of owner and neighbour. C cells. What the paper's appendix A is given: "polyhedra as
-// lists of faces".
+// Faces of each of the C cells: the inverse of owner and neighbour. This is the input form of the paper's appendix A:
+// "polyhedra as lists of faces".
 #pragma once
 
 #include "ciel/face_mesh.hpp"
@@ -17,7 +17,7 @@ struct CellFaces {
 
 [[nodiscard]] CellFaces cell_faces(const FaceMeshView& mesh);
 
-// Throws Error when the arrays break the contract of FaceMeshView; whether cells are closed is not looked at.
+// Throws Error when the arrays break the contract of FaceMeshView. Does not check that cells are closed.
 void check_face_mesh(const FaceMeshView& mesh);
 
 } // namespace ciel

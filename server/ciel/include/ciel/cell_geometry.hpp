@@ -12,8 +12,9 @@ namespace ciel {
     return {p[0], p[1], p[2]};
 }
 
-// Copies a face's loop, reading each index once. A mesh may be mapped from a file that changes after it was verified:
-// throws Error when an index leads out of the mesh. So do the next three.
+// Copies a face's loop; reads each index once. Throws Error when an index leads out of the mesh, as do read_cells,
+// face_shapes and cell_centres.
+// A mesh may be mapped from a file that changes after it was verified.
 void read_loop(const FaceMeshView& mesh, Index face, std::vector<Index>& loop);
 
 struct FaceCells {
@@ -26,7 +27,7 @@ struct FaceShape {
     Vec3d area{};   // along the normal, out of the owner
 };
 
-// Of a face with this loop, whose indices have been checked.
+// Shape of a face with this loop. The indices must have been checked.
 [[nodiscard]] FaceShape face_shape(const FaceMeshView& mesh, std::span<const Index> loop);
 [[nodiscard]] std::vector<FaceShape> face_shapes(const FaceMeshView& mesh);
 

@@ -1,5 +1,5 @@
-// Arrays of indices that somebody else may change while they are read: they lie in mapped files. No index that comes
-// out leads out of what it numbers, whatever the bytes. Not in the paper.
+// Index arrays in mapped files, which another process may change during reading. Every index that is returned is in
+// range, whatever the bytes. Not in the paper.
 #pragma once
 
 #include "ciel/types.hpp"
@@ -11,7 +11,7 @@
 
 namespace ciel {
 
-// Whoever keeps an array says in their own words that it is damaged.
+// Owner of an array. It reports damage with its own message.
 class ArrayKeeper {
 public:
     ArrayKeeper() = default;
@@ -25,17 +25,17 @@ public:
 // Calls the keeper; without one, throws Error about a damaged mesh.
 [[noreturn]] void refuse_array(const ArrayKeeper* keeper);
 
-// Borrows the array and its keeper. Any thread may read. Each access reads the memory once and checks what it got; two
-// accesses to the same place may differ, so what is used twice is copied first.
+// Borrows the array and its keeper. Any thread may read. Each access reads the memory once and checks the value. Two
+// accesses to the same place may differ: copy a value that is used twice.
 template <class T, bool may_be_none = false>
 class CheckedArray {
 public:
     using value_type = T;
-    class const_iterator; // random access; gives values
+    class const_iterator; // random access; dereferences to values
     using iterator = const_iterator;
 
     CheckedArray() = default;
-    // Entries are below `limit`; where `may_be_none`, `none` is allowed too.
+    // Valid entries are below `limit`. With `may_be_none`, `none` is valid too.
     CheckedArray(std::span<const T> entries, T limit, const ArrayKeeper* keeper = nullptr)
         : data_(entries.data()), size_(entries.size()), limit_(limit), keeper_(keeper) {}
 
@@ -49,9 +49,9 @@ public:
     [[nodiscard]] CheckedArray part(std::size_t begin, std::size_t count) const {
         return {std::span(data_ + begin, count), limit_, keeper_};
     }
-    // Without checks, for those who look for what is wrong.
+    // Unchecked entries, for code that searches for damage.
     [[nodiscard]] std::span<const T> unchecked() const { return {data_, size_}; }
-    // Throws Error: the entries contradict each other.
+    // Throws Error. For callers that find entries which contradict each other.
     [[noreturn]] void refuse() const { refuse_array(keeper_); }
 
 private:

@@ -1,5 +1,4 @@
-// One plane's cut through a convex polygon (Sutherland and Hodgman, Reentrant Polygon Clipping, 1974). Not in the
-// paper.
+// Clips a convex polygon by one plane (Sutherland and Hodgman, Reentrant Polygon Clipping, 1974). Not in the paper.
 #pragma once
 
 #include "ciel/types.hpp"
@@ -10,8 +9,8 @@
 
 namespace ciel {
 
-// kept: replaced by the corners of what lies where distance(corner) >= 0, in order; empty where nothing does. A line of
-// two corners and a single corner are clipped too.
+// Replaces `kept` by the corners, in order, of the part where distance >= 0; empty if there is none. `corners` may also
+// be a line of two corners or a single corner.
 template <class Distance>
 void clip_polygon(std::span<const Vec3d> corners, const Distance& distance, std::vector<Vec3d>& kept) {
     kept.clear();

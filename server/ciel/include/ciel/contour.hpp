@@ -1,5 +1,5 @@
-// Iso-surfaces and slices of a mesh in one call, and kept incremental for sliders (paper, algorithms 1 to 4). Cells and
-// points in the results are the caller's.
+// Iso-surfaces and slices of a mesh: functions for one call, and an incremental Contour for sliders (paper, algorithms
+// 1 to 4). Cell and point ids in the results are the caller's.
 #pragma once
 
 #include "ciel/extract.hpp"
@@ -11,13 +11,14 @@
 namespace ciel {
 
 struct Options {
-    Algorithm algorithm = Algorithm::signatures; // the result has the same bits with each
+    Algorithm algorithm = Algorithm::signatures; // all give the same bits
     Decider decider = Decider::isolate_high;
-    std::optional<Normals> normals = Normals::gradient; // none: no normals
+    std::optional<Normals> normals = Normals::gradient; // nullopt: no normals
 };
 
-// One viewer's surface, kept from one level to the next: a step of a slider costs what changes. Shares the field and
-// its mesh. One thread at a time; `at` uses all threads of the parallel loop.
+// State of one viewer's surface, kept between levels: a slider step costs only the parts that change. Shares ownership
+// of the field and its mesh. Not thread-safe; `at` uses all threads of the parallel loop. Throws Error for a field that
+// was not made from a Mesh.
 class Contour {
 public:
     explicit Contour(const Field& field, const Options& options = {});
@@ -25,10 +26,10 @@ public:
     Contour(Contour&&) noexcept;
     Contour& operator=(Contour&&) noexcept;
 
-    // Another array or time step of the same mesh, or of the same mesh with moved points; nothing is indexed anew.
-    // Throws Error for a field of another mesh.
+    // Sets another array or time step of the same mesh, which may have moved points. The topology is reused. Throws
+    // Error for a field of another mesh.
     void set(const Field& field);
-    // Replaces `out`, whose buffers are used again. High means value >= level. False, leaving `out` unspecified, when
+    // Replaces `out` and reuses its buffers. High means value >= level. Returns false, with `out` unspecified, when
     // `stop` was requested; the Contour stays usable.
     bool at(double level, Surface& out, const StopToken& stop = {});
 
@@ -44,15 +45,16 @@ private:
 [[nodiscard]] std::vector<Surface> contour(const Mesh& mesh, const ArrayView& values, std::span<const double> levels,
                                            const Options& options = {});
 
-// The cut by the plane through `origin` across `normal` (paper, section 2.1); its polygons look along the normal.
+// Cut by the plane through `origin` perpendicular to `normal` (paper, section 2.1). The polygons face along the normal.
+// Throws Error when `normal` is zero or not finite.
 [[nodiscard]] Surface slice(const Mesh& mesh, const Vec3d& origin, const Vec3d& normal, const Options& options = {});
 
-// values: of `components` each, per point of the mesh. Returns as many per point of the surface, interleaved. Throws
-// Error on another number of values.
+// values: one row per point of the mesh. Returns one row of the same width per point of the surface, interleaved.
+// Throws Error on another number of rows.
 [[nodiscard]] std::vector<float> interpolate(const Surface& surface, const Mesh& mesh, const ArrayView& values);
 
-// Least-squares gradient at each point of the mesh, in the caller's order (paper, section 3); zero where a point has no
-// cell, or none with a volume and all its values.
+// Least-squares gradient at each point of the mesh, in the caller's order (paper, section 3). Zero at a point without a
+// cell that has both a volume and all its values. Throws Error on another number of values.
 [[nodiscard]] std::vector<Vec3f> gradients(const Mesh& mesh, const ArrayView& values);
 
 // The boundary of the cells whose value lies in `range`, wound outwards. values: one per point (a cell is kept where

@@ -1,15 +1,16 @@
-// Where an array takes given values on a surface: the contour lines of a slice. Not in the paper.
+// Contour lines of an array on a surface, such as a slice. Not in the paper.
 #pragma once
 
 #include "ciel/extract.hpp"
 
 namespace ciel {
 
-// Segments, two positions each (offsets from the mesh's origin), value by value, in the order of the polygons.
-// `values`: one per point of the surface; throws Error on another number. They are interpolated along the polygons'
-// own sides, so two polygons agree on their side to the last bit, and no line bends at a triangulation. High means
-// value >= nu, and a polygon with several high runs gets one segment each, as faces of cells do (extract.hpp). A
-// polygon with a point without a finite value has no lines, nor has a value that is not a number.
+// Returns segments of two positions each (offsets from the mesh's origin), value by value, in the order of the
+// polygons. `values`: one per point of the surface; throws Error on another number.
+// Values are interpolated along the polygons' own sides. So two polygons agree on their common side to the last bit,
+// and no line bends at a triangulation.
+// High means value >= nu. A polygon with several high runs gets one segment per run, as faces of cells do
+// (extract.hpp). A polygon with a value that is not finite has no lines. A NaN in `at` gives no lines.
 [[nodiscard]] std::vector<Vec3f> contour_lines(const Surface& surface, std::span<const float> values,
                                                std::span<const double> at);
 

@@ -1,5 +1,5 @@
-// How the points on an ambiguous face are joined (paper, section 4), from the face's own values: what two cells decide
-// is the same, so the surface is closed either way.
+// How the points on an ambiguous face are joined (paper, section 4). The decision uses only the face's own values, so
+// both cells of a face decide alike and the surface is closed.
 //
 // The asymptotic decider is that of G. M. Nielson and B. Hamann, "The asymptotic decider: resolving the ambiguity in
 // marching cubes", IEEE Visualization 1991: the high corners of a quadrangle are joined where the bilinear
@@ -10,7 +10,7 @@
 namespace ciel {
 
 enum class Decider {
-    isolate_high, // the high side is cut off corner by corner
+    isolate_high, // each high run of the face is cut off by itself
     asymptotic
 };
 

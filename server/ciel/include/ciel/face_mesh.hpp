@@ -1,5 +1,5 @@
-// A mesh as faces with an owner and a neighbour: what the store keeps and what the CIEL topology is built from. It is
-// the input of Algorithm 5 (paper, appendix A) with its faces matched.
+// A mesh as faces with an owner and a neighbour. The store keeps this form, and the CIEL topology is built from it. It
+// is the input of Algorithm 5 (paper, appendix A) with its faces matched.
 #pragma once
 
 #include "ciel/checked_array.hpp"
@@ -9,12 +9,13 @@
 
 namespace ciel {
 
-// Borrowed; the owner of the arrays must outlive every use. V vertices, F faces, C cells. Indices are checked where
-// they are read, for the arrays may be those of a mapped file; positions and types are values, of which any is
-// harmless. A face between two cells is stored once. Its loop is wound so that its normal (right hand) points out of
-// `owner` into `neighbour`; owner < neighbour; neighbour is `none` on the boundary. Repeated vertex ids in a loop
-// (collapsed cells) are allowed and kept. Cells are in storage order, which is a space-filling-curve order; faces are
-// sorted by owner, vertices by their first use in face_vertex; those that no face uses come last.
+// Borrowed; the owner of the arrays must outlive every use. V vertices, F faces, C cells. Indices are checked at each
+// read, because the arrays may be in a mapped file. Positions and types are not checked: any value is harmless.
+// A face between two cells is stored once. Its loop is wound so that its normal (right hand) points out of `owner` into
+// `neighbour`. owner < neighbour; neighbour is `none` on the boundary. Repeated vertex ids in a loop (collapsed cells)
+// are allowed and kept.
+// Cells are in storage order, which is a space-filling-curve order. Faces are sorted by owner, vertices by their first
+// use in face_vertex; unused vertices come last.
 struct FaceMeshView {
     using Offsets = CheckedArray<std::uint64_t>;
 
@@ -37,7 +38,7 @@ struct FaceMeshView {
     }
 };
 
-// Those who keep the arrays of a mesh; null where they lie in memory that nobody else changes.
+// Keepers of the arrays of a mesh; null for arrays in memory that no other process changes.
 struct FaceMeshKeepers {
     const ArrayKeeper *face_offset = nullptr, *face_vertex = nullptr, *owner = nullptr, *neighbour = nullptr;
 };

@@ -1,6 +1,6 @@
-// Where a distance along a direction can have a local extremum, whatever the direction (paper, section 4: "only the
-// boundary vertices need to be traversed"). Erratum: that needs convex cells. An interior vertex all of whose cells are
-// convex there, so that their edges point all ways round, is none; one with a reflex corner may be.
+// Vertices at which the distance along some direction can have a local extremum (paper, section 4: "only the boundary
+// vertices need to be traversed"). Erratum: that needs convex cells. An interior vertex is never an extremum if all of
+// its cells are convex there, because their edges point in all directions. With a reflex corner it may be one.
 #pragma once
 
 #include "ciel/field.hpp"
@@ -8,8 +8,8 @@
 
 namespace ciel {
 
-// Of one mesh in one place: found once, when the first field asks, and good for all directions. Any thread. Keeps the
-// mesh alive through `keep_alive`.
+// For one mesh at fixed positions. Found once, at the first `find`, and valid for all directions. Thread-safe. Keeps
+// the mesh alive through `keep_alive`.
 class GeometricVertices {
 public:
     GeometricVertices(const FaceMeshView& mesh, std::shared_ptr<const void> keep_alive)
@@ -17,10 +17,10 @@ public:
 
     struct Found {
         std::vector<Index> vertices; // ascending: those on the boundary, and interior ones with a reflex or flat corner
-        // Distances up to this are told apart in float where the vertices that are left out need it.
+        // Up to this distance, float resolves the differences that exclude the omitted vertices.
         double largest_distance = 0;
     };
-    [[nodiscard]] const Found& find(const Topology& topology) const; // the mesh's
+    [[nodiscard]] const Found& find(const Topology& topology) const; // of the same mesh
 
 private:
     FaceMeshView mesh_;

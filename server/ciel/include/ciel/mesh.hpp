@@ -11,11 +11,11 @@
 
 namespace ciel {
 
-// What became of the input. Ids are the caller's.
+// Report on the input. Ids are the caller's.
 struct MeshReport {
-    AssembleReport assembled;        // bad, turned and inverted cells
+    AssembleReport assembled;        // bad, reversed and inverted cells
     std::uint64_t skipped_cells = 0; // points, lines and surfaces among the cells
-    std::uint64_t reduced_cells = 0; // quadratic and higher ones, of which the corners are kept
+    std::uint64_t reduced_cells = 0; // of quadratic or higher order: only the corners are kept
     std::uint64_t bytes_copied = 0;  // of the caller's arrays
 };
 
@@ -25,16 +25,16 @@ struct VtkCells {
     ArrayView types;                 // C: VTK's numbers
     ArrayView offsets, connectivity; // C + 1, and any number
 
-    // Faces of polyhedra. Up to VTK 9.3: for cell i from faces[face_locations[i]] on: the number of its faces, then for
-    // each its number of points and these. From VTK 9.4 on: cell i has the faces
+    // Faces of polyhedra. Up to VTK 9.3: faces[face_locations[i]] is the number of faces of cell i; then follow, for
+    // each face, its number of points and its points. From VTK 9.4 on: cell i has the faces
     // cell_faces[cell_face_offsets[i]] to cell_faces[cell_face_offsets[i + 1] - 1], face f the points
     // face_connectivity[face_offsets[f]] to face_connectivity[face_offsets[f + 1] - 1].
     ArrayView face_locations{}, faces{};
     ArrayView cell_face_offsets{}, cell_faces{}, face_offsets{}, face_connectivity{};
 };
 
-// Immutable; copies share everything. Any thread may use it. Points are stored as 32-bit floats from an origin in
-// double, at the middle of the mesh.
+// Immutable; copies share everything. Thread-safe. Points are stored as 32-bit float offsets from a double origin at
+// the middle of the mesh.
 class Mesh {
 public:
     // Cell c has the faces cell_offset[c] to cell_offset[c + 1] - 1, face f the points face_vertex[face_offset[f]] to
@@ -42,26 +42,28 @@ public:
     // points: V x 3. Throws Error where sizes or types do not fit; cells that cannot be used are in the report.
     [[nodiscard]] static Mesh from_polyhedra(const ArrayView& points, const ArrayView& cell_offset,
                                              const ArrayView& face_offset, const ArrayView& face_vertex);
-    // Each face once, with the cells on its two sides, as OpenFOAM has them: neighbour may be shorter than owner, or
-    // negative, where there is none. Throws Error likewise.
+    // Each face is listed once, with the cells on its two sides, as in OpenFOAM. `neighbour` may be shorter than
+    // `owner`; missing and negative entries mean a boundary face. Throws Error likewise.
     [[nodiscard]] static Mesh from_faces(const ArrayView& points, const ArrayView& face_offset,
                                          const ArrayView& face_vertex, const ArrayView& owner,
                                          const ArrayView& neighbour);
     // Throws Error likewise, also for a type that VTK does not have.
     [[nodiscard]] static Mesh from_cells(const ArrayView& points, const VtkCells& cells);
-    // A mesh that was assembled before: borrowed without a copy, in its own order. `keep_alive` owns the arrays.
+    // From a mesh that is already assembled: borrowed without a copy, ids in its own order. `keep_alive` owns the
+    // arrays.
     [[nodiscard]] static Mesh from_stored(const FaceMeshView& faces, std::shared_ptr<const void> keep_alive);
 
-    // The same cells with other points (V x 3, in the caller's order): the structure is shared.
+    // The same cells with other points (V x 3, in the caller's order); the structure is shared. Throws Error on another
+    // shape.
     [[nodiscard]] Mesh moved(const ArrayView& points) const;
 
     [[nodiscard]] std::size_t point_count() const; // the caller's
-    [[nodiscard]] std::size_t cell_count() const;  // the caller's, with those that were left out
+    [[nodiscard]] std::size_t cell_count() const;  // the caller's, including cells left out
     [[nodiscard]] const MeshReport& report() const;
     [[nodiscard]] const Topology& topology() const;   // lives as long as any copy of this mesh
     [[nodiscard]] const FaceMeshView& stored() const; // likewise
 
-    // By stored vertex or cell, the caller's; empty where they are the same.
+    // The caller's id of each stored vertex or cell; empty if the ids are equal.
     [[nodiscard]] std::span<const Index> original_vertex() const;
     [[nodiscard]] std::span<const Index> original_cell() const;
 

@@ -1,4 +1,4 @@
-// The kernel's one seam to threads: TBB, std::thread or serial, chosen when built (CIEL_PARALLEL). Not in the paper,
+// The kernel's only parallel loop: TBB, std::thread or serial, chosen at build time (CIEL_PARALLEL). Not in the paper,
 // which is serial.
 #pragma once
 
@@ -7,12 +7,12 @@
 
 namespace ciel {
 
-// Borrows what is called: a std::function would allocate, for each loop, a place for what it captures.
+// Borrows a callable. A std::function would allocate memory for the captures of each loop.
 class LoopBody {
 public:
     template <class Body>
     requires(!std::is_same_v<Body, LoopBody>)
-        LoopBody(const Body& body) // NOLINT(google-explicit-constructor): lambdas are passed as they are
+        LoopBody(const Body& body) // NOLINT(google-explicit-constructor): lambdas convert implicitly
         : body_(&body), call_([](const void* to_call, std::size_t begin, std::size_t end) {
               (*static_cast<const Body*>(to_call))(begin, end);
           }) {}
@@ -28,7 +28,7 @@ private:
 // exception thrown by a body reaches the caller after all ranges have ended.
 void parallel_for(std::size_t count, std::size_t grain, LoopBody body);
 
-void set_thread_count(unsigned threads); // 0: all of the machine's; not while a loop runs
+void set_thread_count(unsigned threads); // 0: all of the machine's threads; not while a loop runs
 [[nodiscard]] unsigned thread_count();
 
 } // namespace ciel

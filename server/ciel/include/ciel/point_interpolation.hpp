@@ -1,6 +1,6 @@
-// Point data from cell data: a weighted mean of the cells around each vertex (linear_weights.hpp) that is exact for
-// linear fields wherever their centres surround the vertex, on the boundary along it, and never leaves the range of
-// their values. Not in the paper.
+// Point data from cell data: a weighted mean of the cells around each vertex (linear_weights.hpp). It is exact for
+// linear fields where the cell centres surround the vertex; on the boundary it is exact along the boundary. It never
+// leaves the range of the cell values. Not in the paper.
 #pragma once
 
 #include "ciel/face_mesh.hpp"
@@ -15,8 +15,8 @@ class PointInterpolation {
 public:
     explicit PointInterpolation(const FaceMeshView& mesh);
 
-    // components values per cell -> per vertex. Values that are not finite are left out of the means; NaN where nothing
-    // remains.
+    // Converts `components` values per cell to as many per vertex. Values that are not finite are left out of the
+    // means; NaN where no value remains.
     [[nodiscard]] std::vector<float> apply(std::span<const float> cell_values, int components) const;
 
 private:

@@ -6,9 +6,8 @@
 
 namespace ciel {
 
-// Two indices per edge, the lower first, ascending: the same bits whatever the order of the polygons. They are those of
-// the polygons as cells have them, so nothing of a triangulation is among them. An edge from a point to itself
-// (collapsed cells) is none.
+// Returns two indices per edge, the lower first, ascending: the same bits whatever the order of the polygons. Only
+// polygon sides are included, no triangulation edges. An edge from a point to itself (collapsed cells) is left out.
 [[nodiscard]] std::vector<Index> polygon_edges(const Surface& surface);
 
 } // namespace ciel

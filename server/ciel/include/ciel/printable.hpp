@@ -1,4 +1,4 @@
-// Not in the paper: names from outside, as a sentence can hold them.
+// Makes names from outside safe to put in a message. Not in the paper.
 #pragma once
 
 #include <string>
@@ -6,8 +6,8 @@
 
 namespace ciel {
 
-// Control characters as JSON writes them, \u0000 and the like: in a sentence a zero would be its end, and others would
-// steer the terminal that it is printed on.
+// Returns `text` with control characters escaped as in JSON (\u0000). A zero would end a message, and other control
+// characters would act on the terminal that prints it.
 [[nodiscard]] std::string printable(std::string_view text);
 
 } // namespace ciel

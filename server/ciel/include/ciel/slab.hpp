@@ -1,6 +1,5 @@
-// Slices for volume rendering (paper, sections 2 and 3): the mesh is cut by the middle planes of parallel slabs, and
-// each point carries the property and its gradient, so that the property can be followed through the slab along any
-// ray.
+// Slices for volume rendering (paper, sections 2 and 3). The mesh is cut by the middle planes of parallel slabs. Each
+// point has the property and its gradient, so the property can be evaluated through the slab along any ray.
 #pragma once
 
 #include "ciel/sweep.hpp"
@@ -11,11 +10,11 @@ struct SlabVertex {
     Vec3f position; // offset from the mesh's origin
     float value;    // of the property
     Vec3f gradient; // of the property, per length
-    // [min, max] of the property in the polygon's cell: of the polygon whose triangles have this vertex first.
+    // [min, max] of the property in the cell of the polygon whose triangles start at this vertex.
     std::array<float, 2> limits;
 };
 
-// Triangles, each polygon a fan whose first vertex is this polygon's own: its `limits` are those of the polygon.
+// Triangles; each polygon is a fan. Its first vertex is first in no other fan and has the polygon's `limits`.
 struct SlabMesh {
     std::vector<SlabVertex> vertices;
     std::vector<Index> triangles; // three vertices each
@@ -25,7 +24,7 @@ struct SlabMesh {
     }
 };
 
-// Of a cell that is not filled: low > high.
+// Limits of a cell that is not filled: low > high.
 inline constexpr std::array<float, 2> not_filled{std::numeric_limits<float>::infinity(),
                                                  -std::numeric_limits<float>::infinity()};
 
@@ -39,7 +38,7 @@ struct SlabProperty {
     std::span<const std::array<float, 2>> limits; // C
 };
 
-// For sweep. Of filled cells.
+// Sink for `sweep`. Writes filled cells only.
 struct SlabSink {
     SlabProperty property;
 
@@ -49,7 +48,7 @@ struct SlabSink {
     void join(std::span<const Piece* const> pieces, Out& out) const;
 };
 
-// The boundary of all filled cells in the same form, wound outwards.
+// Boundary of the filled cells as a SlabMesh, wound outwards.
 [[nodiscard]] SlabMesh slab_boundary(const FaceMeshView& mesh, const SlabProperty& property);
 
 } // namespace ciel

@@ -1,6 +1,5 @@
-// The half-edges (paper, section 2.2) of the four standard cell types, as tables made when compiled: what all cells of
-// a type have in common
-// need not be stored with each of them.
+// Compile-time tables of the half-edges (paper, section 2.2) of the four standard cell types. Cells need not store data
+// that all cells of a type have in common.
 #pragma once
 
 #include "ciel/types.hpp"
@@ -86,8 +85,8 @@ inline constexpr StandardShape wedge_shape =
 inline constexpr StandardShape pyramid_shape =
     make_shape(CellType::pyramid, 5, 5, {{{0, 3, 2, 1}, {0, 1, 4, -1}, {1, 2, 4, -1}, {2, 3, 4, -1}, {3, 0, 4, -1}}});
 
-// What a cell may be by its faces, whatever its file calls it: the type with so many faces and half-edges, where no
-// face has more than `largest` corners; else a polyhedron.
+// Returns the standard type with these numbers of faces and half-edges, or polyhedron. `largest`: corners of the
+// largest face; above 4 the cell is a polyhedron. The type in the input file is ignored.
 constexpr CellType type_of_faces(std::size_t faces, std::size_t half_edges, std::size_t largest) {
     if (largest > 4) return CellType::polyhedron;
     for (const StandardShape* shape : {&tetrahedron_shape, &hexahedron_shape, &wedge_shape, &pyramid_shape})
@@ -95,7 +94,7 @@ constexpr CellType type_of_faces(std::size_t faces, std::size_t half_edges, std:
     return CellType::polyhedron;
 }
 
-// Calls f.template operator()<shape>() for a standard type; false for polyhedra.
+// Calls f.template operator()<shape>() and returns true for a standard type; returns false for polyhedra.
 template <class F>
 bool with_shape(CellType type, F&& f) {
     switch (type) {

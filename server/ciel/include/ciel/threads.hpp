@@ -1,4 +1,4 @@
-// What the kernel knows of threads beside parallel.hpp: a wish to stop, and a lock. WebAssembly has neither. Not in the
+// The kernel's stop token and lock; its parallel loop is in parallel.hpp. In WebAssembly both do nothing. Not in the
 // paper.
 #pragma once
 
@@ -22,7 +22,7 @@ using StopToken = std::stop_token;
 using Mutex = std::mutex;
 #endif
 
-// Holds it to the end of the scope.
+// Holds the mutex until the end of the scope.
 class Locked {
 public:
     explicit Locked(Mutex& mutex) : mutex_(mutex) { mutex_.lock(); }

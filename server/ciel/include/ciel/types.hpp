@@ -18,13 +18,13 @@ using Vec3d = std::array<double, 3>;
 // The values are VTK's cell type numbers, which most formats share.
 enum class CellType : std::uint8_t { tetrahedron = 10, hexahedron = 12, wedge = 13, pyramid = 14, polyhedron = 42 };
 
-// Every error that a user can meet: one sentence that names the thing and says what to do.
+// Any error that a user can see. The message is one sentence that names the thing and says what to do.
 class Error : public std::runtime_error {
 public:
     using std::runtime_error::runtime_error;
 };
 
-// Throws Error; ends a program that was built without exceptions (WebAssembly).
+// Throws Error. A build without exceptions (WebAssembly) prints the sentence and aborts.
 [[noreturn]] void fail(const std::string& sentence);
 
 } // namespace ciel

@@ -1,4 +1,4 @@
-// Three-vectors, worked on in double: what floats hold has products that they do not. Not in the paper.
+// Three-vectors in double precision: floats cannot hold the products of floats. Not in the paper.
 #pragma once
 
 #include "ciel/types.hpp"
@@ -12,7 +12,7 @@ namespace ciel {
             static_cast<double>(to[2]) - from[2]};
 }
 
-// Of floats or doubles each.
+// Each vector may hold floats or doubles.
 template <class A, class B>
 [[nodiscard]] inline double dot(const std::array<A, 3>& a, const std::array<B, 3>& b) {
     return static_cast<double>(a[0]) * b[0] + static_cast<double>(a[1]) * b[1] + static_cast<double>(a[2]) * b[2];
@@ -22,7 +22,7 @@ template <class A, class B>
     return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
-// Zero stays zero, and what has no finite length becomes it.
+// Returns `v` scaled to length 1, or zero if its length is zero or not finite.
 [[nodiscard]] inline Vec3f unit(const Vec3d& v) {
     const double length = std::sqrt(dot(v, v));
     if (!(length > 0) || !std::isfinite(length)) return {};

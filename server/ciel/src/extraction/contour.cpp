@@ -10,7 +10,7 @@
 namespace ciel {
 namespace {
 
-// Ids of the stored mesh become the caller's.
+// Replaces ids of the stored mesh by the caller's.
 void name_as_given(const Mesh& mesh, Surface& surface) {
     const std::span<const Index> vertex = mesh.original_vertex(), cell = mesh.original_cell();
     if (!vertex.empty())

@@ -19,7 +19,7 @@ CutScratch& scratch_of_this_thread() {
     return scratch;
 }
 
-// One byte per value: the loop that meets every vertex of a block.
+// Writes one byte per value. This loop visits every vertex of a block.
 CIEL_FOR_ALL_VECTOR_UNITS void mark_high(const float* values, std::size_t count, float threshold, std::uint8_t* high) {
     for (std::size_t v = 0; v < count; ++v) high[v] = values[v] >= threshold ? 1 : 0;
 }
@@ -40,7 +40,7 @@ const std::uint8_t* mark(std::span<const float> values, float threshold, CutScra
     return high;
 }
 
-// Eight bytes of 0 or 1 to eight bits: each product bit of the top byte gets one of them.
+// Packs eight bytes of 0 or 1 into eight bits. The multiplication moves one byte to each bit of the top byte.
 std::uint64_t bits_of(const std::uint8_t* bytes) {
     std::uint64_t word;
     std::memcpy(&word, bytes, sizeof word);
@@ -74,7 +74,7 @@ Index high_corners(const std::uint16_t* vertex, const std::uint8_t* high) {
     return bits;
 }
 
-// Appends to scratch.cell. Without a branch: which cells are active is unpredictable.
+// Appends the active cells to scratch.cell. Branch-free, because it is unpredictable which cells are active.
 template <std::size_t corners>
 void list_active(const StandardSection& section, Index begin, Index end, CutScratch& scratch) {
     constexpr Index all = (Index{1} << corners) - 1;
@@ -89,8 +89,8 @@ void list_active(const StandardSection& section, Index begin, Index end, CutScra
     scratch.cells = static_cast<Index>(to - scratch.cell.data());
 }
 
-// The vertices of a group of cells lie in few parts of the block's, most of which are all low or all high. What is
-// behind the last vertex counts as low: it costs a look.
+// Finds the parts of the block's vertices that have low or high ones. The vertices of a group of cells lie in few
+// parts, and most parts are all low or all high. The padding counts as low, which may cost a needless visit of a group.
 void find_parts(const Block& block, CutScratch& scratch) {
     constexpr std::uint64_t all_high = 0x0101010101010101U;
     const Index step = block.vertices_per_part();
@@ -108,7 +108,7 @@ void find_parts(const Block& block, CutScratch& scratch) {
     }
 }
 
-// Asks for memory that is about to be read.
+// Prefetches memory that is about to be read.
 template <class T>
 void fetch(const T* from, std::size_t count) {
     for (std::size_t i = 0; i < count; i += 64 / sizeof(T)) __builtin_prefetch(from + i);
@@ -135,8 +135,7 @@ void find_active(const StandardSection& section, const BlockValues& in, std::spa
 
 enum FaceKind : std::uint8_t { low_face = 1, high_face = 2, mixed_face = 3 };
 
-// Two cells look at each face: what it has of high and low corners is found once. Pointers, because a byte that is
-// written might be part of anything.
+// Classifies each face once for both of its cells. Raw pointers: byte stores may alias the members and force reloads.
 template <class Local>
 void sort_faces(const PolyhedralSection<Local>& section, CutScratch& scratch) {
     scratch.face_kinds.resize(section.face_count());
@@ -171,7 +170,7 @@ void find_active(const PolyhedralSection<Local>& section, const BlockValues& in,
             scratch.cell[scratch.cells++] = {cell, 0};
 }
 
-// One more than there are: what is not active is written beyond the last that is.
+// One extra entry: branch-free loops write inactive entries past the last active one.
 void begin_cut(const Block& block, CutScratch& scratch, ActiveBlock& cut) {
     grow(scratch.ends, block.edge_count + std::size_t{1});
     grow(scratch.cell, block.cell_count + std::size_t{1});
@@ -182,7 +181,7 @@ void begin_cut(const Block& block, CutScratch& scratch, ActiveBlock& cut) {
     cut.decided = false;
 }
 
-// The sections' polygons into the order of their cells.
+// Sorts the polygons of all sections by cell.
 void sort_polygons(CutScratch& scratch, ActiveBlock& cut) {
     auto& [order, cell, end, edge] = scratch.sorted;
     order.resize(cut.polygon_cell.size());
@@ -246,11 +245,11 @@ void cut_sections(const Block& block, const BlockValues& in, CutScratch& scratch
     if (!std::ranges::is_sorted(cut.polygon_cell)) sort_polygons(scratch, cut);
 }
 
-// The same where it is known which cells may be active.
+// The same for known candidates.
 template <class Edges>
 void cut_listed(const Block& block, const BlockValues& in, std::span<const Index> cells, CutScratch& scratch,
                 ActiveBlock& cut) {
-    // Calls found(index in the section) for those of the cells that are in it.
+    // Calls found(index in the section) for each of `cells` that is in the section.
     const auto for_each_in = [&](const auto& section, auto&& found) {
         scratch.cells = 0;
         for (const Index cell : cells) {
@@ -279,7 +278,7 @@ void begin_cut_alone(const Block& block, const BlockValues& in, CutScratch& scra
     begin_cut(block, scratch, cut);
     grow(scratch.met, block.edge_count);
     (void)mark(in.values, in.threshold, scratch);
-    scratch.met_before += scratch.met_most; // all that may have been given out, should the cut before have failed
+    scratch.met_before += scratch.met_most; // the last cut may have failed: skips all its numbers
     scratch.met_most = block.edge_count;
     scratch.met_count = 0;
     if (scratch.met_before > none - block.edge_count) {

@@ -1,10 +1,11 @@
 // Algorithm 4 of the paper: intersection polygons by turning around the faces of a polyhedron.
 //
-// A face is entered where its loop, seen from outside, climbs from low to high, and left at the next active edge, where
-// it descends: the high side of every face is cut off by itself, so two cells agree on the face between them. Over that
-// edge the polygon goes on in another face of the cell. Where every active edge of the cell is entered once, it is
-// enough to note for each where the face behind it is left; where the cell touches itself, mate_face tells the ways
-// apart. A decider may join the high sides of a face instead: then it is left at the active edge before.
+// Seen from outside, a face is entered where its loop climbs from low to high. It is left at the next active edge,
+// where the loop descends. Each high run of a face is cut off by itself, so two cells agree on the face between them.
+// The polygon goes on over the exit edge in another face of the cell.
+// If every active edge of the cell is entered once, one exit per entry edge is enough (`follow`). Where the cell
+// touches itself, mate_face tells the paths apart (`walk_all`).
+// If a decider joins the high runs of a face, the face is left at the previous active edge.
 #include "extraction/active_edges.hpp"
 #include "extraction/joins_high.hpp"
 
@@ -15,10 +16,10 @@ namespace ciel {
 
 namespace {
 
-// Stamps tell what is left of cells and cuts before. Zero is nobody's.
+// A stamp marks entries of earlier cells as stale; 0 is never used.
 template <class Marks>
 Index next_stamp(Index& stamp, std::vector<Marks>& marks) {
-    if (++stamp == 0) { // after four thousand million of them old ones would come round
+    if (++stamp == 0) { // after 2^32 stamps, old ones would match again
         for (Marks& mark : marks) mark.stamp = 0;
         stamp = 1;
     }
@@ -80,7 +81,7 @@ private:
     Edges edges_;
 };
 
-// A cell's faces lie apart in memory, and waiting for them was half of the time: they are asked for one cell ahead.
+// Prefetches the faces of the next cell. They are scattered in memory, and waiting for them took half of the time.
 template <class Edges, class Local>
 void PolyhedronCutter<Edges, Local>::fetch(Index cell) const {
     for (const Index ref : section_.faces_of(cell)) {
@@ -98,7 +99,7 @@ bool PolyhedronCutter<Edges, Local>::has_gap(Index cell) const {
     return false;
 }
 
-// Eight corners without a branch: the sizes of faces are unpredictable. What lies behind the face is masked.
+// Reads eight corners without a branch, because the sizes of faces are unpredictable. Corners past the face are masked.
 template <class Edges, class Local>
 std::uint64_t PolyhedronCutter<Edges, Local>::high_corners(Index begin, Index size) const {
     const Local* vertex = vertex_ + begin;
@@ -111,8 +112,7 @@ std::uint64_t PolyhedronCutter<Edges, Local>::high_corners(Index begin, Index si
     return bits;
 }
 
-// Lists the faces that nu crosses, without a branch on which they are. To look at a face for both of its cells costs
-// less than to remember that it has been looked at.
+// Lists the faces that nu crosses, branch-free. Testing a face for both of its cells costs less than a cache.
 template <class Edges, class Local>
 std::span<const CutScratch::CrossedFace> PolyhedronCutter<Edges, Local>::find_crossed(Index cell) {
     const std::span<const Local> faces = section_.faces_of(cell);
@@ -130,8 +130,8 @@ std::span<const CutScratch::CrossedFace> PolyhedronCutter<Edges, Local>::find_cr
     return {scratch_.crossed.data(), to};
 }
 
-// From an entry to its exit, two corners of the stored loop. False where the edge is entered a second time in this
-// cell. Each active edge of the cell is the entry of one of its faces.
+// Links an entry to its exit, both corners of the stored loop. Returns false when the edge is entered a second time in
+// this cell. Each active edge of the cell is the entry of one of its faces.
 template <class Edges, class Local>
 bool PolyhedronCutter<Edges, Local>::link(Index entry, Index after, Index exit) {
     activate(entry, after);
@@ -142,7 +142,7 @@ bool PolyhedronCutter<Edges, Local>::link(Index entry, Index after, Index exit) 
     return true;
 }
 
-// Against the loop, what descends along it climbs.
+// Side 1 runs against the stored loop, where a descending edge climbs.
 template <class Edges, class Local>
 bool PolyhedronCutter<Edges, Local>::link_once(const CutScratch::CrossedFace& face) {
     const Index begin = section_.face_begin[face.face], end = section_.face_begin[face.face + 1];
@@ -151,7 +151,7 @@ bool PolyhedronCutter<Edges, Local>::link_once(const CutScratch::CrossedFace& fa
     const Index entry = face.side == 0 ? climbing : descending, exit = face.side == 0 ? descending : climbing;
     const Index after = entry + 1 == end ? begin : entry + 1;
     if (edge_[entry] != edge_[exit]) return link(entry, after, exit);
-    // A face that collapsed to a line leads from an edge to itself, which may have no other face.
+    // A face that collapsed to a line is entered and left over one edge, which may have no other face.
     activate(entry, after);
     scratch_.returning.push_back(edge_[entry]);
     return true;
@@ -172,7 +172,7 @@ bool PolyhedronCutter<Edges, Local>::link_often(const CutScratch::CrossedFace& f
     return simple;
 }
 
-// The active edges of a face along its stored loop; climbing and descending ones alternate, and a climbing one is
+// Lists the active edges of a face along its stored loop. Climbing and descending edges alternate; a climbing one is
 // first.
 template <class Edges, class Local>
 void PolyhedronCutter<Edges, Local>::find_crossings(Index face) {
@@ -222,7 +222,7 @@ template <class Edges, class Local>
 void PolyhedronCutter<Edges, Local>::follow(Index cell) {
     std::vector<Index>& loop = cut_.polygon_edge;
     for (const Index start : scratch_.entry) {
-        if (scratch_.way[start].stamp != scratch_.cell_stamp) continue; // part of a polygon by now
+        if (scratch_.way[start].stamp != scratch_.cell_stamp) continue; // already in a polygon
         const std::size_t begin = loop.size();
         Index edge = start;
         do {
@@ -238,7 +238,7 @@ template <class Edges, class Local>
 void PolyhedronCutter<Edges, Local>::walk_all(Index cell) {
     if (scratch_.walked.size() < 2 * section_.mate_face.size())
         scratch_.walked.resize(2 * section_.mate_face.size(), 0);
-    std::vector<Index>& entries = scratch_.entry; // half-edges now: what is linked is not used
+    std::vector<Index>& entries = scratch_.entry; // holds half-edges here; the links are unused
     entries.clear();
     for (const Index ref : section_.faces_of(cell)) {
         const Index face = ref / 2, side = ref % 2;
@@ -287,7 +287,7 @@ void PolyhedronCutter<Edges, Local>::finish_walk(Index cell, std::size_t begin) 
     finish(cell, begin);
 }
 
-// The walk has the high side on its left seen from outside: reversed, the right-hand normal points to it.
+// Seen from outside, the walk has the high side on its left. Reversed, the right-hand normal points to the high side.
 template <class Edges, class Local>
 void PolyhedronCutter<Edges, Local>::finish(Index cell, std::size_t begin) {
     std::vector<Index>& loop = cut_.polygon_edge;

@@ -1,4 +1,4 @@
-// Algorithm 4 in standard cells: the polygons of each case are known, only their edges' names differ from cell to cell.
+// Algorithm 4 in standard cells: the polygons of each case are tabulated; only the edge ids differ between cells.
 #include "extraction/active_edges.hpp"
 #include "extraction/joins_high.hpp"
 #include "extraction/standard_cases.hpp"
@@ -19,7 +19,7 @@ public:
 
     void run() {
         if (in_.gaps) pass_over();
-        // A cell's active edges are each in one polygon, however faces are joined; there are at most four polygons.
+        // However faces are joined, each active edge of a cell is in one polygon. There are at most four polygons.
         std::size_t polygons = cut_.polygon_cell.size(), corners = cut_.polygon_edge.size();
         const std::size_t first_polygon = polygons, first_corner = corners;
         for (const auto& cell : scratch_.active_cells()) {
@@ -70,7 +70,7 @@ private:
     void append(const CutScratch::ActiveCell& cell, const StandardCase& found) {
         const std::uint16_t* vertex = &section_.vertex[cell.index * shape.corners];
         const std::uint16_t* edge = &section_.edge[cell.index * shape.edges];
-        Edges edges = edges_; // in registers: what is written might be part of anything
+        Edges edges = edges_; // local copy: stores through `to` may alias the member and force reloads
         Index* to = polygon_edge_;
         for (std::size_t i = 0; i < found.edges; ++i) {
             const std::size_t e = found.edge[i];
@@ -92,7 +92,8 @@ private:
         scratch_.cells -= static_cast<Index>(active.end() - end);
     }
 
-    // The edges that have values at both ends stay active: a neighbour in another block may cut them.
+    // Returns true for a cell with a missing value. Its edges with values at both ends stay active: a neighbour in
+    // another block may cut them.
     bool passed_over(const CutScratch::ActiveCell& cell) {
         const std::uint16_t* vertex = &section_.vertex[cell.index * shape.corners];
         const auto has_value = [&](std::size_t corner) { return !std::isnan(in_.values[vertex[corner]]); };

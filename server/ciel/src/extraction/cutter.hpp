@@ -1,4 +1,4 @@
-// The algorithms behind Query (paper, algorithms 1 and 2): each finds out which blocks a surface crosses and cuts them.
+// The algorithms behind Query (paper, algorithms 1 and 2): each finds the blocks that a surface crosses and cuts them.
 #pragma once
 
 #include "ciel/extract.hpp"
@@ -6,8 +6,7 @@
 
 namespace ciel {
 
-// One caller at a time, whose update uses all threads of the parallel loop. Borrows the topology, and the field until
-// the next one.
+// Not thread-safe; `update` uses all threads of the parallel loop. Borrows the topology and the current field.
 class Cutter {
 public:
     explicit Cutter(const Topology& topology) : topology_(topology), cut_(topology.block_count()) {}
@@ -18,7 +17,7 @@ public:
         decider_ = decider;
         for (ActiveBlock& cut : cut_) cut.known = false;
     }
-    // Brings `active` and their cuts to nu. False when stopped; the next update starts from what is known.
+    // Updates the active blocks and their cuts to nu. Returns false when stopped; the Cutter stays usable.
     virtual bool update(double nu, const StopToken& stop) = 0;
 
     [[nodiscard]] std::span<const Index> active() const { return active_; } // crossed blocks, ascending
@@ -32,13 +31,13 @@ protected:
     std::vector<Index> active_;
 };
 
-// Design: each block's vertices are classified against nu; a block whose classification has not changed keeps its cut.
-// The same for a step up or down, a jump, a new field; blocks in parallel.
+// Classifies each block's vertices against nu. A block keeps its cut while its classification is unchanged. Handles a
+// step up or down, a jump and a new field alike. Blocks run in parallel.
 [[nodiscard]] std::unique_ptr<Cutter> make_signature_cutter(const Topology& topology);
-// The paper's Algorithm 2: the active edges are propagated from one nu to the next, from sorted extrema. The
-// propagation is serial; the blocks whose cells it has reached are cut in parallel.
+// The paper's Algorithm 2: propagates the active edges from one nu to the next, starting at sorted extrema. Propagation
+// is serial; the blocks of the cells that it reaches are cut in parallel.
 [[nodiscard]] std::unique_ptr<Cutter> make_propagation_cutter(const Topology& topology);
-// The paper's baseline: nothing is kept, every cell is looked at each time; blocks in parallel.
+// The paper's baseline: keeps nothing and visits every cell each time. Blocks run in parallel.
 [[nodiscard]] std::unique_ptr<Cutter> make_naive_cutter(const Topology& topology);
 
 } // namespace ciel

@@ -8,13 +8,13 @@
 
 namespace ciel {
 
-// The share of the way between two values, 0 at the first. The same everywhere, so that points that are made in
-// different places have the same bits.
+// Returns the position of nu between two values: 0 at `from`, 1 at `to`. All points use this function, so a point that
+// is made in different places has the same bits.
 [[nodiscard]] inline float share_at(double nu, double from, double to) {
     return static_cast<float>(std::clamp((nu - from) / (to - from), 0.0, 1.0));
 }
 
-// `ends`: local vertices of a block, whose values are `values`.
+// `ends`: local vertices of the block. `values`: by local vertex.
 [[nodiscard]] inline EdgePoint edge_point(const Block& block, std::span<const float> values,
                                           const std::array<Index, 2>& ends, double nu) {
     return {block.vertex(ends[0]), block.vertex(ends[1]), share_at(nu, values[ends[0]], values[ends[1]])};

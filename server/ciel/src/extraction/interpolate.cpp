@@ -1,4 +1,4 @@
-// Any array at the points of a surface, along the edges that they lie on.
+// Interpolates an array at the points of a surface, along their mesh edges.
 #include "ciel/extract.hpp"
 #include "ciel/parallel.hpp"
 

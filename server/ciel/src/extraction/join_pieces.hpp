@@ -1,5 +1,5 @@
-// How a sink of a sweep joins the parts of one value: arrays end to end, and triangles counted on. Not in the paper,
-// which draws polygon by polygon (algorithm 3).
+// How a sink of a sweep joins the pieces of one value: concatenates arrays and offsets triangle indices. Not in the
+// paper, which draws polygon by polygon (algorithm 3).
 #pragma once
 
 #include "ciel/types.hpp"
@@ -10,7 +10,7 @@
 
 namespace ciel {
 
-// `array(part)` is the array to join; the buffer of `out` is used again.
+// Concatenates array(piece) of all pieces into array(out), whose buffer is reused.
 template <class Piece, class Array>
 void join_arrays(std::span<const Piece* const> pieces, Array array, Piece& out) {
     auto& to = std::invoke(array, out);
@@ -24,7 +24,7 @@ void join_arrays(std::span<const Piece* const> pieces, Array array, Piece& out) 
     }
 }
 
-// The triangles of parts whose points are `points(part)`, as indices into the joined points.
+// Concatenates the triangles as indices into the joined points. points(piece): the points of a piece.
 template <class Piece, class Points>
 void join_triangles(std::span<const Piece* const> pieces, Points points, Piece& out) {
     std::size_t corners = 0;

@@ -1,13 +1,13 @@
-// What each decider says about one ambiguous face (paper, section 4; decider.hpp).
+// The asymptotic decider on one ambiguous face (paper, section 4; decider.hpp).
 #pragma once
 
 #include <cstddef>
 
 namespace ciel {
 
-// `value(i)` is that of the i-th of n corners around the face. The face is ambiguous at nu: high and low corners change
-// places four times at least. The same for the two cells of a face, which may begin at another corner of a quadrangle
-// or go round it the other way.
+// Returns true when the high corners are joined. `value(i)`: value of the i-th of n corners around the face. The face
+// must be ambiguous at nu: at least four changes between high and low around it. Both cells of a quadrangle get the
+// same result, although they may start at another corner or run the other way.
 template <class Value>
 [[nodiscard]] bool joins_high(std::size_t n, double nu, Value&& value) {
     if (n == 4) {

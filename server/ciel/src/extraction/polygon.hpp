@@ -1,5 +1,4 @@
-// Polygons of a surface: their corners and area. Borrowed from the surface; any thread. They are what Algorithm 4 of
-// the paper makes.
+// Corners and area of the polygons that Algorithm 4 of the paper makes. Borrowed from the surface; any thread.
 #pragma once
 
 #include "ciel/extract.hpp"
@@ -12,7 +11,8 @@ namespace ciel {
     return std::span(surface.polygon_vertex).subspan(begin, surface.polygon_offset[i + 1] - begin);
 }
 
-// Twice the area, along the right-hand normal; taken about the first corner, so it does not suffer far from the origin.
+// Returns twice the area, along the right-hand normal. Uses offsets from the first corner to stay precise far from the
+// origin.
 [[nodiscard]] inline Vec3d area_vector(std::span<const Vec3f> positions, std::span<const Index> loop) {
     Vec3d sum{};
     Vec3d a = arm(positions[loop[0]], positions[loop[1]]);

@@ -48,11 +48,11 @@ private:
     PolyhedralSection<Local>& out_;
     std::vector<Index> section_cell_; // local cell -> cell of the section, or none
     std::vector<Index> face_of_;      // loop -> face of the section, or none
-    std::vector<Index> loop_of_;      // and back
+    std::vector<Index> loop_of_;      // face of the section -> loop
     struct Waiting {
         Index half_edge, face_of_cell, next;
     };
-    std::vector<Index> open_; // local edge -> half-edges of the cell that wait for a mate, in waiting_
+    std::vector<Index> open_; // local edge -> list of the cell's unpaired half-edges, in waiting_
     std::vector<Waiting> waiting_;
     std::vector<Index> touched_; // edges of the cell
 };
@@ -68,7 +68,8 @@ void Filler<Local>::append_face(Index loop) {
     out_.face_begin.push_back(static_cast<Local>(out_.vertex.size()));
 }
 
-// Faces between two polyhedra of the block, then those whose owner is one, then those whose neighbour is.
+// Order: faces between two polyhedra of the block, then faces with only their owner in the section, then faces with
+// only their neighbour.
 template <class Local>
 void Filler<Local>::place_faces() {
     section_cell_.assign(built_.block.cell_count, none);
@@ -134,8 +135,8 @@ bool Filler<Local>::runs_upward(Index h) const {
     return (out_.vertex[corner] == loops_.edge_ends[out_.edge[corner]][0]) == (out_.side(h) == 0);
 }
 
-// Inside a cell the two half-edges of an edge are mates. Where a cell touches itself along an edge there are more: any
-// pairing of opposite directions is sound, one between different faces is preferred.
+// Pairs the two half-edges of each edge in a cell. Where a cell touches itself along an edge there are more. Any
+// pairing of opposite directions is valid; pairs in different faces are preferred.
 template <class Local>
 void Filler<Local>::pair() {
     out_.mate_face.resize((out_.vertex.size() + out_.inner_corners + 1) / 2);
@@ -172,7 +173,7 @@ void Filler<Local>::pair_half_edge(Index h, Index face_of_cell) {
     set_mate(mate.half_edge, h, face_of_cell);
 }
 
-// A face that collapsed to a line may have to be its own neighbour.
+// Pairs the rest. In a face that collapsed to a line, both mates may be in the face itself.
 template <class Local>
 void Filler<Local>::pair_inside_faces(Index cell) {
     for (const Index edge : touched_) {
@@ -193,7 +194,7 @@ void Filler<Local>::pair_inside_faces(Index cell) {
     }
 }
 
-// The bits are good where a search with them finds this mate.
+// Stores the short form if a search with it finds this mate, else an escape.
 template <class Local>
 void Filler<Local>::set_mate(Index h, Index mate, Index mate_face) {
     const auto put = [&](Index bits) {

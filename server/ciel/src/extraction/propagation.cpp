@@ -52,9 +52,8 @@ float Propagation::value(Index vertex) const { return field_->values[vertex]; }
 
 bool Propagation::below(Index a, Index b) const { return value(a) != value(b) ? value(a) < value(b) : a < b; }
 
-// nu passes a vertex: the edges that go on from there become active. Rotating by mate_face and mate_polyhedron would
-// miss cells where an edge has several fans (non-manifold) or a fan starts at the boundary; the vertex's list holds
-// them all.
+// nu passes a vertex: the edges beyond it become active. Rotating by mate_face and mate_polyhedron would miss cells
+// where an edge has several fans (non-manifold) or a fan starts at the boundary; next_around_vertex visits them all.
 template <Propagation::Way way>
 void Propagation::pass(Index vertex) {
     is_low_[vertex] = way == Way::up ? 1 : 0;
@@ -72,8 +71,8 @@ void Propagation::pass(Index vertex) {
     } while (h != start);
 }
 
-// The cell of a half-edge whose origin is passed. The paper turns around each active edge for each surface; what was
-// found is kept here, so a step costs what it passes.
+// Updates the cell of a half-edge whose origin is passed. The paper turns around each active edge for each surface.
+// Here the cells are kept, so a step costs only what it passes.
 template <Propagation::Way way>
 void Propagation::turn(HalfEdge h) {
     const Index b = topology_->blocks().block_of(h), cell = topology_->cell(h);
@@ -84,7 +83,7 @@ void Propagation::turn(HalfEdge h) {
     cells_[b].push_back(cell - topology_->blocks().block[b].cell_begin);
 }
 
-// Step 2. Appended edges are looked at in the same traversal: small cells that nu has skipped pass it on.
+// Step 2. Appended edges are visited in the same traversal, so that nu can skip several small cells at once.
 template <class Keep, class Pass>
 bool Propagation::propagate(const StopToken& stop, Keep&& keep, Pass&& pass) {
     std::size_t kept = 0;

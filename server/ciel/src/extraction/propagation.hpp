@@ -1,9 +1,9 @@
-// Algorithm 2 of the paper: the active-edge list, kept from one nu to the next, and with it the cells around.
+// Algorithm 2 of the paper: the active-edge list and the cells around it, kept from one nu to the next.
 //
-// Errata that this settles: step 2 as printed removes `succ` where `h` is meant, and turns around h's origin where the
-// edges that leave its head are meant. Testing only "is not active already" lets an edge that was skipped by a jump be
-// appended once per way that leads to it, which is exponential: a vertex is passed once, and passes all its edges on
-// then. Going down is the same sweep with the order (value, id) reversed.
+// Errata corrected here: step 2 as printed removes `succ` instead of `h`, and turns around h's origin instead of its
+// head. Testing only "is not active already" is exponential: an edge that a jump skipped is appended once for each path
+// to it. So each vertex is passed once and passes all its edges on. Going down is the same sweep with (value, id)
+// reversed.
 #pragma once
 
 #include "ciel/field.hpp"
@@ -11,22 +11,21 @@
 
 namespace ciel {
 
-// Serial, but for `settle`.
+// Serial, except `settle`.
 class Propagation {
 public:
-    // The next `reach` comes from below all values. Both must outlive the next call.
+    // The next `reach` starts below all values. Borrows both arguments until the next `begin`.
     void begin(const Topology& topology, const Field& field);
 
-    // To nu, up or down. False when stopped. After that, and where there was no memory (it throws), the next one comes
-    // from below all values: a list that was left half-way is worth nothing. Asks for no memory where another field of
-    // the topology has been as far before.
+    // Moves the list to nu, up or down. Returns false when stopped; throws when out of memory. The next call then
+    // starts below all values, because an incomplete list is useless. Allocates nothing if an earlier field got as far.
     bool reach(double nu, const StopToken& stop);
     [[nodiscard]] float threshold() const { return threshold_; }
 
     // Blocks that may have active cells, ascending.
     void list_blocks(std::vector<Index>& out) const;
-    // Brings a block's `cells` up to date; true when some may have changed sides since the last time. For different
-    // blocks on any thread.
+    // Updates `cells` of a block. Returns true when some cells may have changed sides since the last call. Different
+    // blocks may be settled on different threads.
     bool settle(Index block);
     // Local cells that are active, ascending.
     [[nodiscard]] std::span<const Index> cells(Index block) const { return cells_[block]; }
@@ -50,16 +49,16 @@ private:
 
     const Topology* topology_ = nullptr;
     const Field::Data* field_ = nullptr;
-    bool arrived_ = false; // all below is of threshold_
+    bool arrived_ = false; // the members below are valid for threshold_
     float threshold_ = 0;
     std::vector<HalfEdge> active_edges_;    // each from its low end to its high end
     std::vector<std::uint8_t> is_active_;   // by edge
     std::vector<std::uint8_t> is_low_;      // by vertex
     std::vector<Index> half_edges_;         // by cell
-    std::vector<Index> low_half_edges_;     // by cell: those that leave a low vertex
+    std::vector<Index> low_half_edges_;     // by cell: number that leave a low vertex
     std::vector<std::uint8_t> is_listed_;   // by cell: is in cells_
     std::vector<std::vector<Index>> cells_; // by block: local cells, all active ones and perhaps others
-    std::vector<std::uint8_t> is_stale_;    // by block: has cells that nu has passed a corner of
+    std::vector<std::uint8_t> is_stale_;    // by block: nu has passed a corner of some cell
 };
 
 } // namespace ciel

@@ -1,4 +1,4 @@
-// The paper's Algorithm 2 behind Query: what propagation.hpp has reached is cut.
+// The paper's Algorithm 2 behind Query: cuts the cells that propagation.hpp has reached.
 #include "ciel/parallel.hpp"
 #include "extraction/cutter.hpp"
 #include "extraction/propagation.hpp"

@@ -1,4 +1,4 @@
-// Algorithms 1 and 3 of the paper: bring the active edges to nu, intersect them, draw the cells around them.
+// Algorithms 1 and 3 of the paper: move the active edges to nu, intersect them, cut the cells around them.
 #include "extraction/surface_writer.hpp"
 
 namespace ciel {
@@ -73,7 +73,7 @@ bool extract_series(Query& query, std::span<const double> values, bool normals,
     for (const double nu : values) {
         if (!query.extract(nu, normals, surface, stop)) return false;
         sink(nu, std::move(surface));
-        // What the sink left is as good as new: extract replaces it.
+        // extract replaces whatever the sink left.
     }
     return true;
 }

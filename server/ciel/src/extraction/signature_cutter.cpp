@@ -1,4 +1,4 @@
-// Which vertices of a block are high says all about its cut: while that is the same, the cut is.
+// A block's cut depends only on which of its vertices are high, unless a decider uses nu. So cuts are reused.
 #include "extraction/cutter.hpp"
 #include "fields/field_data.hpp"
 #include "parallel/grain.hpp"
@@ -37,7 +37,7 @@ void SignatureCutter::update_block(Index b, float threshold, double nu) {
     const std::span<const float> values = field_->of_block(b);
     const bool gaps = field_->gaps[b] != 0;
     if (classify(values, threshold, scratch, cut) && !gaps) return;
-    cut.known = false; // should there be no memory for it
+    cut.known = false; // in case cut_block throws
     cut_block(block, {values, gaps, threshold, nu, decider_, field_->ranges.of(block, b, values)}, scratch, cut);
     cut.known = !gaps && !cut.decided;
 }

@@ -11,7 +11,7 @@ namespace ciel {
 
 namespace {
 
-// Adds polygons to a SlabMesh whose first vertices are the points that they join.
+// Adds polygons to a SlabMesh whose vertices are already the polygons' points.
 class FanWriter {
 public:
     explicit FanWriter(SlabMesh& out) : out_(out), taken_(taken_of_this_thread()) {
@@ -28,7 +28,7 @@ public:
     }
 
 private:
-    // A vertex is the first of one polygon's triangles only, for it has the limits of one cell.
+    // Returns `point`, or a copy if it is taken: the first vertex of a polygon has the limits of one cell.
     [[nodiscard]] Index own(Index point) {
         if (taken_[point] == 0) {
             taken_[point] = 1;
@@ -44,8 +44,8 @@ private:
         return taken;
     }
 
-    // A corner from which no triangle turns over, of 64 or so where there are more: a fan that folds back would be
-    // blended twice. One that nobody has taken yet where there is a choice.
+    // Returns a corner whose fan has no reversed triangle, if possible one that is not taken. A fan that folds back
+    // would be blended twice. Of more than 64 corners about 64 are tried.
     [[nodiscard]] std::size_t best_corner(std::span<const Index> loop) const {
         if (loop.size() == 3) return free_corner(loop);
         const Vec3d normal = area_of(loop);
@@ -81,7 +81,7 @@ private:
     }
     [[nodiscard]] double worst_area(std::span<const Index> loop, const Vec3d& normal, std::size_t corner) const {
         const std::size_t n = loop.size();
-        // Rounding may turn a sliver over: that much is no fold.
+        // Tolerance: a sliver that rounding reverses is no fold.
         double worst = 1e-5 * dot(normal, normal);
         for (std::size_t i = 1; i + 1 < n; ++i)
             worst = std::min(worst, 1e-6 * dot(normal, normal) +
@@ -91,7 +91,7 @@ private:
     }
 
     SlabMesh& out_;
-    std::vector<std::uint8_t>& taken_; // by point: the first vertex of a polygon
+    std::vector<std::uint8_t>& taken_; // by point: is the first vertex of a polygon
 };
 
 bool is_filled(const std::array<float, 2>& limits) { return limits[0] <= limits[1]; }
@@ -155,7 +155,7 @@ SlabMesh slab_boundary(const FaceMeshView& mesh, const SlabProperty& property) {
     SlabMesh out;
     struct Side {
         Index face, cell;
-        bool is_owner; // out of whom the loop is wound
+        bool is_owner; // the loop is wound out of this cell
     };
     std::vector<Side> sides;
     std::vector<Index> local(mesh.vertex_count(), none), loop;

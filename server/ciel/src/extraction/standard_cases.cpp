@@ -28,7 +28,7 @@ void walk(const Corners& corners, std::size_t start, std::array<bool, 24>& walke
         while (!corners.descends(h));
         h = corners.shape.mate[h];
     } while (h != start);
-    // The walk has the high side on its left.
+    // Reversed, because the walk has the high side on its left.
     for (std::size_t first = begin, end = out.edges; first + 1 < end; ++first)
         std::swap(out.edge[first], out.edge[--end]);
     out.end[out.polygons++] = out.edges;

@@ -11,7 +11,7 @@ namespace ciel {
 namespace {
 
 constexpr std::size_t most_blocks_per_task = 4;
-constexpr Index ahead = 8; // points whose positions are on their way from memory
+constexpr Index ahead = 8; // prefetch distance in points
 
 class Writer {
 public:
@@ -112,7 +112,7 @@ void Writer::write_normals(Index b) {
     }
 }
 
-// Ghosts are sorted by mesh-wide id, so their owners ascend too: `owner` only ever moves on.
+// Ghosts are sorted by mesh-wide id. Their owners ascend too, so `owner` only increases.
 Index Writer::point_of_ghost(Index edge, Index& owner) const {
     if (blocks_.edge_begin[owner + 1] <= edge)
         owner = static_cast<Index>(std::ranges::upper_bound(blocks_.edge_begin, edge) - blocks_.edge_begin.begin() - 1);
@@ -149,7 +149,7 @@ void Writer::list_ranges() {
     }
 }
 
-// Where cells were passed over, an active edge may have no polygon.
+// Where cells were skipped or have collapsed, an active edge may have no polygon.
 void Writer::drop_unused_points() {
     std::vector<Index>& renumbered = scratch_.renumbered;
     renumbered.assign(out_.points.size(), none);

@@ -1,5 +1,5 @@
-// From the cut blocks to one indexed surface (paper, algorithm 3: intersections, then polygons): ids by prefix sums,
-// points in the mesh-wide order of their edges. Uses all threads of the parallel loop.
+// Writes the cut blocks as one indexed surface (paper, algorithm 3: intersections, then polygons). Ids are prefix sums;
+// points are in the mesh-wide order of their edges. Uses all threads of the parallel loop.
 #pragma once
 
 #include "extraction/cutter.hpp"
@@ -9,7 +9,7 @@
 
 namespace ciel {
 
-// Polygons and points that are made together: both consecutive.
+// The polygons and points of one block: both consecutive.
 struct PointRange {
     Index polygon_begin, polygon_end, point_begin, point_end;
 };
@@ -21,8 +21,8 @@ struct SurfaceScratch {
         Vec3d area;
     };
     std::vector<PointRange> ranges;
-    std::vector<Vec3d> sum;                    // of the polygons' areas around a point, by point
-    std::vector<std::vector<Share>> elsewhere; // by range: what belongs to points of others
+    std::vector<Vec3d> sum;                    // by point: sum of the areas of the polygons around it
+    std::vector<std::vector<Share>> elsewhere; // by range: shares for points of other ranges
     std::vector<std::uint8_t> doubtful;        // by point
     std::vector<Index> renumbered;             // by point
 
@@ -32,11 +32,11 @@ struct SurfaceScratch {
 void write_surface(const Topology& topology, const FaceMeshView& mesh, const Field::Data& field, Cutter& cutter,
                    double nu, std::optional<Normals> normals, SurfaceScratch& scratch, Surface& out);
 
-// Sums up what polygons have around each of the surface's points, range by range of the scratch; a point's owner comes
-// first of those that use it.
+// Sets each normal to the area-weighted normal of the polygons around the point. Works per range of the scratch. The
+// range that owns a point precedes the other ranges that use it.
 void write_polygon_normals(SurfaceScratch& scratch, Surface& surface);
 
-// The polygons' own direction where the gradient's is none, or the opposite of theirs taken together.
+// Replaces zero or reversed gradient normals by the area-weighted polygon normal.
 void mend_normals(SurfaceScratch& scratch, Surface& surface);
 
 } // namespace ciel

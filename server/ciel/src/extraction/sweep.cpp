@@ -19,7 +19,7 @@ namespace {
 // One block's points and polygons at one value. Scratch, one per thread.
 class BlockSlicer {
 public:
-    // `cells`: those that may be active, where that is known.
+    // `cells`: those that may be active, if known.
     [[nodiscard]] BlockPolygons cut(const FaceMeshView& mesh, const Field::Data& field, Extraction how, Index b,
                                     double nu, std::optional<std::span<const Index>> cells) {
         const Block& block = field.topology->blocks().block[b];
@@ -138,9 +138,9 @@ void check(const SlabSink& sink, const FaceMeshView& mesh) {
 }
 
 template <class Sink>
-void check(const Sink&, const FaceMeshView&) {} // has nothing of its own
+void check(const Sink&, const FaceMeshView&) {} // has no arrays to check
 
-// What one sweep does, with the scratch that is kept.
+// One sweep, with the scratch that is kept.
 template <class Sink>
 struct Pass {
     const Topology& topology;
@@ -175,7 +175,7 @@ struct Pass {
         });
     }
 
-    // Value by value, upwards. False when stopped.
+    // Value by value, upwards. Returns false when stopped.
     bool propagate() {
         if (!scratch.propagation) scratch.propagation = std::make_shared<Propagation>();
         Propagation& propagation = *scratch.propagation;

@@ -1,7 +1,7 @@
-// The gradient of a scalar field in one cell (paper, section 3): least squares over the cell's vertices. Departures
-// from the paper: centred 3 x 3 normal equations in double instead of 4 x 4 in float, which lose everything far from
-// the origin. All of it inline: a tetrahedron costs less than a call with its samples. Normal equations square what a
-// cell is stretched by, so cells that are stretched a lot (a boundary layer's) go another way: stretched_cells.cpp.
+// The gradient of a scalar field in one cell (paper, section 3): least squares over the cell's vertices. Departure from
+// the paper: centred 3 x 3 normal equations in double. The paper's 4 x 4 system in float loses all precision far from
+// the origin. Everything is inline: the arithmetic of a tetrahedron costs less than a call with its samples. Normal
+// equations square a cell's aspect ratio, so strongly stretched cells (boundary layers) use stretched_cells.cpp.
 #pragma once
 
 #include "ciel/standard_shapes.hpp"
@@ -15,17 +15,17 @@
 namespace ciel {
 
 struct CellGradient {
-    Vec3f gradient{}; // of the value, per length
-    // Length cubed. 0: the cell spans nothing, or lacks a value, and does not count. In double: lengths that a float
-    // holds have cubes that it does not.
+    Vec3f gradient{}; // value per length
+    // Length cubed. 0 when the cell spans no volume or lacks a value; it then has no weight. In double: the cube of a
+    // float length may not fit a float.
     double volume = 0;
 };
 
 struct Sample {
-    double x, y, z, value; // a value that is not there is NaN
+    double x, y, z, value; // NaN: no value
 };
 
-// Four numbers that are worked on together: two operations on any x86-64 or arm64.
+// Four doubles in one vector type: two operations on any x86-64 or arm64.
 using Four = double __attribute__((vector_size(32)));
 
 [[nodiscard]] inline Four load(const Sample& sample) {
@@ -41,15 +41,15 @@ using Four = double __attribute__((vector_size(32)));
 struct LeastSquares {
     Vec3f gradient{};
     Sample mean{0, 0, 0, 0};
-    bool good = false; // not flat, not a line, not a point, and every value is there
+    bool good = false; // the samples span a volume and all have values
 };
 
-// For samples relative to their mean, which are sheared on the way: volumes stay what they are. False where the cell is
-// flat, a line or a point, but for rounding. Good to about 1e-16 times the stretch, which may be 1e10.
+// `samples` are relative to their mean. They are sheared in place, which keeps volumes. Returns false when they are
+// flat, a line or a point up to rounding. Accurate to about 1e-16 times the aspect ratio, which may be 1e10.
 [[nodiscard]] bool fit_stretched(std::span<Sample> samples, const Sample& mean, Vec3f& gradient);
 [[nodiscard]] CellGradient stretched_tetrahedron_gradient(std::array<Sample, 4> samples);
 
-// `samples`: an array or a span. Leaves them relative to their mean, and perhaps sheared.
+// `samples`: an array or a vector. Leaves them relative to their mean, and possibly sheared.
 template <class Samples>
 [[nodiscard]] inline LeastSquares least_squares(Samples& samples) {
     LeastSquares out;
@@ -85,8 +85,8 @@ template <class Samples>
     return out;
 }
 
-// Each face is a fan of cones to the mean, which the samples are relative to; the fan's area vector is the product of a
-// quadrangle's diagonals.
+// Sums cones from the mean, the origin of the samples, to each face. Twice a quadrangle's area vector is the cross
+// product of its diagonals.
 template <const StandardShape& shape>
 [[nodiscard]] inline double standard_volume(const std::array<Sample, shape.corners>& samples) {
     double six_volumes = 0;
@@ -119,7 +119,7 @@ template <const StandardShape& shape>
             std::abs(six_volumes) / 6};
 }
 
-// By corners in the shape's order.
+// `samples`: one per corner, in the shape's order.
 template <const StandardShape& shape>
 [[nodiscard]] inline CellGradient standard_gradient(std::array<Sample, shape.corners>& samples) {
     if constexpr (shape.type == CellType::tetrahedron) {

@@ -9,7 +9,7 @@ namespace {
 constexpr float infinity = std::numeric_limits<float>::infinity();
 constexpr CellRanges::Range nothing{infinity, -infinity};
 
-// A comparison with NaN is false, which leaves it out.
+// Skips NaN: comparisons with it are false.
 void widen(CellRanges::Range& range, float value) {
     range[0] = value < range[0] ? value : range[0];
     range[1] = value > range[1] ? value : range[1];
@@ -34,7 +34,7 @@ void append(const PolyhedralSection<Local>& section, std::span<const float> valu
         CellRanges::Range range = nothing;
         for (Index k = section.face_begin[face]; k < section.face_begin[face + 1]; ++k)
             widen(range, values[section.vertex[k]]);
-        if (!(range[0] <= range[1])) continue; // no value on it
+        if (!(range[0] <= range[1])) continue; // no finite value on the face
         for (const Local cell : section.face_cell[face]) {
             widen(out[begin + cell], range[0]);
             widen(out[begin + cell], range[1]);
@@ -44,7 +44,7 @@ void append(const PolyhedralSection<Local>& section, std::span<const float> valu
 
 } // namespace
 
-// Tells other threads how it ended. Where there was no memory the next one to ask tries again.
+// Publishes the state at scope exit: asked_once after a failed allocation, so that the next call retries.
 class CellRanges::Making {
 public:
     explicit Making(std::atomic<std::uint8_t>& state) : state_(state) {}

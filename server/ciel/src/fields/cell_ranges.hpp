@@ -1,5 +1,5 @@
-// [min, max] of a field over groups of a block's cells, so that a value far from most of a block's is quick there. Not
-// in the paper, which keeps minima for all of a mesh (section 2.2).
+// [min, max] of a field over groups of a block's cells. Lets a cut skip groups whose range excludes nu. Not in the
+// paper, which keeps minima for the whole mesh (section 2.2).
 #pragma once
 
 #include "blocks/blocks.hpp"
@@ -9,17 +9,17 @@
 
 namespace ciel {
 
-// Made for a block the second time that it is cut: a field that is looked at once would pay for nothing. Any thread.
+// Thread-safe. A block's ranges are built when it is cut a second time: a field that is shown once does not need them.
 class CellRanges {
 public:
-    // Of a group of cells of a standard section, or of a polyhedron. Finite values only; low > high where there are
+    // Of a group of cells of a standard section, or of one polyhedron. Finite values only; low > high when there are
     // none.
     using Range = std::array<float, 2>;
 
-    // Room for so many blocks; nothing is made.
+    // Makes room for this many blocks; builds no ranges.
     void resize(std::size_t blocks);
-    // The groups of the standard sections one after another, then the polyhedra; empty the first time, and while
-    // another thread makes them. `values`: the block's, NaN where there is none.
+    // Ranges of the groups of the standard sections in order, then of the polyhedra. Empty at the first call for a
+    // block, and while another thread builds them. `values`: the block's, NaN where a vertex has no value.
     [[nodiscard]] std::span<const Range> of(const Block& block, Index b, std::span<const float> values);
 
 private:

@@ -1,5 +1,5 @@
-// Sorted local minima (paper, section 2.2), and maxima for sweeping downwards. The order (value, id) leaves no ties: a
-// plateau has exactly the extrema that its rim needs. Of a distance along a direction, only where it can have some.
+// Sorted local minima (paper, section 2.2), and maxima for sweeping downwards. The order (value, id) has no ties, so a
+// plateau has exactly the extrema that its rim needs. For plane distances, only possible extrema are tested.
 #include "blocks/blocks.hpp"
 #include "ciel/geometric_vertices.hpp"
 #include "ciel/parallel.hpp"
@@ -38,8 +38,7 @@ public:
     }
 
 private:
-    // An edge rules its upper end out as a minimum and its lower end as a maximum. The order of local ids is that of
-    // the mesh's.
+    // The upper end of an edge is no minimum, the lower end no maximum. Local ids have the same order as mesh ids.
     void edge(Index a, Index b) {
         if (std::isnan(values_[a]) || std::isnan(values_[b])) return;
         const bool upward = values_[a] != values_[b] ? values_[a] < values_[b] : a < b;
@@ -54,7 +53,7 @@ private:
 
 } // namespace
 
-// Everywhere: each edge rules two vertices out.
+// Tests all vertices by visiting all edges.
 void Field::Data::find_extrema() const {
     const Topology::Blocks& all = topology->blocks();
     std::vector<std::uint8_t> not_minimum(values.size(), 0), not_maximum(values.size(), 0);
@@ -69,8 +68,9 @@ void Field::Data::find_extrema() const {
     }
 }
 
-// On the boundary and at reflex corners, around each vertex. False where the distances are so large that a float may
-// take two of them for one: ties are broken by id, and then any vertex may be an extremum.
+// Tests boundary vertices and reflex corners only, each against its neighbours. Returns false when the values are no
+// plane distances, or are so large that two may round to the same float. Ties are broken by id, so any vertex may then
+// be an extremum.
 bool Field::Data::find_geometric_extrema() const {
     if (!where_extrema) return false;
     const GeometricVertices::Found& where = where_extrema->find(*topology);

@@ -19,20 +19,20 @@ namespace {
 
 constexpr float infinity = std::numeric_limits<float>::infinity();
 
-// [min, max] as integers of the same order: the same in whatever order values are looked at, so that the compiler may
-// look at many at once. What is not finite is beyond all that is.
+// [min, max] as integers that sort like the floats; non-finite values lie outside all finite ones. The result does not
+// depend on the order of the values, so the compiler can vectorize the loop.
 struct Range {
     std::int32_t low = std::numeric_limits<std::int32_t>::max(), high = std::numeric_limits<std::int32_t>::min();
 };
 
-// Its own inverse.
+// Maps float bits to integers that sort like the floats. Its own inverse.
 constexpr std::int32_t in_order(std::int32_t bits) {
     return bits ^ (bits >> 31 & std::numeric_limits<std::int32_t>::max());
 }
 constexpr std::int32_t above_all = std::bit_cast<std::int32_t>(infinity),
                        below_all = in_order(above_all ^ std::numeric_limits<std::int32_t>::min());
 
-// The loop that meets every value of a new field.
+// Runs over every value of a new field.
 CIEL_FOR_ALL_VECTOR_UNITS void widen(const float* from, std::size_t count, Range& out) {
     std::int32_t low = out.low, high = out.high;
     for (std::size_t i = 0; i < count; ++i) {
@@ -43,7 +43,7 @@ CIEL_FOR_ALL_VECTOR_UNITS void widen(const float* from, std::size_t count, Range
     out = {low, high};
 }
 
-// Calls f(values, count) for all of a block's: what other blocks own lies anywhere, its own one after another.
+// Calls f(values, count) over all of a block's values: ghosts gathered in batches, then the own ones, contiguous.
 template <class F>
 void for_values(const Block& block, std::span<const float> values, F&& f) {
     std::array<float, 256> some;
@@ -85,7 +85,7 @@ Field::Field(const Topology& topology, std::span<const float> values, std::share
     out.values = values;
     out.keep_alive = std::move(keep_alive);
     const std::size_t slots = all.empty() ? 0 : std::size_t{all.back().vertex_begin} + all.back().vertex_count;
-    out.local = std::make_unique_for_overwrite<float[]>(slots); // what is not looked at costs no memory either
+    out.local = std::make_unique_for_overwrite<float[]>(slots); // untouched pages take no memory
     out.taken = std::make_unique<std::atomic<bool>[]>(all.size());
     out.low.resize(all.size());
     out.high.resize(all.size());

@@ -1,5 +1,5 @@
-// The layout behind Field, for the kernel's own files. What is mutable is made on demand, under the lock beside it or
-// of its own. The sorted minima are those of the paper's section 2.2, the gradients of its section 3.
+// The layout behind Field, for the kernel's own files. Mutable members are made on demand, under the lock beside them
+// or one of their own. Sorted minima are from the paper's section 2.2, gradients from its section 3.
 #pragma once
 
 #include "ciel/field.hpp"
@@ -11,7 +11,7 @@
 namespace ciel {
 
 struct Field::Data {
-    std::optional<Mesh> mesh; // keeps the topology alive where there is one
+    std::optional<Mesh> mesh; // keeps the topology alive; none if built from a topology
     const Topology* topology = nullptr;
     std::span<const float> values;
     std::shared_ptr<const void> keep_alive;
@@ -19,16 +19,16 @@ struct Field::Data {
     std::vector<std::uint8_t> gaps; // per block: some vertex has no value
     std::array<float, 2> range{};
 
-    // Values in block order (Block::vertex_begin), NaN where there is none: of the blocks that somebody has looked at.
+    // Values in block order (Block::vertex_begin), NaN where a vertex has no value. A block is filled at its first use.
     std::unique_ptr<float[]> local;
     std::unique_ptr<std::atomic<bool>[]> taken; // by block
     mutable std::array<Mutex, 16> take_in_mutex;
-    std::shared_ptr<const GeometricVertices> where_extrema; // null: anywhere
-    double direction_length = 0;                            // of the normal whose distance the values are
+    std::shared_ptr<const GeometricVertices> where_extrema; // null: extrema may be anywhere
+    double direction_length = 0;                            // length of the normal when the values are plane distances
 
     mutable Mutex extrema_mutex;
     mutable bool extrema_made = false;
-    mutable std::vector<Index> minima, maxima; // sorted by (value, id), upwards and downwards
+    mutable std::vector<Index> minima, maxima; // sorted by (value, id); maxima descending
     mutable CellRanges ranges;
     mutable GradientCache gradients;
 

@@ -17,8 +17,8 @@ Vec3d cross_of(const Vec3d& a, const Vec3d& b) {
 double dot_of(const Vec3d& a, const Vec3d& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 Vec3d difference(const Vec3d& a, const Vec3d& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
 
-// Flags the vertices where a corner of a cell is not convex by at least `margin`: the distance of the vertex from the
-// triangles between the ends of the corner's edges. Any direction then has a neighbour that lies so much further.
+// Flags vertices with a cell corner not convex by `margin`: the vertex's distance from the triangles between the far
+// ends of the corner's edges. From other vertices, some neighbour lies this much further in any direction.
 class ReflexCorners {
 public:
     ReflexCorners(const FaceMeshView& mesh, const Block& block, double margin, std::vector<std::uint8_t>& flag)
@@ -36,7 +36,7 @@ private:
         return {p[0], p[1], p[2]};
     }
 
-    // `around`: the other ends of its edges, in the order in which next_around_face(mate_face(h)) leads round.
+    // `around`: the other ends of the corner's edges, in the order of next_around_face(mate_face(h)).
     void corner(Index vertex, std::span<const Index> around) {
         bool convex = around.size() >= 3;
         const Vec3d apex = position(vertex);
@@ -122,7 +122,7 @@ const GeometricVertices::Found& GeometricVertices::find(const Topology& topology
     parallel_for(blocks.size(), 8, [&](std::size_t begin, std::size_t end) {
         for (std::size_t b = begin; b < end; ++b) ReflexCorners(mesh_, blocks[b], margin, flag).run();
     });
-    found_.vertices.clear(); // of a call that found no memory
+    found_.vertices.clear(); // a call that ran out of memory may have left some
     for (Index v = 0; v < flag.size(); ++v)
         if (flag[v] != 0) found_.vertices.push_back(v);
     made_ = true;

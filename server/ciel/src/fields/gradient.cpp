@@ -12,7 +12,7 @@ namespace ciel {
 namespace {
 
 constexpr std::size_t blocks_per_task = 2;
-// So few vertices that the cells around them are found one by one rather than by looking at all of the block.
+// Up to this many vertices of a block, the cells around each are solved one by one, without a pass over the block.
 constexpr std::size_t few = 12;
 
 enum State : std::uint8_t { wanted = 1, asked_by_neighbour = 2, known = 4 };
@@ -31,7 +31,7 @@ Scratch& scratch_of_this_thread() {
     return scratch;
 }
 
-// For a few vertices: each cell around is solved anew.
+// Visitor for for_cells_around that solves each cell anew.
 struct AddSolved {
     const FaceMeshView& mesh;
     const Field::Data& field;
@@ -53,8 +53,8 @@ struct AddSolved {
     }
 };
 
-// The vertices that are wanted now. Where they are many, the blocks around them solve each of their cells once; then
-// the vertices that several blocks share are summed up.
+// One call of make_at. Blocks with few wanted vertices solve the cells around them one by one. Otherwise the blocks
+// around them solve each needed cell once; then the vertices that blocks share are summed.
 class Pass {
 public:
     Pass(const FaceMeshView& mesh, const Field::Data& field, std::span<std::uint8_t> state,
@@ -115,7 +115,7 @@ void Pass::want(Index b, const ActiveBlock& cut) {
     found.clear();
     for (const auto& ends : std::span(cut.ends).subspan(cut.ghosts))
         for (const Index v : ends) {
-            // A neighbour may be asking at the same time.
+            // A neighbour block may set flags at the same time.
             std::atomic_ref here(state[v]);
             if ((here.load(std::memory_order_relaxed) & (known | wanted)) != 0) continue;
             here.fetch_or(wanted, std::memory_order_relaxed);
@@ -202,7 +202,7 @@ template <class Local>
 void Pass::add_polyhedra(const PolyhedralSection<Local>& section, std::span<const std::uint8_t> state,
                          CellGradient* cell) {
     Scratch& scratch = scratch_of_this_thread();
-    // Two cells look at each face.
+    // Flags per face, since two cells read each face.
     scratch.face_asked.resize(section.face_count());
     for (Index face = 0; face < section.face_count(); ++face) {
         unsigned states = 0;

@@ -1,8 +1,8 @@
-// Gradients of a scalar field at the vertices (paper, section 3): the cells' own, averaged by volume. Only where
-// somebody asks.
+// Gradients of a scalar field at the vertices (paper, section 3): volume-weighted means of the cells' gradients.
+// Computed only where requested.
 //
-// A vertex's sum is made in the order of (kind of cell, cell), never block by block, so that it has the same bits
-// whatever the size of the blocks.
+// A vertex's sum is added up in the order of (kind of cell, cell), never block by block, so its bits do not depend on
+// the block size.
 #pragma once
 
 #include "blocks/active_block.hpp"
@@ -12,28 +12,28 @@
 
 namespace ciel {
 
-// Thread-safe. All calls must pass the same topology, field and positions, until forget.
+// Thread-safe. Until forget, all calls must pass the same topology, field and positions.
 class GradientCache {
 public:
-    // Makes the gradients at both ends of the edges that the cut blocks own. `cut` is by block. Where there is no
-    // memory it throws, and the next call makes what is missing.
+    // Makes the gradients at both ends of the edges that the cut blocks own. `cut` is indexed by block. May throw
+    // std::bad_alloc; the next call then makes the missing gradients.
     void make_at(const FaceMeshView& mesh, const Field::Data& field, std::span<const Index> blocks,
                  std::span<const ActiveBlock> cut);
-    // By local vertex; good where asked for. Valid while the cache lives and nobody calls forget.
+    // Indexed by local vertex; only requested entries are set. Valid until forget or the end of the cache.
     [[nodiscard]] const Vec3f* of_block(Index block) const { return vertex_[block].get(); }
-    // The positions have changed. Not while anybody uses the gradients.
+    // Call when the positions have changed. No thread may be using the gradients.
     void forget();
     [[nodiscard]] std::size_t memory_bytes() const;
 
 private:
     mutable Mutex mutex_;
     std::vector<std::uint8_t> state_;              // by slot (Block::vertex_begin): see gradient.cpp
-    std::vector<std::uint8_t> busy_;               // by block, of one call
+    std::vector<std::uint8_t> busy_;               // by block: has cells to solve in the current call
     std::vector<std::unique_ptr<Vec3f[]>> vertex_; // by block
-    bool settled_ = true;                          // the last call came to its end: nobody waits for a gradient
+    bool settled_ = true;                          // the last call completed: no vertex is left as wanted
 };
 
-// At all vertices, by mesh vertex.
+// Gradients at all vertices, by mesh vertex.
 [[nodiscard]] std::vector<Vec3f> gradients_everywhere(const FaceMeshView& mesh, const Field::Data& field);
 
 } // namespace ciel

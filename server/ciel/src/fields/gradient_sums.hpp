@@ -1,5 +1,5 @@
-// What the lazy and the full gradients share: cells of a block one after another, and the sum at a vertex. They make
-// the averages of the paper's section 3.
+// Shared by the on-demand and the full gradients: iteration over the cells around a vertex, and the sum at a vertex.
+// They make the averages of the paper's section 3.
 #pragma once
 
 #include "blocks/blocks.hpp"
@@ -25,7 +25,7 @@ struct GradientSum {
     }
 };
 
-// A block's vertices with their values; `values` is the block's.
+// Samples of a block's vertices by local id; `values` is the block's.
 class BlockSampler {
 public:
     BlockSampler(const FaceMeshView& mesh, const Block& block, std::span<const float> values)
@@ -49,7 +49,7 @@ template <const StandardShape& shape, class Sampler>
     return standard_gradient<shape>(samples);
 }
 
-// The blocks that have a vertex at the border of one of them, ascending.
+// Lists the blocks that share a border vertex, ascending, each with its local id of the vertex.
 inline void list_ring(const Topology::Blocks& blocks, BorderVertex at, std::vector<BlockVertex>& out) {
     out.clear();
     const Index start = at.block;
@@ -62,9 +62,9 @@ inline void list_ring(const Topology::Blocks& blocks, BorderVertex at, std::vect
     std::rotate(out.begin(), out.begin() + static_cast<std::ptrdiff_t>(lowest), out.end());
 }
 
-// Calls visit.template standard<shape>(block, section, i, place) for the cells of standard types around a vertex, kind
-// by kind and ascending, then visit.polyhedron(block, i, place) for the polyhedra, ascending and once each. `i` counts
-// in the section, `place` through the block's sections one after another.
+// Visits the cells around a vertex. Calls visit.template standard<shape>(block, section, i, place) for standard cells,
+// kind by kind and ascending. Then calls visit.polyhedron(block, i, place) for polyhedra, ascending and once each. `i`
+// is the cell's index in its section, `place` its index in the block's sections concatenated.
 template <class Visit>
 void for_cells_around(const Topology::Blocks& blocks, std::span<const BlockVertex> ring, std::vector<Index>& scratch,
                       Visit&& visit) {
@@ -107,8 +107,7 @@ void for_cells_around(const Topology::Blocks& blocks, std::span<const BlockVerte
     }
 }
 
-// A visitor for it where cells are solved already: `stored(block)` is where those of a block begin, in the order of
-// `place`.
+// Visitor for for_cells_around with solved cells: `stored(block)` is the block's first, in the order of `place`.
 template <class Stored>
 class AddStored {
 public:

@@ -1,4 +1,4 @@
-// All gradients at once: a volume needs them. Cells are kept for the vertices that two blocks share.
+// All gradients at once, for volumes. Keeps the cells' gradients to sum them at vertices that blocks share.
 #include "ciel/parallel.hpp"
 #include "fields/field_data.hpp"
 #include "fields/gradient.hpp"

@@ -10,10 +10,10 @@ namespace ciel {
 
 namespace {
 
-constexpr double same_direction = 0.8;   // cosine: two faces that meet at less than 37 degrees have one normal
-constexpr double least_of_another = 0.3; // sine: what a direction must have besides those before it
+constexpr double same_direction = 0.8;   // cosine: normals within 37 degrees are one direction
+constexpr double least_of_another = 0.3; // sine: least angle to the span of the directions before it
 
-// Solves the symmetric 3x3 system by Cramer's rule. Returns how far from singular it is, 0 to 1.
+// Solves the symmetric 3x3 system by Cramer's rule. Returns 0 (singular) to 1 (well-conditioned).
 double solve(const std::array<double, 6>& m, Vec3d right, Vec3d& x) {
     const Vec3d a{m[0], m[1], m[2]};
     const Vec3d b{m[1], m[3], m[4]};
@@ -75,7 +75,7 @@ void linear_weights(std::span<Vec3d> displacements, std::span<const Vec3d> left_
         sum = sum + d;
         add_square(d, 1, moments);
     }
-    // Along what is left out nothing is asked for: any moment there keeps the system solvable.
+    // The left-out directions are unconstrained. A moment along them keeps the system solvable.
     const double scale = moments[0] + moments[3] + moments[5];
     for (const Vec3d& direction : left_out) add_square(direction, scale, moments);
     // Weights 1 + lambda . d with sum(weight * d) = 0, clipped to [0, 2] so that none is negative.
@@ -84,8 +84,8 @@ void linear_weights(std::span<Vec3d> displacements, std::span<const Vec3d> left_
     const auto linear = [&lambda](Vec3d d) { return std::clamp(1 + dot(lambda, d), 0.0, 2.0); };
     double total = 0;
     for (const Vec3d& d : displacements) total += linear(d);
-    // Values that lie on one side have next to no such weights, and what they have is rounding: the less they surround
-    // the place, the more their distance counts.
+    // Values on one side of the place have almost no such weights, and those are rounding noise. The less the values
+    // surround the place, the more inverse-distance weights count.
     const auto count = static_cast<double>(weights.size());
     trust *= std::clamp((total / count - 0.05) / 0.2, 0.0, 1.0);
     for (std::size_t i = 0; i < weights.size(); ++i) {
@@ -93,7 +93,7 @@ void linear_weights(std::span<Vec3d> displacements, std::span<const Vec3d> left_
         if (trust > 0) weights[i] += trust * linear(displacements[i]) / total;
     }
     if (std::ranges::all_of(weights, [](double weight) { return std::isfinite(weight); })) return;
-    std::ranges::fill(weights, 1 / count); // of positions that are no numbers
+    std::ranges::fill(weights, 1 / count); // some positions are not finite
 }
 
 } // namespace ciel

@@ -1,4 +1,4 @@
-// The gradient in polyhedra (paper, section 3): their distinct vertices are found on the way. Scratch for many blocks,
+// The gradient in polyhedra (paper, section 3). Collects their distinct vertices on the way. Scratch for many blocks,
 // one per thread.
 #pragma once
 
@@ -9,8 +9,8 @@ namespace ciel {
 
 class PolyhedronSolver {
 public:
-    // Before the cells of another block or of other values. `sample(local vertex)` is called once for each that a cell
-    // has.
+    // Call before the cells of another block or with other values. After it, solve calls `sample(local vertex)` once
+    // per vertex.
     template <class Local>
     void begin(const Block& block, const PolyhedralSection<Local>& section) {
         if (vertex_.size() < block.vertex_count) vertex_.resize(block.vertex_count);
@@ -33,13 +33,13 @@ public:
         if (!fit.good) return {};
         return {fit.gradient, volume(section, cell, fit.mean)};
     }
-    // Of the cell that was solved last.
+    // Distinct local vertices of the cell solved last.
     [[nodiscard]] std::span<const Index> vertices() const { return vertices_; }
 
 private:
     struct Vertex {
         Sample sample;
-        Index stamp = 0; // of the cell that saw it last; from first_stamp_ on the sample is this block's
+        Index stamp = 0; // of the last cell that used it; below first_stamp_ the sample is stale
     };
 
     template <class Sampler>
@@ -52,7 +52,7 @@ private:
         samples_.push_back(vertex.sample);
     }
 
-    // Each face is a fan of cones to the mean. The fan's area vector is the same from both sides.
+    // Sums cones from the mean to each face. A face's area vector is computed once for both of its cells.
     template <class Local>
     [[nodiscard]] double volume(const PolyhedralSection<Local>& section, Index cell, const Sample& mean) {
         double six_volumes = 0;
@@ -89,7 +89,7 @@ private:
     }
 
     std::vector<Vertex> vertex_; // by local vertex
-    std::vector<Vec3d> area_;    // by face, twice, along the stored loop
+    std::vector<Vec3d> area_;    // by face: twice the area vector, along the stored loop
     std::vector<std::uint8_t> area_known_;
     std::vector<Index> vertices_;
     std::vector<Sample> samples_;

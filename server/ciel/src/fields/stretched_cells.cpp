@@ -1,5 +1,5 @@
-// The gradient in cells that are stretched: modified Gram-Schmidt on the arms, where normal equations would square the
-// stretch. The values are one more column, so nothing is formed from what has lost its digits.
+// The gradient in stretched cells: modified Gram-Schmidt on the arms, since normal equations would square the aspect
+// ratio. The values are a fourth column, so no product uses numbers that have lost their digits.
 // Source: A. Bjorck, Solving linear least squares problems by Gram-Schmidt orthogonalization, BIT 7 (1967).
 #include "fields/cell_gradient.hpp"
 
@@ -12,7 +12,7 @@ using Row = std::array<double, 4>; // x, y, z, value
 Row row_of(const Sample& s) { return {s.x, s.y, s.z, s.value}; }
 Sample sample_of(const Row& r) { return {r[0], r[1], r[2], r[3]}; }
 
-// The products of a column with those from itself on.
+// Dot products of a column with itself and with each later column.
 Row products(std::span<const Sample> samples, std::size_t column) {
     Row sum{};
     for (const Sample& sample : samples) {
@@ -22,7 +22,7 @@ Row products(std::span<const Sample> samples, std::size_t column) {
     return sum;
 }
 
-// Takes the column's share out of those behind it.
+// Subtracts the column's share from the later columns.
 void shear(std::span<Sample> samples, std::size_t column, const Row& share) {
     for (Sample& sample : samples) {
         Row row = row_of(sample);
@@ -34,7 +34,7 @@ void shear(std::span<Sample> samples, std::size_t column, const Row& share) {
 } // namespace
 
 bool fit_stretched(std::span<Sample> samples, const Sample& mean, Vec3f& gradient) {
-    double squares = 0; // of the arms, and of the places that they were rounded at
+    double squares = 0; // of the arms and of the mean: rounding grows with both
     for (const Sample& s : samples) squares += s.x * s.x + s.y * s.y + s.z * s.z;
     squares += static_cast<double>(samples.size()) * (mean.x * mean.x + mean.y * mean.y + mean.z * mean.z);
     const double rounding = 1e-28 * squares;

@@ -43,7 +43,7 @@ struct Judged {
 Judged judge_cells(const PolyhedraView& input) {
     const std::size_t cells = input.cell_types.size();
     Judged judged{std::vector<CellWinding::Verdict>(cells), std::vector<std::uint8_t>(input.face_offset.size() - 1)};
-    // Few tasks: each has a table as long as the vertices.
+    // Few tasks: each CellWinding has a table with one entry per vertex.
     const std::size_t grain = std::max(cells_per_task, cells / (std::size_t{4} * thread_count()) + 1);
     parallel_for(cells, grain, [&](std::size_t begin, std::size_t end) {
         CellWinding winding(input);
@@ -106,7 +106,7 @@ std::vector<Index> curve_order(const Judged& judged) {
     return order;
 }
 
-// A type promises a number of faces and corners that later code relies on.
+// The given type, or polyhedron when the numbers of faces and corners do not fit it: later code relies on them.
 CellType checked_type(const PolyhedraView& input, Index cell) {
     const auto type = static_cast<CellType>(input.cell_types[cell]);
     const std::uint64_t faces = input.cell_offset[cell + 1] - input.cell_offset[cell];
@@ -119,7 +119,7 @@ CellType checked_type(const PolyhedraView& input, Index cell) {
     return fits ? type : CellType::polyhedron;
 }
 
-// Writes the faces in stored order; their vertices keep the input's ids until number_vertices.
+// Writes the faces in stored order. Their vertices keep the input's ids until number_vertices.
 class FaceWriter {
 public:
     FaceWriter(const PolyhedraView& input, std::span<const Index> order, std::span<const Index> cell_of_face,

@@ -74,7 +74,7 @@ std::vector<Vec3d> cell_centres(const FaceMeshView& mesh, const std::vector<Face
     });
     for (std::size_t cell = 0; cell < cells; ++cell) guess[cell] = (1 / std::max(count[cell], 1.0)) * guess[cell];
 
-    // Pyramids from the guess to each face: their centroids weighted by their volumes.
+    // Mean of the centroids of the pyramids from the guess to each face, weighted by their volumes.
     std::vector<Vec3d> moment(cells);
     std::vector<double> volume(cells);
     for_each_side([&](Index cell, const FaceShape& face, double sign) {

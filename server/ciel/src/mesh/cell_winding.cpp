@@ -48,11 +48,11 @@ Index CellWinding::target(Index half_edge) const {
     return from_[half_edge + 1 == face.end ? face.begin : half_edge + 1];
 }
 
-// As many half-edges a -> b as b -> a, for every pair.
+// Returns true when each pair of vertices has as many half-edges a -> b as b -> a.
 bool CellWinding::balanced() {
     constexpr Index most_listed = 1024;
     const auto count = static_cast<Index>(from_.size());
-    if (count > most_listed) return balanced_when_sorted(); // the lists of a fan's apex would be as long as the cell
+    if (count > most_listed) return balanced_when_sorted(); // the list of a fan's apex would be as long as the cell
     head_.assign(vertices_.size(), none);
     next_.resize(count);
     paired_.assign(count, 0);
@@ -92,8 +92,8 @@ bool CellWinding::balanced_when_sorted() {
     return true;
 }
 
-// Lists which faces meet at an edge that no third face of the cell touches. False when an edge is used an odd number
-// of times: the cell is open there.
+// Fills neighbours_ with the faces that meet at an edge no third face touches. Returns false when an edge is used an
+// odd number of times: the cell is open there.
 bool CellWinding::collect_edges() {
     uses_.clear();
     for (Index h = 0; h < from_.size(); ++h) {
@@ -105,7 +105,7 @@ bool CellWinding::collect_edges() {
     });
     neighbours_.assign(faces_.size(), {});
     for (std::size_t begin = 0, end; begin < uses_.size(); begin = end) {
-        std::vector<Use> edge; // without the pairs that cancel inside one collapsed face
+        std::vector<Use> edge; // without pairs that cancel within one collapsed face
         for (end = begin;
              end < uses_.size() && uses_[end].low == uses_[begin].low && uses_[end].high == uses_[begin].high; ++end) {
             if (!edge.empty() && edge.back().face == uses_[end].face && edge.back().upward != uses_[end].upward)
@@ -122,7 +122,7 @@ bool CellWinding::collect_edges() {
     return true;
 }
 
-// Turns the faces of each lobe to agree with its first one; returns the number of lobes.
+// Turns the faces of each lobe to agree with its first face. Returns the number of lobes.
 Index CellWinding::spread_winding() {
     lobe_.assign(faces_.size(), none);
     std::vector<Index> queue;
@@ -160,8 +160,8 @@ std::vector<Index> CellWinding::lobes(Index cell) {
     return out;
 }
 
-// A lobe that is open by itself goes with those that close it. Edge by edge: it depends on what is joined already
-// whether another one at the edge is needed.
+// Joins each lobe that is open by itself with the lobes that close it. Goes edge by edge: lobes joined earlier may
+// already balance the next edge.
 void CellWinding::join_open_lobes(Index count) {
     joined_to_.resize(count);
     std::iota(joined_to_.begin(), joined_to_.end(), Index{0});
@@ -179,7 +179,7 @@ void CellWinding::join_open_lobes(Index count) {
     }
 }
 
-// The lobe that all those have gone to that it was joined with; the way there is halved each time that it is gone.
+// Root of the lobe's union. Union-find with path halving.
 Index CellWinding::joined(Index lobe) {
     for (; joined_to_[lobe] != lobe; lobe = joined_to_[lobe]) joined_to_[lobe] = joined_to_[joined_to_[lobe]];
     return lobe;

@@ -1,5 +1,5 @@
-// Winding of one polyhedron: are its faces closed, do they agree, is the whole outward (paper, appendix A: half-edges
-// find their mates through the incident lists of their end points).
+// Winding of one polyhedron: whether it is closed, whether its faces agree, whether it points outward (paper, appendix
+// A: half-edges find their mates through the incident lists of their end points).
 #pragma once
 
 #include "ciel/assemble.hpp"
@@ -8,22 +8,23 @@
 
 namespace ciel {
 
-// Scratch for many cells, one per thread; borrows the input, whose arrays have the right sizes. Throws nothing: what is
-// bad is told.
+// Scratch for many cells, one per thread. Borrows the input, whose arrays must have the right sizes. Bad cells never
+// throw; they get a Verdict.
 class CellWinding {
 public:
     explicit CellWinding(const PolyhedraView& input);
 
     struct Verdict {
         std::optional<BadCells::Reason> bad;
-        double volume = 0; // after turning: never negative
+        double volume = 0; // absolute value
         Vec3d centre{};    // mean of the corners
     };
-    // `turn[f]` is set to 1 for each input face of the cell that has to be reversed, else 0.
+    // Sets `turn[f]` to 1 for each input face of the cell that must be reversed, else to 0.
     Verdict judge(Index cell, std::span<std::uint8_t> turn);
 
-    // The parts of a closed cell that could be turned one by one without opening it: where it touches itself along an
-    // edge, or around a cavity. One number per face of the cell, less than there are faces; equal ones are of one part.
+    // The parts of a closed cell that can be reversed one by one without opening it. A cell has several where it
+    // touches itself along an edge or surrounds a cavity. Returns one part number per face of the cell, each below the
+    // number of faces.
     [[nodiscard]] std::vector<Index> lobes(Index cell);
 
 private:
@@ -48,7 +49,7 @@ private:
     [[nodiscard]] double signed_volume(const Vec3d& centre) const;
 
     const PolyhedraView& input_;
-    std::vector<Index> local_of_; // input vertex -> local, none for vertices of no current interest
+    std::vector<Index> local_of_; // input vertex -> local; none for vertices of other cells
     std::vector<Index> vertices_; // local -> input vertex
     std::vector<Face> faces_;     // loops as they are in from_
     std::vector<Index> from_;     // local origin of each half-edge; the target is the next one's origin
@@ -57,19 +58,19 @@ private:
     std::vector<Index> head_;     // local vertex -> first half-edge of its list
     std::vector<Index> next_;     // half-edge -> next of the same list
     std::vector<std::uint8_t> paired_;
-    std::vector<Index> lobe_;      // face -> faces that hang together by edges of two faces
-    std::vector<Index> joined_to_; // lobe -> one that it goes with, itself at the end
+    std::vector<Index> lobe_;      // face -> lobe: faces connected by edges that exactly two faces share
+    std::vector<Index> joined_to_; // lobe -> parent in the union; a root is its own parent
     struct Use {
         Index low, high, face;
         bool upward;
     };
-    std::vector<Use> uses_; // half-edges by edge
+    std::vector<Use> uses_; // half-edges sorted by edge
     Index lobe_at(const Use& use) { return joined(lobe_[use.face]); }
     struct Neighbour {
         Index face;
         bool same_direction;
     };
-    std::vector<std::vector<Neighbour>> neighbours_; // face -> faces across an edge that only the two share
+    std::vector<std::vector<Neighbour>> neighbours_; // face -> faces across an edge that no third face shares
 };
 
 } // namespace ciel

@@ -26,7 +26,7 @@ void append_loop(const PolyhedraView& input, Index face, std::vector<Index>& out
 
 std::uint32_t mix(Index v) { return static_cast<std::uint32_t>((v + 1ULL) * 0x9E3779B97F4A7C15ULL >> 32); }
 
-// Faces that collapsed to a line or a point separate nothing: they stay on the boundary.
+// Faces that collapsed to a line or a point separate no cells: they get no claim and stay on the boundary.
 std::vector<Claim> make_claims(const PolyhedraView& input, std::span<const Index> cell_of_face) {
     std::vector<Claim> claims(cell_of_face.size());
     parallel_for(claims.size(), faces_per_task, [&](std::size_t begin, std::size_t end) {
@@ -39,13 +39,13 @@ std::vector<Claim> make_claims(const PolyhedraView& input, std::span<const Index
             Claim& claim = claims[f];
             claim.face = static_cast<Index>(f);
             claim.smallest = *std::ranges::min_element(loop);
-            for (const Index v : loop) claim.fingerprint += mix(v); // the order around the face must not matter
+            for (const Index v : loop) claim.fingerprint += mix(v); // a sum: independent of order
         }
     });
     return claims;
 }
 
-// Claims grouped by smallest vertex; inside a group, claims of equal faces are neighbours.
+// Groups claims by smallest vertex. Within a group, claims of equal faces are adjacent.
 std::vector<Claim> group_claims(const std::vector<Claim>& claims, std::size_t vertices) {
     std::vector<std::uint64_t> begin(vertices + 1, 0);
     for (const Claim& claim : claims)
@@ -80,7 +80,7 @@ private:
     void settle_equal(std::span<const Claim> claims);
     void settle_group(std::span<const Index> group);
     Relation compare(Index a, Index b);
-    bool wound_alike(Index a, Index b); // as they are turned now
+    bool wound_alike(Index a, Index b); // with the current `turn`
     void match(Index a, Index b);
     void agree_across_faces();
     void divide_into_units(const std::vector<Index>& conflicts);
@@ -92,11 +92,11 @@ private:
     MatchedFaces result_;
     std::vector<std::vector<Index>> crowds_; // faces with more than two claims
     std::vector<Index> loop_a_, loop_b_;
-    // What is turned as one: a cell, or a lobe of one. Units below the number of cells are cells or their first lobes.
+    // A unit is turned as a whole: a cell, or a lobe of one. Units below the number of cells are cells or first lobes.
     std::vector<Index> unit_of_face_;
     std::vector<Index> cell_of_unit_;
     std::vector<std::uint8_t> divided_; // cell
-    std::vector<std::uint8_t> parity_;  // unit: 0 not seen, 1 keep, 2 turn
+    std::vector<std::uint8_t> parity_;  // unit: 0 not visited, 1 keep, 2 turn
 };
 
 Matcher::Relation Matcher::compare(Index a, Index b) {
@@ -136,7 +136,7 @@ void Matcher::settle_group(std::span<const Index> group) {
     }
 }
 
-// Equal fingerprints are nearly always equal faces; this separates the ones that are not.
+// Equal fingerprints nearly always mean equal faces. This separates the exceptions.
 void Matcher::settle_equal(std::span<const Claim> claims) {
     if (claims.size() < 2) return;
     std::vector<Index> left, group, rest;
@@ -151,8 +151,8 @@ void Matcher::settle_equal(std::span<const Claim> claims) {
     }
 }
 
-// Cells are wound outwards one by one. Where that makes two neighbours disagree (one of them is folded, or has no
-// volume to tell by, or touches itself), the topology needs agreement more than volume: the lesser part gives in.
+// Each cell was wound outwards on its own. Two neighbours may then disagree: one is folded, has no volume, or touches
+// itself. The topology needs agreement more than positive volumes, so the part with less volume is turned.
 void Matcher::agree_across_faces() {
     std::vector<Index> conflicts;
     const auto disagree = [&](Index f) {
@@ -167,7 +167,7 @@ void Matcher::agree_across_faces() {
     for (std::size_t f = 0; f < faces_.cell.size(); ++f)
         if (faces_.cell[f] != none && parity_[unit_of_face_[f]] == 2) faces_.turn[f] ^= 1;
     for (const Index f : conflicts)
-        if (disagree(f)) { // a one-sided ring of cells: it has to be cut somewhere
+        if (disagree(f)) { // a one-sided ring of cells: it must be cut somewhere
             result_.partner[result_.partner[f]] = none;
             result_.partner[f] = none;
             ++result_.internal_boundaries;
@@ -198,8 +198,8 @@ void Matcher::divide_into_units(const std::vector<Index>& conflicts) {
     parity_.assign(cell_of_unit_.size(), 0);
 }
 
-// Gives every unit that hangs together with `start` the parity that makes all faces between them agree, or none at all
-// where no parity does.
+// Gives each unit connected to `start` the parity that makes all faces between them agree. If no such parities exist,
+// all units keep their winding.
 void Matcher::spread_from(Index start) {
     std::vector<Index> component{start};
     bool consistent = true;
@@ -231,8 +231,8 @@ void Matcher::spread_from(Index start) {
     }
 }
 
-// More than two claims. Cells collapsed to nothing claim the face twice, once from each side: they are strung between
-// the one or two cells that claim it once. Anything else has no right answer and stays unmatched.
+// Settles a face with more than two claims. A cell that collapsed to the face claims it twice, once per side. Such
+// cells are chained between the one or two cells that claim it once. Any other case stays unmatched.
 void Matcher::settle_crowd(const std::vector<Index>& group) {
     std::vector<Index> single;
     std::vector<std::array<Index, 2>> folds;
@@ -261,7 +261,7 @@ void Matcher::settle_crowd(const std::vector<Index>& group) {
     if (single.size() == 2) match(open, single[1]);
 }
 
-// Cells that may have another one's faces: all of theirs are in crowds, or matched with one and the same cell.
+// Cells that may repeat another: those with a face in a crowd, or whose first two matched faces lead to one cell.
 std::vector<Index> Matcher::suspects() const {
     std::vector<Index> out;
     for (const auto& crowd : crowds_)
@@ -272,7 +272,7 @@ std::vector<Index> Matcher::suspects() const {
             if (result_.partner[f] == none) continue;
             const Index behind = faces_.cell[result_.partner[f]];
             if (behind == other) out.push_back(cell);
-            if (other != none) break; // two faces tell
+            if (other != none) break; // two faces are enough
             other = behind;
         }
     }

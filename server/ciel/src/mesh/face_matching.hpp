@@ -1,4 +1,4 @@
-// Which faces are the two sides of one face (paper, appendix A: the counterpart in the adjacent polyhedron).
+// Pairs faces that are the two sides of one face (paper, appendix A: the counterpart in the adjacent polyhedron).
 #pragma once
 
 #include "ciel/assemble.hpp"

@@ -1,4 +1,4 @@
-// One place that throws, for builds that cannot (WebAssembly).
+// The kernel's only throw. Builds without exceptions (WebAssembly) print the message and abort.
 #include "ciel/checked_array.hpp"
 
 #if !defined(__cpp_exceptions)

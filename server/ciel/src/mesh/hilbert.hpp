@@ -7,7 +7,7 @@
 
 namespace ciel {
 
-// `unit` in [0, 1]^3 (clamped; not a number counts as 0); 21 bits per axis.
+// `unit` is clamped to [0, 1]^3, NaN counts as 0. 21 bits per axis.
 [[nodiscard]] std::uint64_t hilbert_key(Vec3d unit);
 
 } // namespace ciel

@@ -1,5 +1,5 @@
-// A face's loop without the repeats that collapsed cells bring: no half-edge joins a vertex to itself. What the paper's
-// appendix A has no rule for.
+// A face's loop without the repeated vertices of collapsed cells: no half-edge joins a vertex to itself. The paper's
+// appendix A has no rule for them.
 #pragma once
 
 #include "ciel/types.hpp"
@@ -8,9 +8,9 @@
 
 namespace ciel {
 
-// Appends `loop` to `out`, leaving out each vertex that equals its successor around the loop. A loop that collapsed to
-// a point appends nothing, one that collapsed to a line appends both of its ends. Returns how many were appended. Reads
-// each id once, so that what it appends has no repeats even when the loop changes meanwhile.
+// Appends `loop` to `out` without each vertex that equals its successor around the loop. A loop that collapsed to a
+// point appends nothing; one that collapsed to a line appends both ends. Returns the number of ids appended. Reads each
+// id once, so the result has no repeats even if the loop changes meanwhile.
 template <class Loop>
 std::size_t append_without_repeats(const Loop& loop, std::vector<Index>& out) {
     const std::size_t before = out.size(), size = loop.size();
@@ -23,7 +23,7 @@ std::size_t append_without_repeats(const Loop& loop, std::vector<Index>& out) {
         if (id != last) out.push_back(id);
         last = id;
     }
-    if (last == first) out.pop_back(); // the only one, or the loop's end
+    if (last == first) out.pop_back(); // a single vertex, or the end equals the start
     return out.size() - before;
 }
 

@@ -6,10 +6,10 @@
 
 namespace ciel {
 
-// Members that point into others are set once these stand in their place.
+// Members that point into other members are set after those are in their final place.
 struct Mesh::State {
     std::shared_ptr<const void> keep_alive;
-    std::shared_ptr<const Assembled> assembled; // null where the faces were stored before
+    std::shared_ptr<const Assembled> assembled; // null for from_stored
     std::shared_ptr<const Topology> topology;
     std::vector<float> moved_positions;
     std::vector<Index> original_cell;
@@ -20,7 +20,7 @@ struct Mesh::State {
 
 namespace {
 
-// Ids in the report are those in the lists; the caller's lists may have more.
+// Replaces cell ids of the lists in the report by the caller's: the caller may have more cells than the lists.
 void name_source_cells(const std::vector<Index>& source, AssembleReport& report) {
     const auto name = [&source](std::vector<Index>& ids) {
         for (Index& id : ids) id = source[id];

@@ -10,7 +10,7 @@
 namespace ciel {
 namespace {
 
-// Points of a mesh lie near this: floats from there lose least.
+// Middle of the bounding box of the finite points. Float offsets from it lose the least precision.
 Vec3d middle_of(const ArrayView& points) {
     Vec3d middle{};
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -26,7 +26,7 @@ Vec3d middle_of(const ArrayView& points) {
     return middle;
 }
 
-// An id that leads out of the points is kept as one that assemble() reports.
+// An id that does not fit becomes `none`, which assemble() reports as out of range.
 Index id_of(const ArrayView& ids, std::size_t i) {
     const std::int64_t id = ids.integer(i);
     return id < 0 || id >= std::int64_t{none} ? none : static_cast<Index>(id);
@@ -37,7 +37,7 @@ void check_ids(const ArrayView& ids, const char* name) {
     if (!ids.empty() && !ids.has_integers()) fail(std::string(name) + " must hold integers");
 }
 
-// Offsets that rise from 0 to `end`.
+// Entry i of offsets. Throws Error when it is below entry i - 1 or outside [0, end].
 std::size_t offset(const ArrayView& offsets, std::size_t i, std::size_t end, const char* name) {
     const std::int64_t at = offsets.integer(i);
     if (at < 0 || static_cast<std::uint64_t>(at) > end || (i > 0 && at < offsets.integer(i - 1)))
@@ -55,10 +55,10 @@ void close_cell(PolyhedraLists& lists, std::size_t source) {
     lists.cell_types.back() = static_cast<std::uint8_t>(type_of_last_cell(lists));
 }
 
-// What becomes of a VTK type: its corners come first among its points (VTK User's Guide, "Cell types").
+// How a VTK type is read: from its first `corners` points. VTK lists corners first (VTK User's Guide, "Cell types").
 struct VtkShape {
     int vtk_type;
-    CellType type; // a polyhedron is a prism over a polygon of half the corners
+    CellType type; // polyhedron: a prism over a polygon of corners / 2 points
     std::uint8_t corners;
     bool is_reduced;
 };
@@ -73,7 +73,7 @@ constexpr VtkShape vtk_shapes[] = {
     {79, CellType::hexahedron, 8, true},   {80, CellType::wedge, 6, true},       {81, CellType::pyramid, 5, true},
 };
 constexpr int voxel = 11, polyhedron = 42;
-// Points, lines, surfaces, and sets of points without cells between them.
+// VTK types of points, lines, surfaces and point sets.
 constexpr std::array<int, 27> without_volume{0,  1,  2,  3,  4,  5,  6,  7,  8,  9,  21, 22, 23, 28,
                                              30, 34, 35, 36, 41, 68, 69, 70, 75, 76, 77, 60, 61};
 
@@ -112,7 +112,7 @@ void add_shape(const VtkShape& shape, const VtkCells& cells, std::size_t cell, P
     close_cell(lists, cell);
 }
 
-// Up to VTK 9.3.
+// Face stream of VTK up to 9.3.
 void add_face_stream(const VtkCells& cells, std::size_t cell, PolyhedraLists& lists) {
     auto next = [&, at = cells.face_locations.integer(cell)]() mutable {
         if (at < 0 || static_cast<std::uint64_t>(at) >= cells.faces.rows())
@@ -131,7 +131,7 @@ void add_face_stream(const VtkCells& cells, std::size_t cell, PolyhedraLists& li
     close_cell(lists, cell);
 }
 
-// From VTK 9.4 on.
+// Face lists of VTK from 9.4 on.
 void add_listed_faces(const VtkCells& cells, std::size_t cell, PolyhedraLists& lists) {
     const std::size_t listed = cells.cell_faces.rows(), size = cells.face_connectivity.rows();
     const std::size_t begin = offset(cells.cell_face_offsets, cell, listed, "cell_face_offsets");
@@ -223,7 +223,7 @@ void put_owner_faces(const ArrayView& face_offset, const ArrayView& face_vertex,
     check_ids(neighbour, "neighbour");
     if (face_offset.rows() != owner.rows() + 1) fail("face_offset must have one entry more than owner");
     if (neighbour.rows() > owner.rows()) fail("neighbour must not have more entries than owner");
-    // The faces of each cell, by counting.
+    // Lists the faces of each cell by a counting sort.
     std::vector<std::uint64_t> begin(1);
     const auto sides = [&](auto&& visit) {
         for (std::size_t face = 0; face < owner.rows(); ++face) {

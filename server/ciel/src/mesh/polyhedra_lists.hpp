@@ -1,4 +1,4 @@
-// The caller's cells, whatever their form, as the polyhedra lists that Algorithm 5 takes (paper, appendix A).
+// Converts the caller's cells, in any form, to the polyhedra lists that Algorithm 5 takes (paper, appendix A).
 #pragma once
 
 #include "ciel/mesh.hpp"
@@ -13,7 +13,7 @@ struct PolyhedraLists {
     std::vector<std::uint8_t> cell_types;
     std::vector<std::uint64_t> cell_offset{0}, face_offset{0};
     std::vector<Index> face_vertex;
-    std::vector<Index> source_cell; // the caller's; empty where all are here
+    std::vector<Index> source_cell; // cell in the lists -> caller's cell
     std::uint64_t skipped = 0, reduced = 0;
 
     [[nodiscard]] PolyhedraView view() const {
@@ -22,19 +22,20 @@ struct PolyhedraLists {
     [[nodiscard]] std::uint64_t bytes() const;
 };
 
-// points: V x 3. Throws Error for other columns, and for more points than 32-bit ids have.
+// points: V x 3. Throws Error for other columns, and when there are too many points for 32-bit ids.
 void put_points(const ArrayView& points, PolyhedraLists& lists);
-// Offsets from `origin`.
+// V x 3 offsets from `origin`.
 [[nodiscard]] std::vector<float> positions_from(const ArrayView& points, const Vec3d& origin);
 
-// After put_points. Throw Error where sizes do not fit or an id is out of range; cells without a use are counted.
+// Call after put_points. Throw Error when sizes or offsets do not fit, or a face or cell id is out of range. A vertex
+// id that does not fit becomes `none`, which assemble() reports. Cells without volume are counted in `skipped`.
 void put_polyhedra(const ArrayView& cell_offset, const ArrayView& face_offset, const ArrayView& face_vertex,
                    PolyhedraLists& lists);
 void put_owner_faces(const ArrayView& face_offset, const ArrayView& face_vertex, const ArrayView& owner,
                      const ArrayView& neighbour, PolyhedraLists& lists);
 void put_vtk_cells(const VtkCells& cells, PolyhedraLists& lists);
 
-// The standard type that the last cell's faces make it, whatever it was called.
+// The type of the last cell, derived from its faces only.
 [[nodiscard]] CellType type_of_last_cell(const PolyhedraLists& lists);
 
 } // namespace ciel

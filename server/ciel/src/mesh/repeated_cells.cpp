@@ -11,7 +11,7 @@ namespace {
 
 using Loop = std::vector<Index>;
 
-// The same for every way to write a loop down: the least of those that begin at its smallest vertex, either way round.
+// Canonical form of a loop: the least of the loops that start at its smallest vertex, in either direction.
 Loop canonical(const Loop& loop) {
     const std::size_t n = loop.size();
     const Index smallest = *std::ranges::min_element(loop);
@@ -26,7 +26,7 @@ Loop canonical(const Loop& loop) {
     return least;
 }
 
-// Sorted. Empty for a cell that has no faces to compare, or one of them twice.
+// The cell's faces in canonical form, sorted. Empty when the cell has no face to compare, or one of them twice.
 std::vector<Loop> faces_of(const PolyhedraView& input, Index cell) {
     std::vector<Loop> faces;
     for (std::uint64_t f = input.cell_offset[cell]; f < input.cell_offset[cell + 1]; ++f) {

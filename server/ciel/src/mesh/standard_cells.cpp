@@ -1,4 +1,4 @@
-// Tetrahedra, hexahedra, wedges and pyramids as the faces that assemble takes, in the order of VTK and CGNS.
+// Faces of tetrahedra, hexahedra, wedges and pyramids for assemble, with corners in the order of VTK and CGNS.
 #include "ciel/assemble.hpp"
 #include "ciel/standard_shapes.hpp"
 

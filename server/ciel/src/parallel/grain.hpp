@@ -1,4 +1,4 @@
-// How many blocks a task has. (Not in the paper.)
+// Number of blocks per task. Not in the paper.
 #pragma once
 
 #include "ciel/parallel.hpp"
@@ -7,8 +7,7 @@
 
 namespace ciel {
 
-// As many as are worth a task of their own, `most`; fewer where threads would not have several tasks each, so that they
-// end together.
+// Blocks per task: at most `most`, fewer to give each thread about 8 tasks, so that threads finish together.
 [[nodiscard]] inline std::size_t fair_grain(std::size_t count, std::size_t most) {
     constexpr std::size_t tasks_per_thread = 8;
     return std::clamp<std::size_t>(count / (tasks_per_thread * thread_count()), 1, most);

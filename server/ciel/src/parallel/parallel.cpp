@@ -23,12 +23,12 @@ namespace ciel {
 
 namespace {
 std::unique_ptr<tbb::global_control> limit;
-std::unique_ptr<tbb::task_arena> wide_arena; // the default one has no more places than the machine has processors
+std::unique_ptr<tbb::task_arena> wide_arena; // the default arena has only one slot per processor
 } // namespace
 
 void set_thread_count(unsigned threads) {
     wide_arena.reset();
-    limit.reset(); // the smallest of the living limits holds, so the old one goes first
+    limit.reset(); // the smallest live limit applies, so destroy the old one first
     if (threads > 0)
         limit = std::make_unique<tbb::global_control>(tbb::global_control::max_allowed_parallelism, threads);
     if (threads > static_cast<unsigned>(tbb::info::default_concurrency()))

@@ -51,7 +51,7 @@ private:
         out_.surface.polygon_cell.push_back(in_.surface.polygon_cell[i]);
     }
 
-    // From the kept end to the other, so that both polygons of a side get the same bits.
+    // Interpolates from the kept end, so both polygons of a side get the same bits.
     Index crossing(Index from, Index to) {
         if (!keeps(from)) std::swap(from, to);
         const auto [known, is_new] =

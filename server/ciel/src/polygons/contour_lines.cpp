@@ -15,12 +15,12 @@ class PolygonContours {
 public:
     PolygonContours(const Surface& surface, std::span<const float> values) : surface_(surface), values_(values) {}
 
-    // Appends the segments that leave the polygon's high runs on their low side.
+    // Appends one segment per run of high corners: from the edge that enters the run to the edge that leaves it.
     void append(std::span<const Index> loop, double nu, std::vector<Vec3f>& out) const {
         const auto high = [&](std::size_t i) { return values_[loop[i % loop.size()]] >= nu; };
         for (std::size_t i = 0; i < loop.size(); ++i) {
             if (high(i) || !high(i + 1)) continue;
-            std::size_t end = i + 1; // the last of the run that begins there
+            std::size_t end = i + 1; // last corner of the run
             while (high(end + 1)) ++end;
             out.push_back(crossing(loop[i], loop[(i + 1) % loop.size()], nu));
             out.push_back(crossing(loop[end % loop.size()], loop[(end + 1) % loop.size()], nu));
@@ -38,7 +38,7 @@ public:
     }
 
 private:
-    // From the lower index to the upper, whichever way the polygon goes.
+    // Interpolates from the lower index to the upper, in both directions of the polygon.
     [[nodiscard]] Vec3f crossing(Index a, Index b, double nu) const {
         if (a > b) std::swap(a, b);
         const float t = share_at(nu, values_[a], values_[b]);
@@ -57,7 +57,7 @@ std::vector<Vec3f> contour_lines(const Surface& surface, std::span<const float> 
     if (at.empty()) return {};
     constexpr std::size_t chunk = 4096;
     double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
-    for (const double nu : at) { // one that is not a number changes neither
+    for (const double nu : at) { // NaN changes neither
         lowest = std::min(lowest, nu);
         highest = std::max(highest, nu);
     }

@@ -20,7 +20,7 @@ bool bends(const Vec3f& a, const Vec3f& b, double cosine) { return a != Vec3f{} 
 } // namespace
 
 std::vector<Index> feature_edges(const Surface& surface, double degrees) {
-    // Rounding makes flat surfaces bend by parts of a degree.
+    // Tolerance: rounding bends flat surfaces by fractions of a degree.
     const double cosine = std::cos(degrees * std::numbers::pi / 180) - 1e-6;
     std::vector<Vec3f> normals;
     for (std::size_t i = 0; i < surface.polygon_cell.size(); ++i)

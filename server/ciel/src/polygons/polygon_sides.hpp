@@ -1,4 +1,4 @@
-// The sides of a surface's polygons in a bucket per lower point, each bucket sorted: no hash, no sort of everything.
+// Sides of a surface's polygons in one sorted bucket per lower point, without a hash or a global sort.
 // Not in the paper.
 #pragma once
 
@@ -11,7 +11,7 @@ namespace ciel {
 
 template <class Side>
 struct PolygonSides {
-    std::vector<Index> begin; // by point, and one more
+    std::vector<Index> begin; // per point, plus one
     std::vector<Side> side;
 
     [[nodiscard]] std::span<Side> of(Index lower) {
@@ -19,8 +19,8 @@ struct PolygonSides {
     }
 };
 
-// Calls f(lower, upper, polygon) for each side; an edge of two polygons comes twice, one from a point to itself
-// (collapsed cells) never.
+// Calls f(lower, upper, polygon) for each side. An edge of two polygons is visited twice. Sides from a point to itself
+// (collapsed cells) are skipped.
 template <class F>
 void for_sides(const Surface& surface, F&& f) {
     for (std::size_t i = 0; i < surface.polygon_cell.size(); ++i) {
@@ -33,7 +33,7 @@ void for_sides(const Surface& surface, F&& f) {
     }
 }
 
-// `make(upper, polygon)` is what is kept of a side.
+// Stores `make(upper, polygon)` for each side.
 template <class Make>
 [[nodiscard]] auto polygon_sides(const Surface& surface, Make make) {
     PolygonSides<std::decay_t<decltype(make(Index{}, Index{}))>> out;

@@ -18,7 +18,7 @@ void add_chunks(Surface& surface) {
 }
 
 bool is_polygon(const std::vector<Index>& loop) {
-    Index other = none; // than the first
+    Index other = none; // a second distinct vertex
     for (const Index vertex : loop) {
         if (vertex == loop[0] || vertex == other) continue;
         if (other != none) return true;

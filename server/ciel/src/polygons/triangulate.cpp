@@ -1,5 +1,5 @@
-// Fans from the first corner that is good enough: polygons of cells are mostly convex, and nearly flat. Where every fan
-// folds over, ears are clipped.
+// Triangulates polygons as fans from the first corner that is good enough: polygons of cells are mostly convex and
+// nearly flat. Where every fan folds over, ears are clipped.
 #include "ciel/parallel.hpp"
 #include "extraction/polygon.hpp"
 #include "polygons/ear_clipping.hpp"
@@ -12,7 +12,7 @@ namespace ciel {
 
 namespace {
 
-// Of one chunk, one behind another. There is room for as many as its polygons may have.
+// Writes the triangles of one chunk, contiguously. The buffer has room for all triangles that its polygons may have.
 class Triangles {
 public:
     explicit Triangles(Index* to) : to_(to) {}
@@ -33,7 +33,7 @@ Vec3d triangle_area(const Surface& surface, Index a, Index b, Index c) {
     return cross(arm(surface.positions[a], surface.positions[b]), arm(surface.positions[a], surface.positions[c]));
 }
 
-// The least area that a triangle of the fan from `corner` has towards the polygon's normal.
+// The smallest dot product of `normal` with a triangle's area vector, over the fan from `corner`.
 double worst_area(const Surface& surface, std::span<const Index> loop, const Vec3d& normal, std::size_t corner) {
     const std::size_t n = loop.size();
     double worst = std::numeric_limits<double>::infinity();
@@ -45,10 +45,10 @@ double worst_area(const Surface& surface, std::span<const Index> loop, const Vec
 
 struct Fan {
     std::size_t corner = 0;
-    bool folds = false; // not by rounding alone
+    bool folds = false; // by more than rounding
 };
 
-// Of a polygon with more corners than this, so many are tried: linear, not quadratic.
+// Larger polygons try evenly spaced corners, this many to twice as many: linear, not quadratic.
 constexpr std::size_t most_tried = 64;
 
 Fan best_fan(const Surface& surface, std::span<const Index> loop, const Vec3d& normal) {
@@ -73,7 +73,7 @@ void append(const Surface& surface, Index a, Index b, Index c, Triangles& out) {
     out.add(a, b, c);
 }
 
-// As the polygon looks along the axis that its normal is nearest to.
+// Clips ears in the projection along the axis nearest to the normal.
 void append_ears(const Surface& surface, std::span<const Index> loop, const Vec3d& normal, Triangles& out) {
     std::size_t axis = 0;
     for (const std::size_t other : {1U, 2U})
@@ -99,7 +99,7 @@ void append_triangles(const Surface& surface, std::span<const Index> loop, Trian
         append(surface, loop[fan.corner], loop[(fan.corner + i) % n], loop[(fan.corner + i + 1) % n], out);
 }
 
-// Where a polygon's triangles are written: all of those before it have their place.
+// Offset of a polygon's triangles: each polygon before it has room for (corners - 2) triangles.
 std::size_t place_of(const Surface& surface, std::size_t polygon) {
     return 3 * (std::size_t{surface.polygon_offset[polygon]} - 2 * polygon);
 }
@@ -118,7 +118,7 @@ void triangulate(const Surface& surface, std::vector<Index>& out) {
             to.fill(out.data() + place_of(surface, last));
         }
     });
-    std::erase(out, none); // where some have no area
+    std::erase(out, none); // room left by triangles without area
 }
 
 std::vector<Index> triangulate(const Surface& surface) {

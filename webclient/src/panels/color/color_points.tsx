@@ -1,4 +1,4 @@
-// Colors of one's own: points on a bar that the hand and the keyboard move, and a row for each.
+// Custom colors: points on a bar, moved by pointer or keyboard, and a row for each.
 import type { JSX } from "preact";
 import { colorOf, hexOf, placeOf, valueAtPlace, type ColorScale } from "../../model/color_scale";
 import type { ColorPoint, Range } from "../../generated/protocol";
@@ -29,10 +29,10 @@ interface Props {
 /** Hundredths of a percent of the bar are finer than any pixel. */
 const rounded = (at: number): number => Number(at.toFixed(4));
 
-/** Where a point is seen, or which one is meant there: both ways the same. */
+/** Converts between a point's position and its place on the bar; a reversed scale mirrors it. Its own inverse. */
 const turned = ({ reverse }: ColorScale, at: number): number => (reverse ? rounded(1 - at) : at);
 
-/** Of the points beside it: one does not go past them. */
+/** Range of values between the neighbouring points, which limit a point's moves. */
 function valuesBetween(scale: ColorScale, index: number): Range {
   const places = [scale.points[index - 1]?.at ?? 0, scale.points[index + 1]?.at ?? 1];
   const [a = 0, b = 0] = places.map((at) => Number(valueAtPlace(scale, turned(scale, at)).toPrecision(6)));

@@ -1,4 +1,4 @@
-// Everything about a color scale but which array it is of: map, direction, logarithm, steps, range, what is outside.
+// Settings of a color scale except its array: map, direction, logarithm, steps, range, colors outside the range.
 import type { JSX } from "preact";
 import { useState } from "preact/hooks";
 import { colorRow, hexOf, type ColorScale } from "../../model/color_scale";
@@ -27,7 +27,7 @@ import { RangeRow } from "../controls/range_row";
 interface Props {
   of: Colored;
   coloring: ScaledColoring;
-  /** Of the array at the shown step. */
+  /** Range of the array at the shown step. */
   data: Range;
 }
 

@@ -1,4 +1,4 @@
-// A color scale as a bar that is wider than high, and a gallery of maps.
+// A color scale as a horizontal bar, and a gallery of maps.
 import type { JSX } from "preact";
 import { colorMapKinds } from "../../model/color_maps";
 import { colorsAlong, type ColorScale } from "../../model/color_scale";
@@ -19,7 +19,7 @@ export function gradientOf(scale: ColorScale): string {
 const KIND_NAMES: Record<string, string> = { sequential: "Sequential", diverging: "Diverging", cyclic: "Cyclic" };
 
 interface GalleryProps {
-  /** What the maps are shown with: their reversal and steps are seen on every swatch. */
+  /** Its reversal and steps apply to every swatch. */
   scale: ColorScale;
   onChoose: (map: string) => void;
 }

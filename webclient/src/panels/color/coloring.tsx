@@ -1,4 +1,4 @@
-// What a layer's color comes from: an array through a map, or one color.
+// Source of a layer's color: an array through a map, or one color.
 import type { JSX } from "preact";
 import type { Coloring } from "../../generated/protocol";
 import { DEFAULT_MAP, colorMapNames } from "../../model/color_maps";
@@ -20,11 +20,11 @@ function Scale(props: { of: Colored; coloring: ScaledColoring }): JSX.Element {
 interface ColoringProps {
   of: Colored;
   coloring: Coloring;
-  /** A volume has one array for its colors and its density, which is chosen elsewhere; contour lines likewise. */
+  /** Hides the choice of the array: volumes and contour lines choose theirs elsewhere. */
   ofArray?: boolean;
-  /** Lines and points lie between cells, and have no colors of theirs. */
+  /** Offers point arrays only: lines and points lie between cells and have no cell values. */
   ofPoints?: boolean;
-  /** The boundary alone has values of patches. */
+  /** Also offers patch arrays: only the boundary has them. */
   ofPatches?: boolean;
   mapLabel?: string;
 }
@@ -82,7 +82,7 @@ export function ColoringFields({
   );
 }
 
-/** Why nothing is seen of a layer; where its value or its plane is outside the data, the fields of those say so. */
+/** Why a layer shows nothing. If its value or plane is outside the data, the fields for those say so. */
 export function EmptyHint({ id }: { id: string }): JSX.Element | null {
   const empty = useModel((model) => model.empty.value);
   const found = empty.find(({ layer, why }) => layer === id && why !== "outside");

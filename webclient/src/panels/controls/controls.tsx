@@ -1,4 +1,4 @@
-// The few controls that all panels are made of.
+// The controls that all panels share.
 import type { ComponentChildren, JSX } from "preact";
 import { useEffect, useRef, useState } from "preact/hooks";
 import { clamp, formatNumber, parseNumber, whyNoNumber } from "../../model/numbers";
@@ -42,20 +42,20 @@ interface NumberFieldProps {
   label: string;
   /** Says more than the label. */
   help?: string;
-  /** Of the values around it: how many digits are worth showing. */
+  /** Span of the neighbouring values: determines the number of digits. */
   span?: number;
-  /** How the value stands there while nobody types, where that is not the number itself. */
+  /** Text of the value while the field is not edited; default: the number itself. */
   shown?: (value: number) => string;
   placeholder?: string;
   step?: number;
-  /** Stands behind the number. */
+  /** Shown after the number. */
   unit?: string;
-  /** What is typed outside becomes the nearest of them, which is said. */
+  /** A typed value outside is clamped, and a message says so. */
   limits?: readonly [number, number];
   onChange: (value: number) => void;
 }
 
-/** Commits on Enter and when it loses the focus; Escape takes the typing back, as leaving it empty does. */
+/** Commits on Enter and on blur. Escape or an empty field restores the value. */
 export function NumberField(props: NumberFieldProps): JSX.Element {
   const { value, label, span, placeholder, step, limits, onChange } = props;
   const shown = value === null ? "" : formatNumber(value, span === undefined ? undefined : span / 10);
@@ -126,7 +126,7 @@ interface SelectFieldProps {
   hideLabel?: boolean;
 }
 
-/** After a choice by the pointer it gives the focus back, so that the page's keys work. */
+/** Drops the focus after a choice by pointer, so that the page's shortcuts work. */
 export function SelectField({ label, value, options, onChange, disabled, hideLabel }: SelectFieldProps): JSX.Element {
   const byPointer = useRef(false);
   const select = (
@@ -231,7 +231,7 @@ interface SectionProps {
   title: string;
   children: ComponentChildren;
   action?: JSX.Element | null;
-  /** Stands there folded or not. */
+  /** Shown whether the section is folded or not. */
   summary?: JSX.Element;
   open?: boolean;
 }

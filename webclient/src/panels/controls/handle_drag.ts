@@ -1,17 +1,17 @@
-// Handles on a track that the pointer and the keyboard move: what iso-values, opacity points and colors have in common.
-// Each handle has its number as data-index.
+// Handles on a track, moved by pointer or keyboard: shared by iso-values, opacity points and color points.
+// Each handle has its index as data-index.
 import type { RefObject } from "preact";
 import { useEffect, useRef } from "preact/hooks";
 import { clamp } from "../../model/numbers";
 
 interface Options {
   newGesture: () => string;
-  /** The pointer went down beside all handles: which of them it takes hold of, if any. */
+  /** Pointer down beside all handles. Returns the index of the handle to drag, or null. */
   pressed: (place: Place, gesture: string) => number | null;
   moved: (index: number, place: Place, gesture: string) => void;
 }
 
-/** On the track, from 0 to 1: to the right and upwards. */
+/** Position on the track, from 0 to 1, rightwards and upwards. */
 export interface Place {
   x: number;
   y: number;
@@ -19,14 +19,14 @@ export interface Place {
 
 interface HandleDrag {
   track: RefObject<HTMLDivElement>;
-  /** Of the track. */
+  /** Event handlers for the track. */
   pointer: {
     onPointerDown: (event: PointerEvent) => void;
     onPointerMove: (event: PointerEvent) => void;
     onPointerUp: () => void;
     onPointerCancel: () => void;
   };
-  /** One for as long as a key is held down. */
+  /** The same gesture while a key is held down. */
   keyGesture: (event: KeyboardEvent) => string;
 }
 
@@ -43,7 +43,7 @@ export function useHandleDrag(options: Options): HandleDrag {
   const track = useRef<HTMLDivElement>(null);
   const held = useRef<{ index: number; gesture: string } | null>(null);
   const keys = useRef("");
-  const latest = useRef(options); // a move may come before the change of the last one is drawn
+  const latest = useRef(options); // a move may arrive before the next render
   useEffect(() => void (latest.current = options));
 
   const focus = (index: number): void => track.current?.querySelector<HTMLElement>(`[data-index="${index}"]`)?.focus();
@@ -59,7 +59,7 @@ export function useHandleDrag(options: Options): HandleDrag {
     track.current?.setPointerCapture(event.pointerId);
     event.preventDefault();
     focus(index);
-    if (handle === null) requestAnimationFrame(() => focus(index)); // it may only just be made
+    if (handle === null) requestAnimationFrame(() => focus(index)); // the handle may be new
   };
   const onPointerMove = (event: PointerEvent): void => {
     if (held.current === null) return;

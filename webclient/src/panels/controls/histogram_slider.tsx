@@ -1,4 +1,4 @@
-// Iso-values over the histogram of their array: every value is a handle that the hand and the keyboard move.
+// Iso-values over the histogram of their array: every value is a handle, moved by pointer or keyboard.
 import type { JSX } from "preact";
 import type { Histogram } from "../../model/state";
 import type { Range } from "../../generated/protocol";
@@ -31,7 +31,7 @@ const KEYS: Record<string, [direction: 1 | -1, reach: "step" | "page" | "end"]> 
   End: [1, "end"],
 };
 
-/** What a key does to a value; null where it does nothing. On a logarithmic axis a step is a factor. */
+/** The value after a key; null for keys without effect. On a logarithmic axis a step is a factor. */
 export function keyed(key: string, shift: boolean, value: number, range: Range, logarithmic = false): number | null {
   const [low, high] = range;
   const [direction, reach] = KEYS[key] ?? [1, null];

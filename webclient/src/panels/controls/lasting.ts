@@ -1,6 +1,6 @@
 import { useEffect, useState } from "preact/hooks";
 
-/** Whether `holds` has been true for so long; counted anew whenever `since` is another. */
+/** Whether `holds` has been true for `milliseconds`; restarts when `since` changes. */
 export function useLasting(holds: boolean, milliseconds: number, since: unknown = null): boolean {
   const [lasts, setLasts] = useState(false);
   useEffect(() => {

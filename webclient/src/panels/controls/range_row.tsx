@@ -1,20 +1,20 @@
-// The two ends of a range, and the button that gives it back to the data.
+// The two ends of a range, and a button that resets it to the data's range.
 import type { ComponentChildren, JSX } from "preact";
 import type { Range } from "../../generated/protocol";
 import { NumberField } from "./controls";
 
 interface RangeRowProps {
-  /** Of the whole, and of its two numbers. */
+  /** Accessible name of the row. `text` is its visible label; `from` and `to` name the two numbers. */
   label: string;
   text: string;
   from: string;
   to: string;
   range: Range;
-  /** How many digits are worth showing; none for a logarithmic scale, whose numbers have their own. */
+  /** Determines the number of digits; undefined for a logarithmic scale, where each number has its own. */
   span: number | undefined;
   /** 0: the lower end. */
   setEnd: (end: 0 | 1, to: number) => void;
-  /** Whether the range is the data's, and what makes it so. */
+  /** Whether the range follows the data. `dataTitle` and `setData` belong to the button that makes it so. */
   ofData: boolean;
   dataTitle: string;
   setData: () => void;

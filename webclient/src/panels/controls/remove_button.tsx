@@ -1,8 +1,8 @@
-// Takes one of several things away. The focus would be lost with it: it goes to what takes its place.
+// Removes an item of a list. The focus would be lost with the item, so it moves to the item that takes its place.
 import type { JSX } from "preact";
 import { Icon } from "./icons";
 
-/** Not those of lists inside its things. */
+/** Enabled buttons of the list, without those of nested lists. */
 function buttonsOf(list: Element, which: string): HTMLButtonElement[] {
   return [...list.querySelectorAll<HTMLButtonElement>(which)].filter(
     (button) => !button.disabled && button.closest("[data-list]") === list,
@@ -11,7 +11,7 @@ function buttonsOf(list: Element, which: string): HTMLButtonElement[] {
 
 const removesOf = (list: Element): HTMLButtonElement[] => buttonsOf(list, "[data-removes]");
 
-/** To the same button of the next, else of the one before, else to what adds one; a hand that has moved on keeps it. */
+/** Focuses the next item's remove button, else the previous one's, else the add button. Keeps a focus that moved on. */
 function keepFocus(list: Element, index: number, button: Element): void {
   const { activeElement } = document;
   if (activeElement !== document.body && activeElement !== button) return;
@@ -25,13 +25,13 @@ interface Props {
   disabled?: boolean;
 }
 
-/** What it is one of stands in an element with data-list, with the button that adds one. */
+/** Must be inside an element with data-list that holds all items and the add button. */
 export function RemoveButton({ label, onClick, disabled }: Props): JSX.Element {
   const remove = (button: HTMLButtonElement): void => {
     const list = button.closest("[data-list]");
     const index = list === null ? 0 : removesOf(list).indexOf(button);
     onClick();
-    if (list !== null) requestAnimationFrame(() => keepFocus(list, index, button)); // the list has changed by then
+    if (list !== null) requestAnimationFrame(() => keepFocus(list, index, button)); // after the list was updated
   };
   return (
     <button
@@ -42,7 +42,7 @@ export function RemoveButton({ label, onClick, disabled }: Props): JSX.Element {
       data-removes=""
       disabled={disabled}
       onKeyDown={(event) => {
-        if (event.repeat) event.preventDefault(); // a key that is held would take away all
+        if (event.repeat) event.preventDefault(); // a held key would remove all items
       }}
       onClick={(event) => remove(event.currentTarget)}
     >

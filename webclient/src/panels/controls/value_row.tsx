@@ -1,4 +1,4 @@
-// A row of values of an array, each typed in, taken away, or one more put into the widest gap.
+// A row of values of an array: each can be edited or removed, and a new one is placed in the widest gap.
 import type { JSX } from "preact";
 import type { Range } from "../../generated/protocol";
 import { niceStep, widestGap } from "../../model/numbers";
@@ -15,7 +15,7 @@ interface ValueRowProps {
   values: readonly number[];
   range: Range;
   setValues: (values: number[]) => void;
-  /** What a value is called: alone, and numbered among others. */
+  /** Names of a value: a single one, and one of several. */
   alone: string;
   numbered: string;
   children?: JSX.Element;

@@ -7,7 +7,7 @@ import { NumberField } from "./controls";
 interface VectorProps {
   label: string;
   value: Vec3;
-  /** Of what it is among: how many digits are worth showing. */
+  /** Span of the surrounding values: determines the number of digits. */
   span: number;
   set: (to: Vec3) => void;
 }

@@ -1,4 +1,4 @@
-// One more plane, across an axis or free.
+// Adds a plane, across an axis or free.
 import type { JSX } from "preact";
 import { AXES, type Across } from "../../model/axes";
 import { IconButton } from "../controls/controls";

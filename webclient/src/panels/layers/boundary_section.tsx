@@ -1,4 +1,4 @@
-// The mesh's boundary: the whole of it, or its named patches, in one layer or in several that look different.
+// The mesh's boundary: all of it, or named patches, in one layer or in several with different looks.
 import type { JSX } from "preact";
 import type { SurfaceLayer } from "../../generated/protocol";
 import { freshSolid } from "../../model/new_looks";
@@ -58,7 +58,7 @@ export function BoundarySection(): JSX.Element {
       commands.layers.set(entry[0], groups === null ? { visible: false } : { visible: true, groups });
     else if (groups !== null) commands.layers.add("surface", { type: "surface", groups });
   };
-  // Of a patch that is not shown yet: two layers in one place would hide each other.
+  // Starts with a patch in no layer yet: coincident layers would hide each other.
   const addFurther = (): void => {
     const taken = new Set(layersOf(scene, "surface").flatMap(([, layer]) => layer.groups ?? []));
     const free = description?.groups.find(({ of, name }) => of === "faces" && !taken.has(name));

@@ -1,4 +1,4 @@
-// Planes that cut all layers, each with its place, its side and whether it is closed.
+// Planes that cut all layers, each with its position, its kept side and its caps.
 import type { JSX } from "preact";
 import { boundsCentre } from "../../model/camera";
 import type { ClipLayer } from "../../generated/protocol";

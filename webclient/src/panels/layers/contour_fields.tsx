@@ -1,4 +1,4 @@
-// Contour lines of a slice: of which array, at which values, in one color or in those of their values.
+// Contour lines of a slice: their array, their values, and one color or the colors of their values.
 import type { JSX } from "preact";
 import type { Coloring, Contours, Range, SliceLayer } from "../../generated/protocol";
 import { DEFAULT_COUNT, evenValues, mapBeside, MOST_COUNT, ofArray, type ContoursChange } from "../../model/contours";
@@ -35,7 +35,7 @@ function RangeField({ contours, data, set }: FieldsProps & { data: Range }): JSX
   );
 }
 
-/** Evenly, or where a hand puts them. */
+/** Evenly spaced values, or chosen ones. */
 function ValuesFields({ contours, set }: FieldsProps): JSX.Element {
   const data = useSomeRange(contours.array);
   const { values } = contours;
@@ -81,7 +81,7 @@ function ValuesFields({ contours, set }: FieldsProps): JSX.Element {
   );
 }
 
-/** One color for all lines, or the colors of their values; and how wide they are. */
+/** One color for all lines or the colors of their values; their width. */
 function LooksFields({
   id,
   contours,

@@ -1,4 +1,4 @@
-// What the dataset is: in a few words at the top of the panel, and unfolded in all its numbers.
+// The dataset: a summary at the top of the panel, and all details when unfolded.
 import type { JSX } from "preact";
 import type { DatasetDescription } from "../../generated/protocol";
 import { arrayFacts } from "../../model/array_facts";

@@ -53,7 +53,7 @@ function ScaleButtons({
   );
 }
 
-/** Says why nothing is seen of a value. */
+/** Names the values outside the data's range, which have no surface. */
 function OutsideHint({ values, range }: { values: readonly number[]; range: Range }): JSX.Element | null {
   const outside = values.filter((value) => value < range[0] || value > range[1]);
   if (outside.length === 0) return null;

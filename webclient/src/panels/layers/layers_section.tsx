@@ -1,4 +1,4 @@
-// All layers in their order, each to be seen or not, moved by a hand or by keys.
+// All layers in order; each can be shown, hidden, dragged, or moved by keys.
 import type { JSX } from "preact";
 import { useEffect, useRef, useState } from "preact/hooks";
 import { layerNames } from "../../model/layer_names";
@@ -13,12 +13,12 @@ interface RowProps {
   id: string;
   name: string;
   visible: boolean;
-  /** Why nothing is seen of it; empty where something is. */
+  /** Why the layer shows nothing; empty otherwise. */
   reason: string;
   place: number;
   count: number;
   move: (step: Step) => void;
-  /** Between which rows what is dragged would come to lie: above this one, or below the last. */
+  /** Drop position: above this row, or below the last one. */
   mark: "above" | "below" | null;
   drag: { begin: () => void; over: (below: boolean) => void; end: (dropped: boolean) => void };
 }
@@ -80,7 +80,7 @@ export function LayersSection(): JSX.Element {
   const layers = layersInOrder(scene);
   const names = layerNames(scene);
   const order = JSON.stringify(layers.map(([id]) => id));
-  // A row that changes its place loses the focus; at the list's end its button is off, and the other one is next.
+  // A moved row loses the focus. At an end of the list its button is disabled, so the other one gets the focus.
   useEffect(() => {
     const { id, step } = moved.current ?? {};
     moved.current = null;

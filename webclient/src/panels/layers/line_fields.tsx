@@ -8,7 +8,7 @@ export const DEFAULT_COLOR = "#1a1a1a";
 
 interface LineStyleProps {
   label: string;
-  /** null where they have those of an array. */
+  /** null if an array colors the lines. */
   color: string | null;
   width: number;
   onChange: (change: { color?: string; width?: number }) => void;

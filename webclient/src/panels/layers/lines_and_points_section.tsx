@@ -1,4 +1,4 @@
-// The mesh itself: the edges of its boundary, its vertices.
+// The edges of the mesh's boundary, and its vertices.
 import type { ComponentChildren, JSX } from "preact";
 import type { EdgesLayer, PointsLayer, Range } from "../../generated/protocol";
 import { formatCount } from "../../model/numbers";
@@ -16,11 +16,11 @@ const USUAL_MOST = 1e6;
 interface CardProps {
   id: string;
   layer: EdgesLayer | PointsLayer;
-  /** Which of them, and how large they are drawn. */
+  /** Fields for their choice and size. */
   children: ComponentChildren;
 }
 
-/** What lines and points have in common: all but their choice and size. */
+/** Fields that lines and points share: all but their choice and size. */
 function Card({ id, layer, children }: CardProps): JSX.Element {
   const commands = useCommands();
   const hasPatches = useModel((model) => (model.description.value?.groups ?? []).some(({ of }) => of === "faces"));

@@ -1,5 +1,5 @@
-// Which of the boundary a layer shows: the whole of it, or named patches, searched, by families, in a list of its own
-// height.
+// The part of the boundary that a layer shows: all of it, or named patches in a searchable list by families. The list
+// has its own height.
 import type { JSX } from "preact";
 import { useEffect, useRef, useState } from "preact/hooks";
 import { formatCount } from "../../model/numbers";
@@ -19,15 +19,15 @@ import { useModel } from "../context";
 import { Icon } from "../controls/icons";
 
 interface Props {
-  /** Patches; none stands for the whole boundary. */
+  /** Patch names; empty for the whole boundary. */
   groups: readonly string[];
-  /** False where the layer is hidden, so that nothing is ticked. */
+  /** False if the layer is hidden; then nothing is ticked. */
   shown?: boolean;
-  /** null: nothing is ticked any more. */
+  /** null: nothing is ticked. */
   onChange: (groups: string[] | null) => void;
 }
 
-/** Fewer are in sight at once. */
+/** Fewer patches are visible at once without a search. */
 const WORTH_A_SEARCH = 8;
 
 interface RowProps {

@@ -1,4 +1,4 @@
-// A free plane: how far along its normal, and its origin and normal in numbers.
+// A free plane: its position along its normal, and its origin and normal as numbers.
 import type { JSX } from "preact";
 import { boundsCentre, corners, frame } from "../../model/camera";
 import { add, dot, normalize, scale, subtract } from "../../model/vector";
@@ -8,7 +8,7 @@ import { IconButton, Slider } from "../controls/controls";
 import { useCommands, useModel } from "../context";
 import { VectorRow } from "../controls/vector_row";
 
-/** In the ranges that a dataset has, five digits of a coordinate are what a hand means. */
+/** Rounds to six significant digits: more are not meant in a dataset's range. */
 const tidy = (vector: Vec3): Vec3 => vector.map((value) => Number(value.toPrecision(6))) as Vec3;
 
 interface PlaneProps {

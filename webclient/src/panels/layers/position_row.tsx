@@ -1,4 +1,4 @@
-// A plane across an axis: where it lies, by a slider over the dataset's bounds and in a number.
+// Position of a plane across an axis: a slider over the dataset's bounds, and a number.
 import type { JSX } from "preact";
 import { endsOf, type Axis } from "../../model/axes";
 import { clamp, formatNumber, sliderTrack } from "../../model/numbers";
@@ -8,9 +8,9 @@ import { useCommands, useModel } from "../context";
 interface PositionProps {
   id: string;
   axis: Axis;
-  /** The middle without one. */
+  /** undefined: the middle of the bounds. */
   value: number | undefined;
-  /** Of the slider and of the number. */
+  /** Labels of the slider and of the number. */
   labels: readonly [string, string];
 }
 

@@ -1,4 +1,4 @@
-// One slice: the plane it lies in, always in reach; its colors and lines, which can be folded away.
+// One slice: its plane, always visible; its colors and lines, which can be folded.
 import type { JSX } from "preact";
 import { useLayoutEffect, useRef } from "preact/hooks";
 import type { SliceLayer } from "../../generated/protocol";
@@ -22,7 +22,7 @@ const PLANES = [
   { value: "free", text: "Free plane" },
 ];
 
-/** Where the plane lies beside the data. */
+/** Shown if the plane lies outside the data. */
 function OutsideHint({ id, layer }: { id: string; layer: SliceLayer }): JSX.Element | null {
   const description = useModel((model) => model.description.value);
   const isFreeOutside = useModel((model) => model.empty.value.some((one) => one.layer === id && one.why === "outside"));
@@ -68,12 +68,12 @@ function LooksFields({ id, layer, slices }: { id: string; layer: SliceLayer; sli
 interface SliceCardProps {
   id: string;
   layer: SliceLayer;
-  /** As in the list of layers. */
+  /** The name in the list of layers. */
   name: string;
   slices: Slices;
   isOpen: boolean;
   fold: () => void;
-  /** Once for a slice that a hand has just made, which may sweep on at once. */
+  /** True once for a new slice, so that its slider can be moved at once by keys. */
   takesFocus: () => boolean;
 }
 

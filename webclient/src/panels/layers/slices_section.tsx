@@ -1,4 +1,4 @@
-// Slices, each with its own plane and looks; any number of them, also across one axis.
+// Slices, each with its own plane and looks; any number, also several across one axis.
 import type { JSX } from "preact";
 import { useRef, useState } from "preact/hooks";
 import type { Across } from "../../model/axes";
@@ -15,13 +15,13 @@ export function SlicesSection(): JSX.Element {
   const commands = useCommands();
   const description = useModel((model) => model.description.value);
   const scene = useModel((model) => model.scene.value);
-  // The looks of one slice only until a hand wants more: so that all positions are in sight.
+  // At first only one slice's looks are unfolded, so that all positions are visible.
   const [opened, setOpened] = useState<readonly string[] | null>(null);
   const first = useRef<string | undefined>(undefined);
   const added = useRef<string | null>(null);
   const slices = layersOf(scene, "slice");
   const names = layerNames(scene);
-  if (!slices.some(([id]) => id === first.current)) first.current = slices[0]?.[0]; // stays while others come before it
+  if (!slices.some(([id]) => id === first.current)) first.current = slices[0]?.[0]; // kept when others precede it
   const open = opened ?? slices.flatMap(([id]) => (id === first.current ? [id] : []));
   const add = (across: Across): void => {
     if (description === null) return;

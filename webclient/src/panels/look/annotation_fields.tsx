@@ -1,4 +1,4 @@
-// What is written over the view here and over saved pictures by the server.
+// Annotations over the view; the server draws the same over saved pictures.
 import type { JSX } from "preact";
 import type { Annotations } from "../../generated/protocol";
 import { Check, Slider } from "../controls/controls";

@@ -1,4 +1,4 @@
-// From where and how it is looked: the hand's moves in numbers, and how strong the perspective is.
+// The camera in numbers, and the strength of the perspective.
 import type { JSX } from "preact";
 import {
   distance,
@@ -50,7 +50,7 @@ function FieldOfView({ fov }: { fov: number }): JSX.Element {
   );
 }
 
-/** What the hand cannot hit: the same view again tomorrow, or of another dataset. */
+/** Exact numbers, to reproduce a view later or with another dataset. */
 function Places({ camera }: { camera: FullCamera }): JSX.Element {
   const commands = useCommands();
   const span = distance(camera);

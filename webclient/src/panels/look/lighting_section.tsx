@@ -1,4 +1,4 @@
-// The lights of a scene: which are on and how strong, and the shade that surfaces cast on what is near them.
+// The lights of a scene, their strengths, and ambient occlusion.
 import type { JSX } from "preact";
 import type { AmbientOcclusion, Light, Lighting } from "../../generated/protocol";
 import { Check, Section, Slider } from "../controls/controls";

@@ -1,4 +1,4 @@
-// What stands in the way of a live picture, in full sentences.
+// Reasons why there is no live picture, in full sentences.
 import type { JSX } from "preact";
 import { useEffect, useState } from "preact/hooks";
 import { openingIn } from "../../model/model";
@@ -70,7 +70,7 @@ export function ConnectionNotice(): JSX.Element | null {
 
 const MOST_CHOICES = 6;
 
-/** What can be shown instead, a button each. */
+/** Other datasets to open, a button each. */
 function Choices(): JSX.Element | null {
   const commands = useCommands();
   const datasets = useModel((model) => model.datasets.value) ?? [];
@@ -118,7 +118,7 @@ const EMPTY = "None of the surfaces that are switched on meets the data at this 
 
 const MOST_REASONS = 3;
 
-/** Of a picture in which there is nothing at all: what each layer says of it. */
+/** Reasons of each layer if no visible layer shows anything; otherwise empty. */
 function reasonsOf(scene: Scene | null, empty: readonly EmptyLayer[]): string[] {
   const shown = layersInOrder(scene).filter(
     ([, layer]) => layer.visible !== false && layer.type !== "outline" && layer.type !== "clip",
@@ -145,10 +145,10 @@ export function LackingNotice(): JSX.Element | null {
   );
 }
 
-/** A picture that is late this long is said to be. */
+/** A picture that is later than this is announced. */
 const LATE_MS = 400;
 
-/** Whether the picture has lagged behind the scene for a while: what is seen is not what was asked for. */
+/** Whether the picture has lagged behind the scene for LATE_MS. */
 function useLate(): boolean {
   const behind = useModel(
     (model) =>

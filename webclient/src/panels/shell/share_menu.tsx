@@ -1,4 +1,4 @@
-// Links for others: the scene as it is now, or this session, which both then see and change.
+// Links to share: a copy of the current scene, or this session, which all users then see and change.
 import type { JSX } from "preact";
 import { Menu } from "../controls/controls";
 import { useCommands } from "../context";

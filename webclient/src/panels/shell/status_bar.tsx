@@ -1,4 +1,4 @@
-// Latency, rate and what kind of picture is seen.
+// Latency, frame rate and the kind of picture shown.
 import type { JSX } from "preact";
 import { isStillDue, openingIn } from "../../model/model";
 import type { Readout } from "../../model/state";
@@ -8,7 +8,7 @@ import { useLasting } from "../controls/lasting";
 
 const milliseconds = (value: number): string => `${value < 10 ? value.toFixed(1) : value.toFixed(0)} ms`;
 
-/** Pictures come only when something changes. */
+/** Zero is "idle": frames are sent only when something changes. */
 const rate = (perSecond: number): string =>
   perSecond === 0 ? "idle" : `${perSecond.toFixed(perSecond < 10 ? 1 : 0)} fps`;
 
@@ -17,10 +17,10 @@ function kind({ stream, still }: Readout): string {
   return still ? "image, still" : "image, preview";
 }
 
-/** A full picture that takes longer is said to be on its way. */
+/** A still that takes longer is announced. */
 const PATIENCE_MS = 1000;
 
-/** Always there, so that who listens hears its words come. */
+/** Always in the page, so that screen readers announce its changes. */
 function StillNotice(): JSX.Element {
   const due = useModel(isStillDue);
   const frame = useModel((model) => model.readout.value.frame);

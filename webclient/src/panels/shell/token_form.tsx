@@ -1,4 +1,4 @@
-// A server that others can reach asks who comes.
+// Login form: a server that is reachable by others asks for a token.
 import type { JSX } from "preact";
 import { useState } from "preact/hooks";
 import { useCommands } from "../context";

@@ -1,11 +1,11 @@
-// While the picture is behind the hand: what the hand wants, over it.
+// Draws pending changes over the picture while it lags behind.
 import type { JSX } from "preact";
 import { ahead } from "../../model/ahead";
 import { cameraOf } from "../../model/model";
 import { useModel } from "../context";
 import { useLasting } from "../controls/lasting";
 
-/** A picture that is so late is no longer where the hand is. */
+/** Latency above which the pending changes are drawn. */
 const BEHIND_MS = 120;
 
 export function Ahead(): JSX.Element | null {

@@ -1,4 +1,4 @@
-// Where x, y and z point in the view.
+// Directions of x, y and z in the view.
 import type { JSX } from "preact";
 import { frame } from "../../model/camera";
 import { dot, type Vec3 } from "../../model/vector";

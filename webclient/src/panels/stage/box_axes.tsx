@@ -1,4 +1,4 @@
-// The bounding box's ticks and numbers over the canvas: frames carry no writing (Annotations in the contract).
+// The bounding box's ticks and numbers over the canvas: frames contain no text (Annotations in the contract).
 import type { JSX } from "preact";
 import { useEffect, useRef, useState } from "preact/hooks";
 import type { Size } from "../../model/camera";
@@ -9,9 +9,9 @@ import { timesPowerOfTen } from "../../model/ticks";
 import { useModel, useCamera } from "../context";
 
 const TEXT_PIXELS = 12;
-/** Ems between a text and the edge of its plate. */
+/** Padding in ems between a text and the edge of its plate. */
 const PLATE_ROOM = 0.25;
-/** Lines of the axes end where something else stands. */
+/** Id of the mask that hides the axes behind other overlays. */
 const MASK = "beside-overlays";
 
 interface TextProps {
@@ -21,7 +21,7 @@ interface TextProps {
   em: number;
 }
 
-/** With a plate in the background's color behind it, to be read over any picture. */
+/** Text on a plate in the background's color, readable over any picture. */
 function BackedText({ at, text, size, em }: TextProps): JSX.Element {
   const background = useModel((model) => model.scene.value?.background);
   const { left, top, right, bottom } = boxOf(at, text, em);

@@ -1,4 +1,4 @@
-// Title, dataset and time over the canvas: frames carry no writing (Annotations in the contract).
+// Title, dataset and time over the canvas: frames contain no text (Annotations in the contract).
 import type { JSX } from "preact";
 import { paperAt } from "../../model/background";
 import { shownTime } from "../../model/scalars";

@@ -1,7 +1,7 @@
-// Hides what has no room over the canvas, whenever something there comes, goes or changes its size.
+// Hides overlays without room on the canvas; runs again when an overlay is added, removed or resized.
 import { roomFor, type Box } from "../../model/overlay_room";
 
-const HIDDEN = "data-crowded"; // the style sheet makes it invisible, but it keeps its place
+const HIDDEN = "data-crowded"; // the style sheet makes it invisible but keeps its layout
 
 function boxesOf(stage: HTMLElement, selector: string): [HTMLElement[], Box[]] {
   const { left, top } = stage.getBoundingClientRect();
@@ -27,14 +27,14 @@ function arrange(stage: HTMLElement): Box[] {
   legendElements.forEach((element, i) => {
     element.toggleAttribute(HIDDEN, room.legends[i] !== true);
     const { top = 0, bottom = 0 } = legends[i] ?? {};
-    element.style.setProperty("--from", `${(100 * top) / stage.clientHeight}%`); // its part of the background
+    element.style.setProperty("--from", `${(100 * top) / stage.clientHeight}%`); // vertical extent in the background
     element.style.setProperty("--to", `${(100 * bottom) / stage.clientHeight}%`);
   });
   for (const element of triadElements) element.toggleAttribute(HIDDEN, !room.triad);
   return room.taken;
 }
 
-/** `changed`: what is taken now. Returns what ends it. */
+/** `changed` receives the boxes of the shown overlays when they change. Returns a function that stops observing. */
 export function keepApart(stage: HTMLElement, changed: (taken: Box[]) => void): () => void {
   let last = "";
   const watched = new WeakSet<Element>();

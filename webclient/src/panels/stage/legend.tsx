@@ -26,16 +26,16 @@ import { useDataRange } from "../color/data_range";
 
 const BAR_PIXELS = 256;
 
-/** Pixels between the box and a legend. */
+/** Pixels kept free between the bounding box and a legend. */
 const ROOM: Size = { width: 12, height: 20 };
 
-/** Triangles beyond the ends stand for colors that values outside the range have. */
+/** Triangles beyond the ends show the colors of values outside the range. */
 function ColorBar({ scale }: { scale: ColorScale }): JSX.Element {
   const canvas = useRef<HTMLCanvasElement>(null);
   const key = JSON.stringify(scale);
   useEffect(() => {
     const context = canvas.current?.getContext("2d");
-    const pixels = colorsAlong(scale, BAR_PIXELS).reverse(); // the highest on top
+    const pixels = colorsAlong(scale, BAR_PIXELS).reverse(); // highest value on top
     const rgba = Uint8ClampedArray.from(pixels.flatMap((color) => [...color, 255]));
     context?.putImageData(new ImageData(rgba, 1, BAR_PIXELS), 0, 0);
   }, [key]);
@@ -54,10 +54,10 @@ const LINE_PIXELS = 14;
 const USUAL_HEIGHT = 120;
 const LINES_APART = 1.7;
 const MOST_TICKS = 6;
-/** Closer ones look like one bar. */
+/** Pixels between marks; closer ones merge into one bar. */
 const MARKS_APART = 4;
 
-/** Of those between the two ends, the ones whose labels stand clear of the labels below and above them. */
+/** Ticks between the two ends; drops those whose labels would overlap the labels below or above them. */
 function spacedTicks(scale: ColorScale, height: number): ColorTick[] {
   const gap = LINE_PIXELS / height;
   let last = 0;
@@ -75,7 +75,7 @@ interface Entry {
   of: Colored;
 }
 
-/** Pixels of a legend's text where its numbers have lines of LINE_PIXELS. */
+/** Text size in pixels at which lines are LINE_PIXELS high. */
 const USUAL_TEXT = 12;
 /** A minus is wider than a digit. */
 const BESIDE_DIGITS = 0.5;
@@ -135,7 +135,7 @@ function LegendScale({ coloring, of, scale, range, text }: ScaleProps): JSX.Elem
   );
 }
 
-/** Of an array that has one value: a scale of it would say the same thrice. */
+/** Replaces the scale of a constant array: a scale would repeat the value three times. */
 function OneValue({ value }: { value: number }): JSX.Element {
   return (
     <p class="one-value">
@@ -145,7 +145,7 @@ function OneValue({ value }: { value: number }): JSX.Element {
   );
 }
 
-/** Whose lowest and highest value the ends are. */
+/** Source of the range: this step, all steps, or held by the user. */
 function rangeWords({ range }: ScaledColoring, everywhere: Range | null): string {
   if (!range) return "this step";
   const isOfAll = everywhere !== null && everywhere[0] === range[0] && everywhere[1] === range[1];
@@ -233,7 +233,7 @@ function LegendEntry({ coloring, of, name, text }: LegendOf & { text: number }):
   );
 }
 
-/** From the stage's top right corner to the far ends of the legends, with room around them. */
+/** Sizes of the rectangles from the stage's top right corner to the far end of each legend, plus ROOM. */
 function cornerOf(legends: HTMLElement): Size[] {
   const stage = legends.parentElement?.getBoundingClientRect();
   const boxes = [...legends.children].map((child) => child.getBoundingClientRect());

@@ -1,4 +1,4 @@
-// The values where the canvas was clicked, and a mark there.
+// The values at the clicked point, and a mark there.
 import type { JSX } from "preact";
 import { project } from "../../model/camera";
 import { extremesText } from "../../model/cell_extremes";
@@ -7,7 +7,7 @@ import { unitsOf } from "../../model/scalars";
 import { IconButton } from "../controls/controls";
 import { useCommands, useModel, useCamera } from "../context";
 
-/** Of the patch that was clicked: what to do with it. */
+/** The clicked patch, with actions for it. */
 function PatchRow({ layer, patch }: { layer: string; patch: string }): JSX.Element {
   const commands = useCommands();
   return (

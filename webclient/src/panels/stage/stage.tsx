@@ -1,4 +1,4 @@
-// The canvas, what lies over it, and the hand on it.
+// The canvas, its overlays, and its input events.
 import type { JSX } from "preact";
 import { useEffect, useRef } from "preact/hooks";
 import { openingIn } from "../../model/model";
@@ -24,7 +24,7 @@ export function Stage(): JSX.Element {
   const background = useModel(({ scene, fatal }) =>
     scene.value === null || fatal.value !== null ? null : (scene.value.background ?? "dark"),
   );
-  const under = background === null ? "" : isBright(background) ? "on-light" : "on-dark"; // without a picture as the page
+  const under = background === null ? "" : isBright(background) ? "on-light" : "on-dark"; // no picture: page colors
   useEffect(() => {
     const element = root.current;
     if (element === null || images.current === null || geometry.current === null) return;

@@ -16,7 +16,7 @@ export function TimeBar(): JSX.Element {
   const loop = useModel((model) => model.loop.value);
   const rate = useModel((model) => model.playRate.value);
   if (times.length < 2) {
-    // It keeps its place: a canvas that shrinks when the dataset is known would have its first picture drawn twice.
+    // Reserves its space: if the canvas shrank once the dataset is known, its first picture would be drawn twice.
     return (
       <section class="time-bar hint" aria-label="Time">
         {times.length === 1 && "This dataset has one time step."}

@@ -1,4 +1,4 @@
-// The point of an opacity curve that was taken hold of last: where it is and how opaque, in numbers.
+// Position and opacity of the last selected point of an opacity curve, as numbers.
 import type { JSX } from "preact";
 import type { Range } from "../../generated/protocol";
 import { fractionOf, valueAt } from "../../model/numbers";
@@ -8,7 +8,7 @@ import { NumberField } from "../controls/controls";
 interface Props {
   index: number;
   point: OpacityPoint;
-  /** Of the points beside it. */
+  /** Positions of the neighbouring points. */
   between: Range;
   range: Range;
   logarithmic: boolean;

@@ -1,4 +1,4 @@
-// Volumes: the mesh as a colored fog, by one array.
+// Volume rendering of the mesh by one array.
 import type { JSX } from "preact";
 import type { Range, VolumeLayer } from "../../generated/protocol";
 import { rangeOf } from "../../model/color_range";
@@ -25,7 +25,7 @@ function VolumeFields({ id, layer }: { id: string; layer: VolumeLayer }): JSX.El
   const units = useModel((model) => model.description.value?.length_units) ?? "";
   const setSlices = (typed: number): void => {
     const slices = Math.round(typed);
-    commands.layers.set(id, { slices: slices > 0 ? slices : null }); // 0 is auto, as of the unit length
+    commands.layers.set(id, { slices: slices > 0 ? slices : null }); // 0: auto, as for the unit length
   };
   return (
     <div class="fields">
@@ -126,7 +126,7 @@ export function VolumeSection(): JSX.Element {
     if (first === undefined || description === null) return;
     const counts = commands.histogram(description.name, first, shownTime(description, scene))?.counts ?? null;
     const color = coloredBy(scene, description, first);
-    delete color.array; // a volume names it itself
+    delete color.array; // the layer itself names the array
     commands.layers.add("volume", { type: "volume", array: first, color, opacity_points: firstOpacity(counts) });
   };
   return (
