@@ -48,7 +48,7 @@ std::vector<wire::NamedValues> values_of(const Surface& surface, const std::vect
                                          store::LoadedDataset& loaded, std::size_t step) {
     std::vector<wire::NamedValues> all;
     for (const std::string& scalar : scalars) {
-        // The bare name of a vector means its magnitude; the file names it as such.
+        // The bare name of a vector means its magnitude; the file calls it ARRAY:magnitude.
         const store::ScalarName name = store::parse_scalar(*loaded.dataset(), scalar);
         wire::NamedValues values{name.magnitude ? name.array + ":magnitude" : scalar,
                                  std::vector<float>(surface.points.size())};

@@ -1,4 +1,4 @@
-// How the scene is looked at.
+// Commands for the camera.
 import {
   axisView,
   centre,
@@ -25,7 +25,7 @@ export class CameraCommands {
     private readonly probe: (x: number, y: number) => Promise<Vec3 | null | undefined>,
   ) {}
 
-  /** What is wanted, which the picture may be behind. */
+  /** The requested camera; the picture may lag behind. */
   get(): FullCamera | null {
     return cameraOf(this.deps.model);
   }
@@ -39,7 +39,7 @@ export class CameraCommands {
     if (camera !== null) this.set(change(camera), gesture);
   }
 
-  /** About a place of the canvas in CSS pixels, to where a hand may come; the same camera if it is there already. */
+  /** Zooms about (x, y), in CSS pixels of the canvas, within the limits. Returns the same camera at a limit. */
   zoomed(camera: FullCamera, factor: number, x: number, y: number): FullCamera {
     const bounds = this.bounds();
     const allowed = bounds === null ? factor : withinReach(camera, factor, bounds);
@@ -58,14 +58,14 @@ export class CameraCommands {
     this.change((camera) => pan(camera, dx, dy, this.deps.server.size.css), gesture);
   }
 
-  /** `anew`: a turn begins, about what is in the middle of the canvas. */
+  /** `anew`: a new orbit begins, about the surface in the middle of the canvas. */
   turnBy(dx: number, dy: number, gesture: string, anew: boolean): void {
     const { css } = this.deps.server.size;
     if (anew && this.get() !== null) this.turnsAbout(css.width / 2, css.height / 2);
     this.change((camera) => orbit(camera, dx, dy, css, this.pivotOf(camera)), gesture);
   }
 
-  /** A hand takes hold of the view there, in CSS pixels of the canvas. */
+  /** An orbit begins at (x, y), in CSS pixels of the canvas. */
   turnsAbout(x: number, y: number): void {
     this.deps.view.pivot.seek(x, y);
   }
@@ -74,7 +74,7 @@ export class CameraCommands {
     return this.deps.view.pivot.of(camera);
   }
 
-  /** Of what is drawn, or of the whole box. */
+  /** Frames the drawn geometry, or the whole box. */
   reset(wholeBox = false): void {
     const { size } = this.deps.server;
     void this.framed(wholeBox, (bounds, now) => defaultView(bounds, size.aspect, now.fov, now.parallel));

@@ -1,4 +1,4 @@
-/** False where the browser has no clipboard: without a secure origin, or forbidden. */
+/** Copies the text. Returns false if the browser allows no clipboard access. */
 export async function copyText(text: string): Promise<boolean> {
   try {
     await navigator.clipboard.writeText(text);
@@ -8,7 +8,7 @@ export async function copyText(text: string): Promise<boolean> {
   }
 }
 
-/** On plain http from another machine there is no navigator.clipboard; what it replaces still works in all browsers. */
+/** Old method, for plain http from another machine: navigator.clipboard needs a secure origin. */
 function copyBySelection(text: string): boolean {
   const area = document.createElement("textarea");
   area.value = text;

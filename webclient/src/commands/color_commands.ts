@@ -1,4 +1,4 @@
-// What the colors of layers and contour lines stand for.
+// Commands for the colorings of layers and contour lines.
 import type { ColoringChange } from "../model/color_edit";
 import type { Json, JsonObject } from "../model/merge_patch";
 import { percentiles } from "../model/percentiles";
@@ -11,12 +11,12 @@ const USUAL_SHARES = [0.01, 0.99] as const;
 const USUAL_BINS = 1024;
 
 export class ColorCommands {
-  /** What colorings were before they became logarithmic, by what they color. */
+  /** Colorings before they became logarithmic, by colored object. */
   readonly beforeLog = new Map<string, Coloring>();
 
   constructor(private readonly deps: Deps) {}
 
-  /** One coloring for several layers, as one step. undefined members are taken away. */
+  /** Changes the coloring of several layers, as one step. undefined members are removed. */
   set({ layers, contours = [] }: Colored, change: ColoringChange, gesture?: string): void {
     const color: JsonObject = {};
     for (const [key, value] of Object.entries(change)) color[key] = (value ?? null) as unknown as Json;
@@ -26,14 +26,14 @@ export class ColorCommands {
     this.deps.server.editor.change({ layers: patch }, gesture);
   }
 
-  /** null: in one color. What the scale was like belonged to the array before. */
+  /** Colors by an array, or with one color if null. Drops the range: it belonged to the previous array. */
   by(of: Colored, array: string | null): void {
     const { description, scene } = this.deps.model;
     if (array === null) this.set(of, { array: undefined, range: undefined });
     else this.set(of, { range: undefined, ...coloredBy(scene.peek(), description.peek(), array) });
   }
 
-  /** Without the values that lie far away from all others; null where there is none, or no answer. */
+  /** Returns the range without outliers (USUAL_SHARES); null if there is none, or no answer. */
   async usualRange(array: string): Promise<Range | null> {
     const { model, server } = this.deps;
     const description = model.description.peek();
@@ -51,7 +51,7 @@ export class ColorCommands {
     }
   }
 
-  /** Of the values that are shown in the view; null where there is none, which is said. */
+  /** Returns the range of the values in view; null, with a message, if there is none. */
   async rangeInView(colored: Colored): Promise<Range | null> {
     const { server } = this.deps;
     const of = async (part: keyof Colored): Promise<Range[]> => {

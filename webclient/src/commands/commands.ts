@@ -1,4 +1,4 @@
-// What a person can do. Panels, keys and buttons all come here; each group is a file.
+// All user commands. Panels, keys and buttons call these; each group has its own file.
 import { openingScene } from "../server/first_scene";
 import { Disconnected } from "../server/rpc";
 import type { Server } from "../server/server";
@@ -48,7 +48,7 @@ export class Commands {
     this.page = new PageCommands(deps, links);
   }
 
-  /** The hand on the canvas: what it does to the element is done to the scene. */
+  /** Applies gestures on the element to the scene. */
   listenTo(element: HTMLElement): void {
     const { camera, probe } = this;
     listenToGestures(element, {
@@ -64,7 +64,7 @@ export class Commands {
     });
   }
 
-  /** Of the scene: a merge patch. Changes of one gesture are one step of the undo. */
+  /** Changes the scene by a merge patch. Changes of one gesture are one undo step. */
   change(patch: object, gesture?: string): void {
     this.server.editor.change(patch, gesture);
   }
@@ -89,7 +89,7 @@ export class Commands {
     model.chosen.value = name;
     try {
       const upcoming = await server.session.call("dataset.describe", { dataset: name });
-      if (model.chosen.peek() !== name) return; // another was chosen meanwhile
+      if (model.chosen.peek() !== name) return; // another dataset was chosen meanwhile
       update(model, { upcoming });
       const scene = openingScene(upcoming, server.size, this.page.background());
       if (server.editor.isConnected) server.editor.replace(scene);
@@ -101,22 +101,22 @@ export class Commands {
     }
   }
 
-  /** null until it has arrived, and where there is none; a panel that reads it is drawn again then. */
+  /** Returns null until it has arrived, or if there is none. A panel that reads it is redrawn on arrival. */
   histogram(dataset: string, array: string, time: number): Histogram | null {
     return this.server.histograms.get(dataset, array, time);
   }
 
-  /** The socket, without waiting for the next try. */
+  /** Reconnects now, without waiting for the next attempt. */
   retry(): void {
     this.server.session.retryNow();
   }
 
-  /** The session again, after the server has refused it. */
+  /** Opens the session again after the server has refused it. */
   async reopen(): Promise<void> {
     await this.server.session.open();
   }
 
-  /** A sentence where the token opens nothing. */
+  /** Returns null if the token was accepted, else a sentence for the user. */
   enterToken(typed: string): Promise<string | null> {
     return this.server.entry.enter(typed);
   }

@@ -1,4 +1,4 @@
-// What commands work with: what the page knows, the server, the canvases, and a way to say something.
+// Dependencies of all commands: model, server, canvases and messages to the user.
 import type { Model } from "../model/model";
 import type { Server } from "../server/server";
 import type { View } from "../view/view";
@@ -8,6 +8,6 @@ export interface Deps {
   readonly server: Server;
   readonly view: View;
   tell(text: string, kind?: "error" | "info"): void;
-  /** What a hand asks of the server is not done later by itself, as changes of the scene are. */
+  /** Reports a failed call. Unlike scene changes, calls are not repeated after a reconnection. */
   unanswered(error: unknown, failed: string): void;
 }

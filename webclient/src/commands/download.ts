@@ -1,4 +1,4 @@
-// Files for the person at the browser.
+// Saves files on the user's machine.
 import { fromBase64 } from "../model/link";
 
 export function download(name: string, mime: string, base64: string): void {

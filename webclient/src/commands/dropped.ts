@@ -1,8 +1,8 @@
-// A file that is dropped on the page. The page cannot open it, for data are read where the server runs; it says how.
+// Files dropped on the page. Data are read on the server's machine, so the page only explains how to open them.
 
 const isFile = (event: DragEvent): boolean => event.dataTransfer?.types.includes("Files") ?? false;
 
-/** A sentence for a person who dropped a file of that name. */
+/** Returns a sentence for the user who dropped a file of this name. */
 export function answerToDrop(name: string): string {
   if (/\.ciel$/i.test(name))
     return `${name} is not opened from here: start the server with it, ciel serve ${name}, or put it into a folder that is served`;
@@ -10,12 +10,12 @@ export function answerToDrop(name: string): string {
   return `${name} is not opened from here. Import it where the server runs, ciel import ${name} -o ${stem}.ciel, and put that into a folder that is served`;
 }
 
-/** Without this the browser would leave the page to show the file. */
+/** Prevents the browser from leaving the page to show the file. Returns a function that stops listening. */
 export function listenToDrops(answer: (sentence: string) => void): () => void {
   const over = (event: DragEvent): void => {
     if (!isFile(event)) return;
     event.preventDefault();
-    if (event.dataTransfer !== null) event.dataTransfer.dropEffect = "copy"; // "none" would bring no drop
+    if (event.dataTransfer !== null) event.dataTransfer.dropEffect = "copy"; // "none" would suppress the drop
   };
   const drop = (event: DragEvent): void => {
     if (!isFile(event)) return;

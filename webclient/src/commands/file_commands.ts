@@ -1,4 +1,4 @@
-// What leaves the page: pictures, surfaces, links.
+// Commands that export pictures, surfaces and links.
 import { download } from "./download";
 import type { Deps } from "./deps";
 import type { Links } from "./links";
@@ -11,7 +11,7 @@ export class FileCommands {
     private readonly links: Links,
   ) {}
 
-  /** As large as the view's, or as given. */
+  /** Saves a picture of the view's size, or of the given one. */
   async screenshot(size = this.deps.server.size.pixels()): Promise<void> {
     const { server } = this.deps;
     await this.whileBusy("Drawing the picture", "The picture cannot be saved", async () => {
@@ -48,7 +48,7 @@ export class FileCommands {
     }
   }
 
-  /** `failed`: what has not been done if the connection is gone. */
+  /** `failed`: message for a lost connection. */
   private async whileBusy(words: string, failed: string, work: () => Promise<void>): Promise<void> {
     const { busy } = this.deps.model;
     busy.value = words;

@@ -1,4 +1,4 @@
-// Keys of the whole page. Controls that use a key themselves stop it before it comes here.
+// Keyboard shortcuts of the page. Controls that use a key themselves stop its propagation.
 import type { AxisView } from "../model/camera";
 import type { Commands } from "./commands";
 

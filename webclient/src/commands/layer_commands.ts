@@ -1,4 +1,4 @@
-// What is drawn: layers, their order, the patches of a boundary.
+// Commands for layers, their order, and the patches of a boundary.
 import { movedTo } from "../model/layer_order";
 import { patchesOf, withNone } from "../model/patches";
 import { arrayOf, freeId, shownTime, topOrder } from "../model/scalars";
@@ -13,7 +13,7 @@ export class LayerCommands {
     this.deps.server.editor.change({ layers: { [id]: change } }, gesture);
   }
 
-  /** Several at once, as one step. */
+  /** Changes several layers, as one step. */
   setAll(layers: Record<string, object>): void {
     this.deps.server.editor.change({ layers });
   }
@@ -22,7 +22,7 @@ export class LayerCommands {
     this.deps.server.editor.change({ layers: { [id]: null } });
   }
 
-  /** To a place among all layers, which is counted without it. */
+  /** `place`: position among the other layers. */
   move(id: string, place: number): void {
     const scene = this.scene();
     const layers = scene === null ? null : movedTo(scene, id, place);
@@ -38,7 +38,7 @@ export class LayerCommands {
     return id;
   }
 
-  /** The middle of the array's range now, where an iso-surface begins. */
+  /** Middle of the array's current range: value of a new iso-surface. */
   middleOf(array: string): number {
     const { model, server } = this.deps;
     const description = model.description.peek();
@@ -48,7 +48,7 @@ export class LayerCommands {
     return (low + high) / 2;
   }
 
-  /** Of the whole boundary its other patches are left. */
+  /** Hides one patch. If the whole boundary was shown, the other patches remain. */
   hidePatch(id: string, patch: string): void {
     const layer = this.scene()?.layers?.[id];
     if (layer?.type !== "surface") return;

@@ -1,4 +1,4 @@
-// The address bar always holds the scene, and a link that is followed becomes the scene.
+// Keeps the scene in the address bar, and opens the scene of a followed link.
 import { effect } from "@preact/signals";
 import type { Scene } from "../generated/protocol";
 import { decodeScene, decodeSession, encodeScene, encodeSession } from "../model/link";
@@ -10,7 +10,7 @@ const PAUSE_MS = 400;
 
 export class Links {
   private timer: ReturnType<typeof setTimeout> | null = null;
-  /** What the address held when the page was opened. */
+  /** Scene of the address when the page was opened; null if none. */
   first: Scene | null = null;
   private written = "";
 
@@ -19,7 +19,7 @@ export class Links {
     private readonly server: () => Server,
   ) {}
 
-  /** Reads the address, then follows it and keeps it. */
+  /** Reads the address, then follows its changes and keeps it up to date. */
   async start(): Promise<void> {
     this.first = await this.decoded();
     window.addEventListener("hashchange", () => void this.follow());
@@ -41,16 +41,16 @@ export class Links {
     return url.href;
   }
 
-  /** After a link was pasted into this page. */
+  /** Called after a link was pasted into the address bar. */
   private async follow(): Promise<void> {
     if (location.hash === this.written) return;
     if (decodeSession(location.hash) !== null) {
-      location.reload(); // a page has one session for its life
+      location.reload(); // a page has one session for its lifetime
       return;
     }
     const scene = await this.decoded();
     if (scene === null) return;
-    // Proposed only: it may be of another server, or made by hand.
+    // Proposed, since the server may refuse it: it may be of another server or written by hand.
     const { editor, session } = this.server();
     if (this.model.fatal.peek() === null) await editor.propose(scene);
     else await session.begin(scene);
@@ -65,7 +65,7 @@ export class Links {
     const scene = this.model.scene.peek();
     if (scene === null) return;
     const fragment = await encodeScene(scene);
-    if (!equal(scene as unknown as Json, this.model.scene.peek() as unknown as Json)) return; // a newer one follows
+    if (!equal(scene as unknown as Json, this.model.scene.peek() as unknown as Json)) return; // a newer write follows
     this.written = fragment;
     history.replaceState(null, "", fragment);
   }

@@ -1,4 +1,4 @@
-// The page itself: its theme, its panels, the stream that it is fed by.
+// Commands for the page: theme, panels, stream.
 import type { StreamChoice, Theme } from "../model/state";
 import type { Box } from "../model/overlay_room";
 import type { Size } from "../model/camera";
@@ -18,7 +18,7 @@ export class PageCommands {
     this.matchBackground();
   }
 
-  /** To the theme, unless it is a color of its own. */
+  /** Sets the scene's background to the theme, unless it is a custom color. */
   matchBackground(): void {
     const { editor } = this.deps.server;
     const background = editor.scene?.background ?? "dark";
@@ -44,7 +44,7 @@ export class PageCommands {
     this.deps.model.helpOpen.value = open;
   }
 
-  /** The canvases exist from here on. */
+  /** Call when the canvases exist. */
   async attach(images: HTMLCanvasElement, geometry: HTMLCanvasElement): Promise<void> {
     const attached = this.deps.view.attach(images, geometry);
     await this.links.start();
@@ -52,22 +52,22 @@ export class PageCommands {
     this.deps.server.start();
   }
 
-  /** Of the canvas, in CSS pixels. */
+  /** Canvas size in CSS pixels. */
   resized(width: number, height: number, pixelRatio: number): void {
     this.deps.view.resized(width, height, pixelRatio);
   }
 
-  /** What stands over the canvas, but for the axes of the box. */
+  /** Boxes of the overlays over the canvas, without the axes of the box. */
   covered(taken: Box[]): void {
     this.deps.model.taken.value = taken;
   }
 
-  /** What the legends take: from the top right corner to the far end of each. */
+  /** Rectangle of each legend, from the top right corner to its far end. */
   legendsStand(corner: Size[]): void {
     this.deps.server.size.corner = corner;
   }
 
-  /** Of the picture that the server draws, `times` the view's size, or as large as there may be. */
+  /** Size of a server-drawn picture: `times` the view's size, within the limit. */
   pictureSize(times = 1): Size {
     return this.deps.server.size.pixels(times);
   }

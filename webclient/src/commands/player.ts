@@ -1,4 +1,4 @@
-// Time play, paced by presented frames: the next step is asked for when the last one has been seen.
+// Plays time steps, paced by presented frames: requests the next step after the last one is on the screen.
 
 export interface PlayerHost {
   times(): readonly number[];

@@ -1,4 +1,4 @@
-// What this browser remembers: the theme for good, the session for the tab's life.
+// Stored in the browser: theme and stream permanently, the session for the tab's lifetime.
 import { decodeSession, encodeSession } from "../model/link";
 import type { StreamChoice, Theme } from "../model/state";
 
@@ -18,7 +18,7 @@ function write(storage: () => Storage, key: string, value: string): void {
   try {
     storage().setItem(key, value);
   } catch {
-    // Then it is forgotten with the page.
+    // Storage may be forbidden: the value is lost with the page.
   }
 }
 
@@ -39,7 +39,7 @@ export function savedStream(): StreamChoice {
 
 export const saveStream = (stream: string): void => write(local, STREAM, stream);
 
-/** The tab's session: the one that the address names, else the one before, else a fresh id. */
+/** The tab's session: the address's, else the stored one, else a new random id. */
 export function tabSession(): { id: string; known: boolean } {
   const known = decodeSession(location.hash) ?? decodeSession(encodeSession(read(tab, SESSION) ?? ""));
   if (known !== null) {

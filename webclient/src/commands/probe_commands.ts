@@ -1,4 +1,4 @@
-// The values under the cursor.
+// Commands for values under the cursor.
 import { probeText } from "../model/probe_text";
 import { unitsOf } from "../model/scalars";
 import type { Vec3 } from "../generated/protocol";
@@ -8,7 +8,7 @@ import type { Deps } from "./deps";
 export class ProbeCommands {
   constructor(private readonly deps: Deps) {}
 
-  /** At a canvas position in CSS pixels. Where nothing is drawn it is null, without an answer undefined. */
+  /** Probes at (x, y), in CSS pixels of the canvas. Returns null if nothing is there, undefined without an answer. */
   async at(x: number, y: number): Promise<Vec3 | null | undefined> {
     const { model, server } = this.deps;
     const { width, height } = server.size.pixels();

@@ -1,4 +1,4 @@
-// Time steps and their play.
+// Commands for time steps and playback.
 import { clamp } from "../model/numbers";
 import { nearestStep } from "../model/scalars";
 import type { Deps } from "./deps";

@@ -33,7 +33,7 @@ export function tokenIn(typed: string): string {
   return (query === undefined ? null : new URLSearchParams(query).get("token")) ?? text;
 }
 
-/** Whether the server accepts the token. It then sets a cookie that the page cannot read. Throws Error if refused otherwise. */
+/** Whether the server accepts the token, as a cookie that the page cannot read. Throws Error on any other refusal. */
 export async function offerToken(base: string, token: string, fetch: Fetch): Promise<boolean> {
   const address = new URL("./", base);
   address.searchParams.set("token", token);

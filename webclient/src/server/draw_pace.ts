@@ -1,5 +1,5 @@
-// Time from a redraw request to the drawn polygons. WebGL calls return at once, but the next animation frame waits until
-// the last one is drawn.
+// Time from a redraw request to the drawn polygons. WebGL calls return at once, but the next animation frame waits
+// until the last one is drawn.
 
 const REMEMBERED = 8;
 /** Measurements needed for a result: the first ones include shader compilation. */

@@ -1,4 +1,4 @@
-// Local copy of the scene. Changes apply at once, are sent at most once per animation frame, and follow the server's state.
+// Local copy of the scene, following the server. Changes apply at once and are sent at most once per animation frame.
 import type { Layer, Revision, Scene, SessionState } from "../generated/protocol";
 import { applyPatch, composePatches, diff, equal, type Json, type JsonObject } from "../model/merge_patch";
 import { Disconnected } from "./rpc";

@@ -29,8 +29,8 @@ export class Histograms {
   ) {}
 
   /**
-   * Returns null until it has arrived, or if there is none. Reading it subscribes to its arrival. The fetch starts later,
-   * after the page has been drawn.
+   * Returns null until it has arrived, or if there is none. Reading it subscribes to its arrival. The fetch starts
+   * later, after the page has been drawn.
    */
   get(...of: Of): Histogram | null {
     const known = this.knownOf(of);

@@ -1,5 +1,5 @@
-// Number of changes that may be in flight to the server: one per animation frame within a round trip, so that none waits
-// for the previous answer. More would queue on the server; newer changes are merged meanwhile.
+// Number of changes that may be in flight to the server: one per animation frame within a round trip, so that none
+// waits for the previous answer. More would queue on the server; newer changes are merged meanwhile.
 
 const FRAME_MS = 16;
 /** Enough for a local server. */

@@ -1,5 +1,5 @@
-// JSON-RPC 2.0 over one text channel: calls, answers, notifications. It knows no socket. Answers that are too long for a
-// socket message are fetched by POST.
+// JSON-RPC 2.0 over one text channel: calls, answers, notifications. It knows no socket. Answers that are too long for
+// a socket message are fetched by POST.
 import { ErrorCode, type Methods, type Notifications } from "../generated/protocol";
 
 export type MethodName = keyof Methods;

@@ -1,6 +1,6 @@
-// Transparent surfaces, and lines and points among them, in their order at every pixel, however they cross or enclose
-// each other: layer after layer from the eye on, each drawn where it is nearest behind the one before, as the server
-// does it (server/render/surfaces/depth_peeling.hpp). After Everitt, "Interactive order-independent transparency", NVIDIA 2001.
+// Depth peeling: draws transparent surfaces, lines and points in the correct order at every pixel, also where they
+// intersect. Each layer has the nearest fragments behind the previous one. Same method as the server
+// (server/render/surfaces/depth_peeling.hpp). After Everitt, "Interactive order-independent transparency", NVIDIA 2001.
 import type { PartPrograms, Picture } from "./geometry_parts";
 import { buildProgram, type Program } from "./gl_program";
 import { LayerCount, MOST_LAYERS } from "./layer_count";
@@ -14,23 +14,23 @@ import {
 import { makeSheetTexture, SheetMaker, type Sheet, type Sheets } from "./peeling_sheets";
 import { LINE_FRAGMENT, LINE_VERTEX, POINT_FRAGMENT, SURFACE_FRAGMENT, SURFACE_VERTEX } from "./shaders";
 
-/** A pixel takes 28 bytes of sheets, 44 with lines: at twice the resolution no more than 0.4 gigabytes. */
+/** Sheets take 28 bytes per pixel, 44 with lines: at twice the resolution at most 0.4 gigabytes. */
 const MOST_PIXELS_AT_TWICE_THE_RESOLUTION = 2 << 20;
 
-/** Texture units; 0 is that of the color scales. */
+/** Texture units; unit 0 has the color scale. */
 const UNITS = { nearer: 1, nearer_lines: 2, own_lines: 3, behind: 4, sum: 5, layer: 6 };
 
 export interface PeeledScene {
   width: number;
   height: number;
-  /** At the picture's resolution, and fewer layers. */
+  /** Draws at the picture's own resolution and with fewer layers. */
   moving: boolean;
   /** Lines of less than full opacity are among the layers. */
   joins: boolean;
-  /** What is opaque, for its depth. */
+  /** Draws opaque surfaces, for their depth. */
   drawOpaque(picture: Picture): void;
   drawLayer(programs: PartPrograms, picture: Picture): void;
-  /** Lines of less than full opacity once more. */
+  /** Draws lines of less than full opacity again. */
   joinLines(programs: PartPrograms, picture: Picture): void;
 }
 
@@ -46,7 +46,7 @@ export class DepthPeeling {
   private readonly count = new LayerCount();
   private sheets: Sheets | null = null;
   private made = "";
-  /** Layers of the newest picture whose queries have not been read. */
+  /** Number of layers of the newest picture whose queries are unread. */
   private asked = 0;
 
   constructor(private readonly gl: WebGL2RenderingContext) {
@@ -64,23 +64,23 @@ export class DepthPeeling {
     this.noLines = makeSheetTexture(gl, gl.RGBA8, 1, 1);
   }
 
-  /** Until the next picture. */
+  /** Frees the sheets; the next draw allocates them again. */
   free(): void {
     this.maker.free();
     this.sheets = null;
   }
 
-  /** Onto the canvas, over what is opaque there. */
+  /** Blends the layers over the opaque picture on the canvas. */
   draw(scene: PeeledScene): void {
     const { gl } = this;
     const twice = scene.width * scene.height <= MOST_PIXELS_AT_TWICE_THE_RESOLUTION ? 2 : 1;
     const sheets = this.sheetsFor(twice * scene.width, twice * scene.height, scene.joins);
-    const pixels = scene.moving ? 1 : twice; // a part of the sheets then: nothing is allocated where a drag begins
+    const pixels = scene.moving ? 1 : twice; // moving uses a part of the sheets, so that a drag allocates nothing
     const picture = { width: pixels * scene.width, height: pixels * scene.height, pixels };
     gl.viewport(0, 0, picture.width, picture.height);
     this.drawOpaque(scene, sheets, picture);
     this.begin(sheets);
-    this.lacksLayers(); // what is known by now
+    this.lacksLayers(); // reads available query results
     this.asked = this.count.next(scene.moving);
     let [layer, nearer] = sheets.layers;
     for (const query of this.queries.slice(0, this.asked)) {
@@ -96,7 +96,7 @@ export class DepthPeeling {
     this.putOnCanvas(sheets, pixels);
   }
 
-  /** Whether a picture drawn now would have more layers than the newest; null where that is not known yet. */
+  /** Whether a new picture would have more layers than the newest; null if not known yet. */
   lacksLayers(): boolean | null {
     const { gl } = this;
     const asked = this.queries.slice(0, this.asked);
@@ -136,7 +136,7 @@ export class DepthPeeling {
     gl.drawArrays(gl.TRIANGLES, 0, 3);
   }
 
-  // In the middle of the layers' pixels: that of the canvas has several samples.
+  // Depth at the centers of the layers' pixels. The canvas is multisampled, so its depth cannot be used.
   private drawOpaque(scene: PeeledScene, { opaque }: Sheets, picture: Picture): void {
     const { gl } = this;
     gl.bindFramebuffer(gl.FRAMEBUFFER, opaque.framebuffer);
@@ -184,7 +184,7 @@ export class DepthPeeling {
     gl.blendEquation(gl.FUNC_ADD);
   }
 
-  // Behind what is there: premultiplied colors.
+  // Blends the layer behind the sum; colors are premultiplied.
   private add({ sum, colors }: Sheets): void {
     const { gl } = this;
     gl.bindFramebuffer(gl.FRAMEBUFFER, sum.framebuffer);

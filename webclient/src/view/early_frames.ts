@@ -1,8 +1,7 @@
-// Frames that are here before the answer to view.open, which says whose they are (protocol/frame.md).
+// Frames that arrive before the answer to view.open, which names their view (protocol/frame.md).
 import type { FrameHeader } from "../server/frame_header";
 
-/** A server sends no more of a view before the first acknowledgement, and nothing is acknowledged before it is known to be
- * shown. */
+/** The server sends at most this many before the first acknowledgement, and early frames are not acknowledged. */
 const MOST_FRAMES = 2;
 
 interface EarlyFrame {
@@ -22,7 +21,7 @@ export class EarlyFrames {
     if (frames.length > MOST_FRAMES) frames.shift();
   }
 
-  /** In the order in which they came. */
+  /** Messages of the view, in order of arrival. */
   of(view: number): ArrayBuffer[] {
     return (this.views.get(view) ?? []).flatMap(({ messages }) => messages);
   }

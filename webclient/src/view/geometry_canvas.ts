@@ -1,4 +1,4 @@
-// The stream of polygons, drawn by this machine: the camera answers without a round trip.
+// Draws the polygon stream in the browser: the camera moves without a round trip.
 import type { GeometryBatch } from "../server/geometry";
 import { DepthPeeling } from "./depth_peeling";
 import { GeometryParts, type PartPrograms, type Picture } from "./geometry_parts";
@@ -17,11 +17,11 @@ import {
 
 const isOpaqueSurface = (batch: GeometryBatch): boolean => isSurface(batch) && batch.color[3] >= 1;
 const isTransparent = (batch: GeometryBatch): boolean => batch.color[3] > 0 && batch.color[3] < 1;
-// Lines and points too are among the layers where there are any: before them, their soft edges would hide what is behind.
+// If there are layers, lines and points are in them: drawn earlier, their soft edges would hide layers behind them.
 const isInLayers = (batch: GeometryBatch): boolean => isTransparent(batch) || (!isSurface(batch) && batch.color[3] > 0);
 const isJoined = (batch: GeometryBatch): boolean => batch.lines && isTransparent(batch);
 
-/** Throws where the browser has no WebGL2. */
+/** The constructor throws Error if the browser has no WebGL2. */
 export class GeometryCanvas {
   private readonly gl: WebGL2RenderingContext;
   private programs!: PartPrograms;
@@ -52,12 +52,12 @@ export class GeometryCanvas {
     if (!this.isPeeled) this.peeling?.free();
   }
 
-  /** Whether a picture of what moves differs from that at rest. */
+  /** Whether depth peeling is used. A moving picture then differs from one at rest. */
   get isPeeled(): boolean {
     return this.parts.has(isTransparent);
   }
 
-  /** Whether a picture drawn anew would show more; null where that is not known yet. */
+  /** Whether a new picture would show more layers; null if not known yet. */
   lacksLayers(): boolean | null {
     return this.isPeeled && this.peeling !== null ? this.peeling.lacksLayers() : false;
   }
@@ -83,7 +83,7 @@ export class GeometryCanvas {
   private drawOpaque(look: Look, picture: Picture): void {
     const { gl } = this;
     this.parts.prepare(this.programs, look, picture);
-    // A little back, so that lines on them are not half buried.
+    // Offsets surfaces backwards, so that lines on them are not half hidden.
     gl.polygonOffset(this.parts.reachOfOverlays() * picture.pixels, 1);
     gl.enable(gl.POLYGON_OFFSET_FILL);
     this.parts.draw(this.programs, look, picture.pixels, isOpaqueSurface);

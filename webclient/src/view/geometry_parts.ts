@@ -1,4 +1,4 @@
-// The batches of a frame in the graphics card's memory, each drawn by the program for its kind.
+// The batches of a frame in GPU memory. Each is drawn by the program for its kind.
 import { boundsRadius } from "../model/camera";
 import { depthRange, projectionMatrix, viewMatrix } from "./matrices";
 import type { GeometryBatch } from "../server/geometry";
@@ -10,7 +10,7 @@ import type { Look } from "./look";
 import { isSurface, placesOf } from "./same_places";
 import { ScaleTextures, scaleUniforms } from "./scale_textures";
 
-/** 0 is that of the color scales, depth_peeling.ts has those between. */
+/** Texture unit of line ends. Unit 0 has the color scale, depth_peeling.ts uses those between. */
 const ENDS_UNIT = 7;
 
 export interface PartPrograms {
@@ -24,18 +24,18 @@ interface Part {
   place: number;
   vertexArray: WebGLVertexArrayObject;
   buffers: WebGLBuffer[];
-  /** Of lines, which have no buffers. */
+  /** Line ends; lines have no buffers. null for other kinds. */
   ends: WebGLTexture | null;
 }
 
-/** What is drawn to: `pixels` of it to one of the picture along a side. */
+/** Size of the render target. `pixels`: target pixels per picture pixel along one side. */
 export interface Picture {
   width: number;
   height: number;
   pixels: number;
 }
 
-/** The decoder gives the same arrays again where nothing has changed. */
+/** Compares identity: the decoder returns the same arrays for unchanged parts. */
 const isSameMesh = (a: GeometryBatch, b: GeometryBatch): boolean =>
   a.positions === b.positions &&
   a.normals === b.normals &&
@@ -52,7 +52,7 @@ export class GeometryParts {
     this.textures = new ScaleTextures(gl);
   }
 
-  /** Uploads what has not been there before. */
+  /** Uploads new batches, keeps unchanged ones, frees the others. */
   set(batches: GeometryBatch[]): void {
     const before = new Set(this.parts);
     const places = placesOf(batches);
@@ -78,13 +78,13 @@ export class GeometryParts {
     return this.parts.some(({ batch }) => wanted(batch));
   }
 
-  /** As the server has it: pixels by which lines and points reach over the place where they are. */
+  /** Pixels by which lines and points extend beyond their position. Same as on the server. */
   reachOfOverlays(): number {
     const widths = this.parts.map(({ batch }) => (isSurface(batch) ? 0 : batch.width / 2 + 0.5));
     return clamp(Math.max(...widths, 1), 1, 6);
   }
 
-  /** Once a picture for each program, before anything is drawn with it. */
+  /** Sets the uniforms of a picture. Call once per picture, before draw(). */
   prepare({ surface, lines, points }: PartPrograms, look: Look, { width, height, pixels }: Picture): void {
     const { gl } = this;
     const depths = depthRange(look.camera, look.bounds);

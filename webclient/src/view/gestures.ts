@@ -1,19 +1,19 @@
-// Pointers, wheel and fingers on the canvas, told as camera moves. It knows no scene.
+// Converts pointer, wheel and touch events of the canvas to camera moves. It knows no scene.
 import { orbit, pan, roll, type FullCamera, type Size } from "../model/camera";
 import type { Vec3 } from "../model/vector";
 
 export interface GestureTarget {
-  /** null while there is nothing to turn. */
+  /** null if there is no camera to move. */
   camera(): FullCamera | null;
   size(): Size; // CSS pixels
-  /** About a place; the same camera where there is a stop. */
+  /** Zooms about (x, y). Returns the same camera at the zoom limit. */
   zoomed(camera: FullCamera, factor: number, x: number, y: number): FullCamera;
   /** `gesture` is the same from press to release. */
   move(camera: FullCamera, gesture: string): void;
   newGesture(): string;
-  /** A turn begins there. */
+  /** An orbit gesture begins at (x, y). */
   turns(x: number, y: number): void;
-  /** What a turn is about. */
+  /** Center of an orbit. */
   pivot(camera: FullCamera): Vec3;
   click(x: number, y: number): void;
   doubleClick(x: number, y: number): void;
@@ -142,7 +142,7 @@ class Gestures {
   }
 }
 
-/** For as long as the element lives. */
+/** Listens for the element's lifetime. */
 export function listenToGestures(element: HTMLElement, target: GestureTarget): void {
   new Gestures(element, target);
 }

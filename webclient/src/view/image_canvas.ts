@@ -1,4 +1,4 @@
-// The stream of pictures: drawn over the whole canvas, smaller (interactive) ones enlarged.
+// Draws pictures of the image stream over the whole canvas. Smaller (interactive) ones are enlarged.
 
 export class ImageCanvas {
   private readonly context: CanvasRenderingContext2D;
@@ -9,7 +9,7 @@ export class ImageCanvas {
     this.context = context;
   }
 
-  // A canvas that is resized goes blank; it takes the new size when a picture of it comes.
+  // Resizing blanks a canvas, so it is resized only together with a new picture.
   show(image: ImageBitmap, width: number, height: number): void {
     if (this.canvas.width !== width || this.canvas.height !== height) {
       this.canvas.width = width;

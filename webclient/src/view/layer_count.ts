@@ -1,9 +1,9 @@
-// How many layers to draw. WebGL tells only after the picture whether anything was in a layer, so the next picture goes
-// by what the last one had.
+// Number of layers to draw. Whether a layer was empty is known only after the picture, so the next picture uses the
+// count of the last one.
 
-export const MOST_LAYERS = 32; // as the server has it: what is behind so many is not seen
+export const MOST_LAYERS = 32; // same as on the server; layers beyond are dropped
 export const MOST_MOVING_LAYERS = 8;
-/** What a camera that turns may bring to light from one picture to the next. */
+/** Additional layers that a moving camera may reveal in the next picture. */
 const SPARE = 2;
 
 export class LayerCount {
@@ -13,7 +13,7 @@ export class LayerCount {
     return Math.min(this.wanted, moving ? MOST_MOVING_LAYERS : MOST_LAYERS);
   }
 
-  /** Of each layer that was drawn, whether anything was in it. True where there may be more than that. */
+  /** `filled`: whether each drawn layer had any pixels. Returns true if there may be more layers. */
   heard(filled: readonly boolean[]): boolean {
     const empty = filled.indexOf(false);
     this.wanted = empty < 0 ? Math.min(2 * filled.length, MOST_LAYERS) : Math.min(empty + SPARE, MOST_LAYERS);

@@ -1,13 +1,13 @@
-// Lines of any width: each one a rectangle, for WebGL draws no line wider than a pixel. The vertex shader fetches the
-// ends from a texture: six vertices a line, where instances of four would leave most of a graphics card idle.
+// Lines of any width, drawn as rectangles: WebGL lines are one pixel wide. The vertex shader fetches the ends from a
+// texture, with six vertices per line. Instances of four vertices would leave most of the GPU idle.
 import type { GeometryBatch } from "../server/geometry";
 
 const FLOATS_PER_END = 4;
-/** Every WebGL2 has textures of as many columns and rows. LINE_VERTEX has it too. */
+/** Texture width: WebGL2 guarantees 2048 columns and rows. LINE_VERTEX uses it too. */
 export const ENDS_PER_ROW = 2048;
 export const VERTICES_PER_LINE = 6;
 
-/** x, y, z and value of both ends, line after line. */
+/** Returns x, y, z and value of both ends, line after line. */
 export function lineEnds({ positions, scalars, indices }: GeometryBatch): Float32Array {
   const ends = new Float32Array(FLOATS_PER_END * indices.length);
   indices.forEach((vertex, at) => {

@@ -1,4 +1,4 @@
-// How the geometry is looked at.
+// Camera, bounds, background and lights for drawing polygons.
 import type { Bounds, FullCamera } from "../model/camera";
 import type { Rgb } from "../model/background";
 import type { Lights } from "../model/lights";

@@ -1,9 +1,9 @@
-// What the programs of parts do with PEELED defined, and the programs that cover a whole sheet (depth_peeling.ts).
-// Depths are written as they are compared: a fixed-function depth may be another in its last bit.
+// Shader parts for PEELED, and programs that cover a whole sheet (depth_peeling.ts). They write the depth that they
+// compare: a fixed-function depth may differ in its last bit.
 
 const VERSION = "#version 300 es\n";
 
-/** The same program with names defined. */
+/** Returns the source with the names defined. */
 export const defining = (source: string, ...names: string[]): string =>
   source.replace(VERSION, VERSION + names.map((name) => `#define ${name}\n`).join(""));
 
@@ -29,9 +29,9 @@ void leave_out_what_is_seen(float depth) {
 #endif
 `;
 
-// Segments that meet lie over each other in their joint, and each would take its share of the light: what is of the same
-// mesh as the last line and as deep, within what either may rise in a joint, is the same line. Of its segments the nearest
-// is the layer's; drawn a second time, they leave what they cover most of the pixel with.
+// Segments overlap in their joints, where each would absorb light. Fragments of the same mesh as the last line, at the
+// same depth within the depth change of a joint, belong to the same line. The nearest segment is in the layer. JOINING
+// draws them again and keeps the largest coverage.
 export const LINE_LAYERS = `
 #ifdef PEELED
 flat in float joint;
@@ -57,8 +57,8 @@ void leave_out_the_same_line(float depth) {
 export const COVER_VERTEX = `#version 300 es
 void main() { gl_Position = vec4(vec2(gl_VertexID & 1, gl_VertexID >> 1) * 4.0 - 1.0, 0.0, 1.0); }`;
 
-// A layer on the very faces of what is opaque lies over it, whatever the rounding. Where nearer layers let nothing
-// through that is half a step of the picture's colors, nothing is drawn any more.
+// The offset draws layers coincident with opaque faces over them, despite rounding. Depth 0 ends a pixel whose nearer
+// layers let less than half a color step through.
 export const DEPTH_COPY_FRAGMENT = `#version 300 es
 precision highp float;
 uniform highp sampler2D behind;

@@ -1,4 +1,4 @@
-// The textures of a canvas' size that depth peeling draws to.
+// Render targets of depth peeling.
 
 export interface Sheet {
   framebuffer: WebGLFramebuffer;
@@ -7,13 +7,13 @@ export interface Sheet {
   record: WebGLTexture | null;
 }
 
-/** Of two layers that take turns, which share the colors: what is drawn, and what it must be behind. */
+/** Two layers alternate as current and previous layer. They share one color texture. */
 export interface Sheets {
   opaque: Sheet;
   layers: [Sheet, Sheet];
   /** The layer's colors alone. */
   colors: Sheet;
-  /** Light so far, and the share of what is behind that comes through. */
+  /** Accumulated light, and the transmittance for layers behind. */
   sum: Sheet;
 }
 
@@ -39,7 +39,7 @@ export class SheetMaker {
     this.hasFloats = gl.getExtension("EXT_color_buffer_float") !== null;
   }
 
-  /** In place of those made before. `recorded`: layers hand on which line they have seen. */
+  /** Replaces the earlier sheets. `recorded`: layers also record the last line at each pixel. */
   make(width: number, height: number, recorded: boolean): Sheets {
     const { gl } = this;
     this.free();

@@ -1,4 +1,4 @@
-// From binary messages to what is seen: decode, keep the newest, draw in an animation frame, then acknowledge.
+// From binary messages to the screen: decode, keep the newest, draw in an animation frame, then acknowledge.
 import { MissingPart, type GeometryBatch } from "../server/geometry";
 import { EarlyFrames } from "./early_frames";
 import { decodeHeader, KIND_GEOMETRY, KIND_IMAGE, type FrameHeader } from "../server/frame_header";
@@ -15,13 +15,13 @@ export interface PresenterEvents {
   acknowledge(view: number, frame: number): void;
   presented(header: FrameHeader, bytes: number): void;
   failed(error: Error): void;
-  /** A frame names polygons that a damaged one before it had. */
+  /** A frame refers to polygons of an earlier damaged frame. */
   incomplete(): void;
 }
 
 export interface Decoders {
   image(message: ArrayBuffer): Promise<ImageBitmap>;
-  /** Of one view, until it is told that another follows. */
+  /** Decodes the frames of one view; call clear() before another view. */
   geometry: { decode(message: ArrayBuffer): GeometryBatch | null; clear(): void };
 }
 
@@ -39,7 +39,7 @@ export class Presenter {
   private ready: ReadyFrame | null = null;
   private parts: { frame: number; batches: GeometryBatch[]; bytes: number; damaged: boolean } | null = null;
   private frameRequested = false;
-  /** While a view is being opened. */
+  /** null unless a view is being opened. */
   private early: EarlyFrames | null = null;
 
   constructor(
@@ -49,13 +49,13 @@ export class Presenter {
     private readonly requestFrame: (callback: () => void) => void,
   ) {}
 
-  /** A view is being opened: its frames may come before the answer that names it to `show`. */
+  /** A view is being opened: its frames may arrive before `show`. */
   expect(): void {
     this.show(0);
     this.early = new EarlyFrames();
   }
 
-  /** Frames of any other view are not shown from now on. 0: none is. */
+  /** Shows only frames of this view from now on. 0: none. */
   show(view: number): void {
     const early = this.early?.of(view) ?? [];
     this.early = null;
@@ -107,7 +107,7 @@ export class Presenter {
         }
       },
       (error: unknown) => {
-        // Acknowledged all the same: the server would wait for ever, and the next frame may be whole.
+        // Acknowledged despite the failure: else the server waits forever, and the next frame may be valid.
         if (view === this.view) this.events.acknowledge(view, header.frame);
         this.events.failed(error as Error);
       },
@@ -137,7 +137,7 @@ export class Presenter {
     this.offer({ header, bytes: parts.bytes, draw, release: () => undefined });
   }
 
-  // A decoder may finish an older frame after a newer one: that one is never seen.
+  // A decoder may finish an older frame after a newer one: the older one is skipped.
   private offer(frame: ReadyFrame): void {
     const stale = frame.header.frame <= this.lastFrame;
     if (stale || (this.ready !== null && this.ready.header.frame > frame.header.frame)) {

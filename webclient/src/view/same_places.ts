@@ -1,4 +1,4 @@
-// What lies in the same place must be seen in the same order wherever the camera is: each gets a place in that order.
+// Fixed drawing order of coincident geometry, independent of the camera.
 import type { GeometryBatch } from "../server/geometry";
 
 export const isSurface = (batch: GeometryBatch): boolean => !batch.lines && !batch.points;
@@ -6,8 +6,8 @@ export const isSurface = (batch: GeometryBatch): boolean => !batch.lines && !bat
 type Described = Pick<GeometryBatch, "layer" | "lines" | "points" | "color" | "width">;
 
 /**
- * One for each batch, 1 and up: the higher, the nearer. Points come before lines and these before surfaces; among those
- * of a kind the layers' names decide, so that their order in the scene does not show. Batches of one mesh have the same.
+ * Returns one place per batch, from 1; a higher place is nearer. Points are nearer than lines, lines nearer than
+ * surfaces. Within a kind, layer names decide, so the layer order has no effect. Batches of one mesh share a place.
  */
 export function placesOf(batches: readonly Described[]): number[] {
   const keys = batches.map(({ layer, lines, points, color, width }) =>

@@ -1,4 +1,4 @@
-// A color scale as the surface shader takes it: a row of colors and a few numbers (server/render/surfaces/color_scales.cpp).
+// A color scale for the shaders: a row of colors and a few uniforms (server/render/surfaces/color_scales.cpp).
 import {
   bytesOf,
   colorRow,
@@ -11,15 +11,15 @@ import {
 } from "../model/color_scale";
 import type { Rgb } from "../model/background";
 
-/** Points may lie as close as that, and be told apart. */
+/** Texels of a row; color points at this distance along the range are still distinct. */
 const ROW_SIZE = 1024;
-/** A hand that moves a point makes a row for each place it comes by. */
+/** Dragging a color point makes a row for each position. */
 const MOST_KEPT = 16;
 
 export interface ScaleUniforms {
-  /** What values, `rule` and `inside` are less, so that those of a small range beside them keep their digits. */
+  /** Subtracted from values, `rule` and `inside`, so that a small range far from 0 keeps its digits. */
   origin: number;
-  /** low, 1 / width, steps, way: as the server's shaders have it (server/render/surfaces/color_glsl.cpp). */
+  /** low, 1 / width, steps, way: as in server/render/surfaces/color_glsl.cpp. */
   rule: [number, number, number, number];
   inside: [number, number];
   below: Rgb;
@@ -29,13 +29,13 @@ export interface ScaleUniforms {
 
 const unit = (color: Rgb8): Rgb => color.map((channel) => channel / 255) as Rgb;
 
-/** Beyond it, a value less the origin may be more than a float holds. */
+/** Beyond it, a value minus the origin may overflow a float. */
 const FARTHEST_ORIGIN = 1e37;
 
 const originOf = ({ log, range: [low] }: ColorScale): number =>
   log || Math.abs(low) > FARTHEST_ORIGIN ? 0 : Math.fround(low);
 
-/** The numbers are floats' in the shader. */
+/** The numbers must fit the shader's floats. */
 export function scaleUniforms(scale: ColorScale): ScaleUniforms {
   const isOfBothSigns = isLogOfBothSigns(scale);
   const linear = Math.max(LINEAR_SHARE * scale.range[1], 1e-37);
@@ -44,7 +44,7 @@ export function scaleUniforms(scale: ColorScale): ScaleUniforms {
     return scale.log ? Math.log2(value) : value;
   };
   const low = hasWidth(scale) ? measure(scale.range[0]) : scale.range[0];
-  const largest = 3e38; // shaders take no infinities
+  const largest = 3e38; // shaders do not support infinities
   const scaling = hasWidth(scale) ? Math.min(1 / (measure(scale.range[1]) - low), largest) : 0;
   const origin = originOf(scale);
   const [first = [0, 0, 0], last = first] = colorRow({ ...scale, steps: 0 }, 2);
@@ -65,7 +65,7 @@ function pixels(scale: ColorScale): Uint8Array<ArrayBuffer> {
   return row;
 }
 
-/** Of one context; the newest are kept. */
+/** Textures of one context. Keeps the MOST_KEPT most recently used ones. */
 export class ScaleTextures {
   private readonly kept = new Map<string, WebGLTexture>();
 

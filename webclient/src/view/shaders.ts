@@ -1,5 +1,5 @@
-// The server's shading (render/) in GLSL ES 3.00, so that both streams show the same picture. With PEELED defined they
-// are the programs of the layers (peeling_shaders.ts).
+// The server's shading (server/render/) in GLSL ES 3.00, so that both streams show the same picture. With PEELED
+// defined they draw the layers of depth peeling (peeling_shaders.ts).
 import LIGHTING from "../../../protocol/lighting.glsl?raw";
 import { ENDS_PER_ROW, VERTICES_PER_LINE } from "./lines";
 import { LAYERS, LINE_LAYERS } from "./peeling_shaders";
@@ -105,7 +105,7 @@ void main() {
   result = vec4(base, color.a);
 }`;
 
-// A disc with soft edges, shaded as the ball that it stands for.
+// A disc with soft edges, shaded as a ball.
 export const POINT_FRAGMENT = `${COLORED}${LIT}
 uniform float point_size;
 void main() {
@@ -126,7 +126,8 @@ void main() {
   result = vec4(base, color.a * cover);
 }`;
 
-// A line as a rectangle of its width in pixels with soft edges, cut at the nearest plane: behind the eye is no pixel.
+// A line as a rectangle of its width in pixels, with soft edges. Clipped at the near plane: points behind the eye have
+// no pixel.
 export const LINE_VERTEX = `#version 300 es
 uniform highp sampler2D ends; // x, y, z, value (lines.ts)
 uniform float value_origin;

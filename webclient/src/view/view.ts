@@ -1,4 +1,4 @@
-// The canvases: frames of the server onto the screen, polygons drawn anew when they are looked at otherwise.
+// The canvases. Shows the server's frames, and redraws polygons when the camera or look changes.
 import { effect } from "@preact/signals";
 import { backgroundColors } from "../model/background";
 import { lightsOf } from "../model/lights";
@@ -36,7 +36,7 @@ export class View {
     this.pivot = new Pivot(server);
   }
 
-  /** The canvases exist from here on. */
+  /** Call when the canvases exist. */
   async attach(imageCanvas: HTMLCanvasElement, geometryCanvas: HTMLCanvasElement): Promise<void> {
     const { model, server } = this;
     const viewport = new Viewport(
@@ -60,13 +60,13 @@ export class View {
       (callback) => void requestAnimationFrame(callback),
     );
     effect(() => {
-      lookOf(model); // whatever it reads
+      lookOf(model); // subscribes to its signals
       viewport.redraw();
     });
-    await geometryReady.catch((error: unknown) => server.fail(error)); // images need none of it
+    await geometryReady.catch((error: unknown) => server.fail(error)); // images work without it
   }
 
-  /** Of the canvas, in CSS pixels. */
+  /** Canvas size in CSS pixels. */
   resized(width: number, height: number, pixelRatio: number): void {
     this.server.size.set(width, height, pixelRatio);
     this.model.canvasSize.value = this.server.size.css;

@@ -1,13 +1,13 @@
-// The two canvases, of which the one that the newest frame is for is seen.
+// The image and the geometry canvas. Only the canvas of the newest frame is visible.
 import type { GeometryBatch } from "../server/geometry";
 import { GeometryCanvas } from "./geometry_canvas";
 import { ImageCanvas } from "./image_canvas";
 import type { Look } from "./look";
 import type { Screen } from "./presenter";
 
-/** What has not changed for so long is at rest. */
+/** The view is at rest after this time without a change. */
 const REST_MS = 150;
-/** Between questions what the newest picture lacks. */
+/** Interval of lacksLayers() calls. */
 const ASK_AGAIN_MS = 30;
 
 export class Viewport implements Screen {
@@ -20,11 +20,11 @@ export class Viewport implements Screen {
   constructor(
     imageCanvas: HTMLCanvasElement,
     private readonly geometryCanvas: HTMLCanvasElement,
-    /** How the geometry is looked at now; null before there is a scene. */
+    /** Current look; null until there is a scene. */
     private readonly look: () => Look | null,
     /** In device pixels. */
     readonly size: () => { width: number; height: number },
-    /** Polygons were drawn that `redraw` asked for at that time. */
+    /** Called after polygons were drawn that `redraw` requested at that time. */
     private readonly drawn: (requestedAt: number) => void,
   ) {
     this.images = new ImageCanvas(imageCanvas);
@@ -48,7 +48,7 @@ export class Viewport implements Screen {
     this.switchTo("none");
   }
 
-  /** After the camera, the size or the background changed: polygons that are here already are drawn anew. */
+  /** Call after the camera, size or background has changed: redraws the current polygons. */
   redraw(): void {
     if (this.shown !== "geometry" || this.redrawRequested) return;
     this.redrawRequested = true;
