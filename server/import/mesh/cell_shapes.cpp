@@ -60,19 +60,4 @@ Dimension cell_dimension(int vtk_type) {
     return surface ? Dimension::surface : Dimension::none;
 }
 
-void append_prism_faces(std::span<const Index> corners, std::vector<std::uint64_t>& face_offset,
-                        std::vector<Index>& face_vertex) {
-    const std::size_t n = corners.size() / 2;
-    const auto close = [&] { face_offset.push_back(face_vertex.size()); };
-    for (std::size_t i = n; i-- > 0;) face_vertex.push_back(corners[i]);
-    close();
-    for (std::size_t i = 0; i < n; ++i) face_vertex.push_back(corners[n + i]);
-    close();
-    for (std::size_t i = 0; i < n; ++i) {
-        const std::size_t j = (i + 1) % n;
-        for (const std::size_t corner : {i, j, n + j, n + i}) face_vertex.push_back(corners[corner]);
-        close();
-    }
-}
-
 } // namespace ciel::importer

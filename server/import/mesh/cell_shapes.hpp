@@ -5,9 +5,6 @@
 #include "ciel/types.hpp"
 
 #include <array>
-#include <cstdint>
-#include <span>
-#include <vector>
 
 namespace ciel::importer {
 
@@ -24,9 +21,5 @@ struct CellShape {
 
 enum class Dimension { none, surface, volume };
 [[nodiscard]] Dimension cell_dimension(int vtk_type);
-
-// Faces of a prism over a polygon of n corners (bottom 0..n-1, top n..2n-1), wound outwards or all inwards.
-void append_prism_faces(std::span<const Index> corners, std::vector<std::uint64_t>& face_offset,
-                        std::vector<Index>& face_vertex);
 
 } // namespace ciel::importer

@@ -1,6 +1,6 @@
 #include "import/mesh/joined_mesh.hpp"
 
-#include "ciel/standard_shapes.hpp"
+#include "ciel/face_lists.hpp"
 #include "import/mesh/cell_shapes.hpp"
 
 #include <algorithm>
@@ -26,12 +26,6 @@ namespace ciel::importer {
 namespace {
 
 constexpr std::uint64_t max_count = none - 1ULL;
-
-std::ptrdiff_t corners_of(CellType type) {
-    std::ptrdiff_t corners = 0;
-    with_shape(type, [&corners]<const StandardShape & shape>() { corners = shape.corners; });
-    return corners;
-}
 
 // Appends the cells of one block; every id that comes from the file is checked here and nowhere later.
 class BlockJoiner {
@@ -107,18 +101,7 @@ private:
 
     // A hexahedron is one whatever its file calls it.
     [[nodiscard]] CellType type_of_last_faces(std::size_t faces) const {
-        const std::size_t first = mesh_.face_offset.size() - 1 - faces;
-        const std::uint64_t begin = mesh_.face_offset[first];
-        std::size_t largest = 0;
-        for (std::size_t face = first; face < first + faces; ++face)
-            largest = std::max<std::size_t>(largest, mesh_.face_offset[face + 1] - mesh_.face_offset[face]);
-        const CellType type = type_of_faces(faces, mesh_.face_vertex.size() - begin, largest);
-        if (type == CellType::polyhedron) return type;
-        std::vector<Index> corners(mesh_.face_vertex.begin() + static_cast<std::ptrdiff_t>(begin),
-                                   mesh_.face_vertex.end());
-        std::sort(corners.begin(), corners.end());
-        const auto distinct = std::unique(corners.begin(), corners.end()) - corners.begin();
-        return distinct == corners_of(type) ? type : CellType::polyhedron;
+        return type_of_cell(std::span(mesh_.face_offset).last(faces + 1), mesh_.face_vertex);
     }
 
     // Ghosts are another piece's cells; hidden cells are blanked.

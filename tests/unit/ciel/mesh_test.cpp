@@ -339,6 +339,11 @@ TEST(Mesh, RefusesWhatDoesNotFitInWords) {
                     (void)Mesh::from_cells({box.points, 3}, {types, box.offsets, box.points});
                 }),
                 HasSubstr("must hold integers"));
+    const std::vector<std::int64_t> triangle{0, 1, 2}, one{0, 3}, far{4'000'000'000};
+    EXPECT_THAT(sentence([&] {
+                    (void)Mesh::from_faces({box.points, 3}, one, triangle, far, {});
+                }),
+                HasSubstr("owner of face 0 is 4000000000"));
     EXPECT_THAT(sentence([&] { (void)contour(mesh, std::vector<float>(3), 1); }), HasSubstr("one number per point"));
     EXPECT_THAT(sentence([&] { (void)slice(mesh, {}, {0, 0, 0}); }), HasSubstr("not zero"));
     EXPECT_THAT(sentence([&] { (void)mesh.moved({box.offsets, 3}); }), HasSubstr("moved points"));

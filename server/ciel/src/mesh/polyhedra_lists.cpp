@@ -1,6 +1,6 @@
 #include "mesh/polyhedra_lists.hpp"
 
-#include "ciel/standard_shapes.hpp"
+#include "ciel/face_lists.hpp"
 
 #include <algorithm>
 #include <array>
@@ -51,8 +51,9 @@ void close_face(PolyhedraLists& lists) { lists.face_offset.push_back(lists.face_
 void close_cell(PolyhedraLists& lists, std::size_t source) {
     lists.cell_offset.push_back(lists.face_offset.size() - 1);
     lists.source_cell.push_back(static_cast<Index>(source));
-    lists.cell_types.push_back(static_cast<std::uint8_t>(CellType::polyhedron));
-    lists.cell_types.back() = static_cast<std::uint8_t>(type_of_last_cell(lists));
+    const std::size_t faces = lists.cell_offset.back() - lists.cell_offset[lists.cell_offset.size() - 2];
+    lists.cell_types.push_back(
+        static_cast<std::uint8_t>(type_of_cell(std::span(lists.face_offset).last(faces + 1), lists.face_vertex)));
 }
 
 // How a VTK type is read: from its first `corners` points. VTK lists corners first (VTK User's Guide, "Cell types").
@@ -77,19 +78,6 @@ constexpr int voxel = 11, polyhedron = 42;
 constexpr std::array<int, 27> without_volume{0,  1,  2,  3,  4,  5,  6,  7,  8,  9,  21, 22, 23, 28,
                                              30, 34, 35, 36, 41, 68, 69, 70, 75, 76, 77, 60, 61};
 
-void append_prism(std::span<const Index> corners, PolyhedraLists& lists) {
-    const std::size_t n = corners.size() / 2;
-    for (std::size_t i = n; i-- > 0;) lists.face_vertex.push_back(corners[i]);
-    close_face(lists);
-    for (std::size_t i = 0; i < n; ++i) lists.face_vertex.push_back(corners[n + i]);
-    close_face(lists);
-    for (std::size_t i = 0; i < n; ++i) {
-        const std::size_t j = (i + 1) % n;
-        for (const std::size_t corner : {i, j, n + j, n + i}) lists.face_vertex.push_back(corners[corner]);
-        close_face(lists);
-    }
-}
-
 void add_shape(const VtkShape& shape, const VtkCells& cells, std::size_t cell, PolyhedraLists& lists) {
     const std::size_t size = cells.connectivity.rows();
     const std::size_t begin = offset(cells.offsets, cell, size, "offsets");
@@ -106,7 +94,7 @@ void add_shape(const VtkShape& shape, const VtkCells& cells, std::size_t cell, P
     lists.reduced += shape.is_reduced ? 1 : 0;
     const std::span<const Index> used(corners.data(), shape.corners);
     if (shape.type == CellType::polyhedron)
-        append_prism(used, lists);
+        append_prism_faces(used, lists.face_offset, lists.face_vertex);
     else
         append_standard_faces(shape.type, used, lists.face_offset, lists.face_vertex);
     close_cell(lists, cell);
@@ -164,23 +152,6 @@ std::uint64_t PolyhedraLists::bytes() const {
            (face_vertex.size() + source_cell.size()) * sizeof(Index);
 }
 
-CellType type_of_last_cell(const PolyhedraLists& lists) {
-    const std::size_t first = lists.cell_offset[lists.cell_offset.size() - 2], end = lists.cell_offset.back();
-    const std::uint64_t begin = lists.face_offset[first];
-    std::size_t largest = 0;
-    for (std::size_t face = first; face < end; ++face)
-        largest = std::max<std::size_t>(largest, lists.face_offset[face + 1] - lists.face_offset[face]);
-    const CellType type = type_of_faces(end - first, lists.face_vertex.size() - begin, largest);
-    std::size_t corners = 0;
-    if (!with_shape(type, [&corners]<const StandardShape & shape>() { corners = shape.corners; })) return type;
-    std::array<Index, 24> ids{};
-    const auto last =
-        std::copy(lists.face_vertex.begin() + static_cast<std::ptrdiff_t>(begin), lists.face_vertex.end(), ids.begin());
-    std::sort(ids.begin(), last);
-    return static_cast<std::size_t>(std::unique(ids.begin(), last) - ids.begin()) == corners ? type
-                                                                                             : CellType::polyhedron;
-}
-
 std::vector<float> positions_from(const ArrayView& points, const Vec3d& origin) {
     std::vector<float> positions(3 * points.rows());
     for (std::size_t i = 0; i < points.rows(); ++i)
@@ -224,15 +195,17 @@ void put_owner_faces(const ArrayView& face_offset, const ArrayView& face_vertex,
     if (face_offset.rows() != owner.rows() + 1) fail("face_offset must have one entry more than owner");
     if (neighbour.rows() > owner.rows()) fail("neighbour must not have more entries than owner");
     // Lists the faces of each cell by a counting sort.
+    // A cell has a side of some face. Larger ids are damage and must not decide how much memory is taken.
+    const auto sides_at_most = static_cast<std::int64_t>(2 * owner.rows());
     std::vector<std::uint64_t> begin(1);
     const auto sides = [&](auto&& visit) {
         for (std::size_t face = 0; face < owner.rows(); ++face) {
             const std::int64_t of = owner.integer(face);
-            if (of < 0 || of >= std::int64_t{none})
+            if (of < 0 || of >= sides_at_most)
                 fail("owner of face " + std::to_string(face) + " is " + std::to_string(of) + ": not a cell");
             visit(static_cast<std::size_t>(of), face);
             const std::int64_t other = face < neighbour.rows() ? neighbour.integer(face) : -1;
-            if (other >= std::int64_t{none})
+            if (other >= sides_at_most)
                 fail("neighbour of face " + std::to_string(face) + " is " + std::to_string(other) + ": not a cell");
             if (other >= 0) visit(static_cast<std::size_t>(other), face);
         }

@@ -35,7 +35,4 @@ void put_owner_faces(const ArrayView& face_offset, const ArrayView& face_vertex,
                      const ArrayView& neighbour, PolyhedraLists& lists);
 void put_vtk_cells(const VtkCells& cells, PolyhedraLists& lists);
 
-// The type of the last cell, derived from its faces only.
-[[nodiscard]] CellType type_of_last_cell(const PolyhedraLists& lists);
-
 } // namespace ciel
