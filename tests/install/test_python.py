@@ -82,6 +82,22 @@ def test_a_slider_goes_on_through_time_and_moves(python):
     )
 
 
+def test_threads_that_share_a_slider_take_turns(python):
+    check(
+        python,
+        """
+        from concurrent.futures import ThreadPoolExecutor
+        points, types, offsets, connectivity = box(30)
+        slider = cm.Contour(cm.Mesh.from_cells(points, types, offsets, connectivity), points[:, 0])
+        def cut(i):
+            level = 1.5 + i % 27
+            return np.allclose(slider.at(level).points[:, 0], level)
+        with ThreadPoolExecutor(8) as threads:
+            assert all(threads.map(cut, range(200)))
+        """,
+    )
+
+
 def test_results_own_their_arrays(python):
     check(
         python,

@@ -7,6 +7,8 @@
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
+#include <memory>
+#include <mutex>
 #include <utility>
 
 namespace py = pybind11;
@@ -250,20 +252,26 @@ void add_surface(py::module_& module) {
 }
 
 // A Contour with the mesh it is of, so that results know their origin.
+// Threads that share one take turns: the GIL does not part them, for it is released.
 struct PyContour {
+    PyContour(const ciel::Mesh& of, const ArrayView& values, const ciel::Options& options)
+        : mesh(of), contour(ciel::Field(of, values), options) {}
+
     ciel::Mesh mesh;
     ciel::Contour contour;
+    std::mutex mutex;
 };
 
 void add_contour(py::module_& module) {
-    py::class_<PyContour>(module, "Contour",
-                          "One surface kept from level to level: for sliders and animations. One thread at a time.")
+    py::class_<PyContour>(
+        module, "Contour",
+        "One surface kept from level to level: for sliders and animations. Threads that share one take turns.")
         .def(py::init([](const ciel::Mesh& mesh, const py::array& values, const std::string& algorithm,
                          const std::string& decider, const std::optional<std::string>& normals) {
                  const ciel::Options options = options_of(algorithm, decider, normals);
                  const ArrayView numbers = view_of(values, "values");
                  const py::gil_scoped_release free;
-                 return PyContour{mesh, ciel::Contour(ciel::Field(mesh, numbers), options)};
+                 return std::make_unique<PyContour>(mesh, numbers, options);
              }),
              py::arg("mesh"), py::arg("values"), py::kw_only(), py::arg("algorithm") = "signatures",
              py::arg("decider") = "isolate-high", py::arg("normals") = "gradient",
@@ -273,19 +281,20 @@ void add_contour(py::module_& module) {
             [](PyContour& self, const py::array& values, const std::optional<ciel::Mesh>& mesh) {
                 const ArrayView numbers = view_of(values, "values");
                 const py::gil_scoped_release free;
+                const std::scoped_lock lock(self.mutex);
+                const ciel::Mesh& of = mesh ? *mesh : self.mesh;
+                self.contour.set(ciel::Field(of, numbers));
                 if (mesh) self.mesh = *mesh;
-                self.contour.set(ciel::Field(self.mesh, numbers));
             },
             py::arg("values"), py::arg("mesh") = py::none(),
             "Another array or time step, perhaps on the moved mesh. Nothing is indexed anew.")
         .def(
             "at",
             [](PyContour& self, double level) {
+                const py::gil_scoped_release free;
+                const std::scoped_lock lock(self.mutex);
                 ciel::Surface surface;
-                {
-                    const py::gil_scoped_release free;
-                    self.contour.at(level, surface);
-                }
+                self.contour.at(level, surface);
                 return surface_of(std::move(surface), self.mesh);
             },
             py::arg("level"), "The surface where the values are `level`.");
