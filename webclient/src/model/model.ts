@@ -23,11 +23,6 @@ export function update(model: Model, change: Partial<PageState>): void {
   });
 }
 
-/** Current values of all members. It subscribes to all of them, so panels must not use it. */
-export function stateOf(model: Model): PageState {
-  return Object.fromEntries(Object.entries(model).map(([name, { value }]) => [name, value])) as unknown as PageState;
-}
-
 /** The scene's camera; without one, the server's choice, or the default view until that is known. null if unknown. */
 export function cameraOf(model: Model): FullCamera | null {
   const scene = model.scene.value;

@@ -12,7 +12,7 @@ export function openingDataset({ chosen, scene, shownDataset, fatal, failedRevis
 }
 
 /** State change that clears what belongs to the previous dataset; {} if `scene` has the same dataset. */
-export function forgottenWith(state: Readonly<PageState>, scene: Scene | null): Partial<PageState> {
+export function forgottenWith(state: Pick<PageState, "scene" | "upcoming">, scene: Scene | null): Partial<PageState> {
   if (scene === null || scene.dataset === state.scene?.dataset) return {};
   const description = state.upcoming?.name === scene.dataset ? state.upcoming : null;
   return { description, upcoming: null, probe: null, lacking: [], empty: [], missing: [], failedRevision: null };

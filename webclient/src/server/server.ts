@@ -1,7 +1,7 @@
 // The page's access to the server: one session, its scene and its calls. Writes results into the model.
 import type { CanvasSize } from "../model/canvas_size";
 import { layerName } from "../model/layer_names";
-import { update, stateOf, type Model } from "../model/model";
+import { update, type Model } from "../model/model";
 import { forgottenWith } from "../model/opening";
 import { ShownScenes } from "../model/shown_scenes";
 import { showToast } from "../model/toasts";
@@ -149,7 +149,7 @@ export class Server implements Core {
     const { editor, model } = this;
     const before = model.scene.peek();
     update(model, {
-      ...forgottenWith(stateOf(model), editor.scene),
+      ...forgottenWith({ scene: before, upcoming: model.upcoming.peek() }, editor.scene),
       scene: editor.scene,
       canUndo: editor.canUndo,
       canRedo: editor.canRedo,

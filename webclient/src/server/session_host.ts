@@ -3,8 +3,7 @@ import type { Notifications, Scene } from "../generated/protocol";
 import { wordsFor, type SessionHost } from "./session";
 import { describeDataset, listDatasets } from "./datasets";
 import { firstScene } from "./first_scene";
-import { openingDataset } from "../model/opening";
-import { stateOf, update } from "../model/model";
+import { openingIn, update } from "../model/model";
 import { emptyReadout } from "../model/state";
 import { showToast } from "../model/toasts";
 import type { Core } from "./core";
@@ -111,7 +110,7 @@ function notificationHandlers(server: Core): Handlers {
     },
     "view.failed": ({ message, revision }) => {
       server.page.stopPlaying();
-      if (openingDataset(stateOf(server.model)) !== null) removePicture(server); // it shows another dataset
+      if (openingIn(server.model) !== null) removePicture(server); // it shows another dataset
       update(server.model, { failedRevision: revision });
       showToast(server.model, message, "error");
     },
