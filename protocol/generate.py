@@ -1,17 +1,21 @@
 #!/usr/bin/env python3
-"""Writes the contract's code from openrpc.json, the one source. Needs nothing but Python 3.11.
+"""Writes the code of the contract from openrpc.json and frame_header.json. Needs nothing but Python 3.11.
 
-generate.py --cpp FOLDER          types, conversions, method table, the document (the build calls this)
-generate.py --typescript FILE     the web client's types (npm calls this)
-generate.py --python FILE         the Python client's types
+generate.py --cpp FOLDER          types, conversions, method table, scene, frame header, the document (the build calls this)
+generate.py --typescript FOLDER   the web client's types and frame header (npm calls this)
+generate.py --python FOLDER       the Python client's types, methods and frame header
+generate.py --markdown            the table of the frame header in frame.md
 """
 
 import argparse
 import pathlib
+import re
 import sys
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
-from generator import cpp, model, python, typescript  # noqa: E402
+from generator import cpp, cpp_scene, frame_header, model, python, python_calls, typescript  # noqa: E402
+
+PROTOCOL = pathlib.Path(__file__).resolve().parent
 
 
 def write(path: pathlib.Path, text: str) -> None:
@@ -24,20 +28,29 @@ def write(path: pathlib.Path, text: str) -> None:
 
 def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--document", type=pathlib.Path, default=pathlib.Path(__file__).parent / "openrpc.json")
     parser.add_argument("--cpp", type=pathlib.Path, metavar="FOLDER")
-    parser.add_argument("--typescript", type=pathlib.Path, metavar="FILE")
-    parser.add_argument("--python", type=pathlib.Path, metavar="FILE")
+    parser.add_argument("--typescript", type=pathlib.Path, metavar="FOLDER")
+    parser.add_argument("--python", type=pathlib.Path, metavar="FOLDER")
+    parser.add_argument("--markdown", action="store_true")
     arguments = parser.parse_args()
 
-    contract = model.load(arguments.document)
+    contract = model.load(PROTOCOL / "openrpc.json")
+    header = frame_header.load(PROTOCOL / "frame_header.json")
     if arguments.cpp:
-        for name, emit in cpp.FILES.items():
+        for name, emit in (cpp.FILES | cpp_scene.FILES).items():
             write(arguments.cpp / name, emit(contract))
+        write(arguments.cpp / "frame_header.hpp", frame_header.emit_cpp(header))
     if arguments.typescript:
-        write(arguments.typescript, typescript.emit(contract))
+        write(arguments.typescript / "protocol.ts", typescript.emit(contract))
+        write(arguments.typescript / "frame_header.ts", frame_header.emit_typescript(header))
     if arguments.python:
-        write(arguments.python, python.emit(contract))
+        write(arguments.python / "types.py", python.emit(contract))
+        write(arguments.python / "calls.py", python_calls.emit(contract))
+        write(arguments.python / "frame_header.py", frame_header.emit_python(header))
+    if arguments.markdown:
+        text = (PROTOCOL / "frame.md").read_text(encoding="utf-8")
+        table = "\n" + frame_header.emit_table(header)
+        write(PROTOCOL / "frame.md", re.sub(r"\n\| offset \|(?:.*\n)(?:\|.*\n)+", lambda _: table, text, count=1))
     return 0
 
 

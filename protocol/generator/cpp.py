@@ -57,7 +57,7 @@ class Types:
         type_name = self.type_of(one.schema, hint)
         comment = f" // {one.description}" if one.description else ""
         if not one.required and "default" in one.schema:
-            value = json.dumps(one.schema["default"])
+            value = json.dumps(one.schema["default"]).replace("[", "{").replace("]", "}")
             return f"    {type_name} {one.name} = {value};{comment}\n"
         if not one.required and not type_name.startswith("std::optional"):
             type_name = f"std::optional<{type_name}>"
@@ -166,9 +166,14 @@ def emit_table(contract: Contract) -> str:
 
 
 def emit_document(contract: Contract) -> str:
+    major, minor = contract.protocol
+    view_open = next(method for method in contract.methods if method.name == "view.open")
+    streams = next(param for param in view_open.params if param.name == "stream").schema["enum"]
+    words = ", ".join(f'"{stream}"' for stream in streams)
     return HEAD + (
-        "#include <string_view>\n\nnamespace ciel::protocol {\n\n"
-        f'inline constexpr std::string_view version = "{contract.version}";\n'
+        "#include <array>\n#include <string_view>\n\nnamespace ciel::protocol {\n\n"
+        f"inline constexpr int major_version = {major}, minor_version = {minor};\n"
+        f"inline constexpr std::array<std::string_view, {len(streams)}> streams{{{words}}}; // of a view\n"
         f'inline constexpr std::string_view document = R"openrpc({contract.text})openrpc";\n\n'
         "} // namespace ciel::protocol\n"
     )

@@ -44,6 +44,12 @@ class Contract:
     notifications: list[Method]
     errors: dict[str, tuple[int, str]] = field(default_factory=dict)
 
+    @property
+    def protocol(self) -> tuple[int, int]:
+        """Major and minor version."""
+        major, minor, _ = map(int, self.version.split("."))
+        return major, minor
+
 
 def pascal(name: str) -> str:
     return "".join(part[:1].upper() + part[1:] for part in re.split(r"[._]", name))

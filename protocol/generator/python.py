@@ -66,5 +66,6 @@ def emit(contract: Contract) -> str:
         '"""Generated from protocol/openrpc.json; do not edit."""\n\n'
         "from typing import Any, Literal, NotRequired, TypedDict\n\n"
         + "\n\n".join(types.definitions)
-        + f"\n\nERROR_CODES: dict[str, int] = {{\n{codes}}}\n"
+        + "\n\nPROTOCOL = {{\"major\": {}, \"minor\": {}}}  # the version of the contract\n".format(*contract.protocol)
+        + f"ERROR_CODES: dict[str, int] = {{\n{codes}}}\n"
     )

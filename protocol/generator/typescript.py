@@ -80,6 +80,5 @@ def emit(contract: Contract) -> str:
     out.append("}\n\nexport const ErrorCode = {\n")
     for name, code in {**STANDARD_ERRORS, **{n: c for n, (c, _) in contract.errors.items()}}.items():
         out.append(f"  {name}: {code},\n")
-    out.append("} as const;\n\n")
-    out.append(f"export const PROTOCOL_VERSION = {json.dumps(contract.version)};\n")
+    out.append("} as const;\n")
     return "".join(out)

@@ -163,6 +163,7 @@ scene::Layer iso_of(const Case& data, double value) {
 
 scene::Layer slice_of(const Case& data) {
     scene::SliceLayer slice;
+    slice.axis = scene::SliceLayer::Axis::x;
     slice.color.array = data.array;
     return {"bench", 0, true, 1, slice};
 }
@@ -185,7 +186,7 @@ Table frames_table(const Case& data) {
         std::get<scene::IsoLayer>(scene.layers.front().kind).values = {value(0.1 + 0.8 * share)};
     };
     const auto set_place = [&](scene::Scene& scene, double share) {
-        std::get<scene::SliceLayer>(scene.layers.front().kind).origin[0] = bounds[0] + (bounds[1] - bounds[0]) * share;
+        std::get<scene::SliceLayer>(scene.layers.front().kind).value = bounds[0] + (bounds[1] - bounds[0]) * share;
     };
     const auto set_camera = [&](scene::Scene& scene, double share) { frames.turn(scene, share); };
     const scene::Layer iso = iso_of(data, value(0.5)), volume = volume_of(data);

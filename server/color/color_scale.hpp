@@ -1,14 +1,5 @@
-// From a scalar to a color: the rule of the server's shaders, the browser (webclient/src/model/color_scale.ts) and
-// every legend. Values are interpolated up to the pixel; only there are they placed on the scale and looked up.
-//
-//     place    (v - low) / (high - low), or of the logarithms; 0.5 for every value when the range has no width.
-//              Logarithmic on both sides of zero: sign(v) log(1 + |v| / w) instead of v, with w a thousandth of the
-//              range's end: nearly linear up to w, logarithmic over the three decades beyond it
-//     color    that of the map, or of the points, at the place; at 1 - place when reversed
-//     steps    n: the k-th of n equal parts of the scale has one color, the map's at k / (n - 1)
-//     outside  `below`, `above`, by default the color of that end; values beyond the range by no more than the rounding
-//              of an interpolated float are inside, so that a flat maximum has no specks of the color above
-//     nothing  NaN and infinities have `nan`; interpolation with any other value turns an infinity into NaN
+// From a scalar to a color. The rule is in protocol/colors.md; the server's shaders, the browser
+// (webclient/src/model/color_scale.ts) and every legend follow it.
 #pragma once
 
 #include <array>
@@ -20,6 +11,12 @@
 namespace ciel::color {
 
 using Rgb8 = std::array<std::uint8_t, 3>; // sRGB
+
+// Returns the channels as shaders take them, from 0 to 1.
+[[nodiscard]] inline std::array<float, 3> floats_of(const Rgb8& color) {
+    return {static_cast<float>(color[0]) / 255.0F, static_cast<float>(color[1]) / 255.0F,
+            static_cast<float>(color[2]) / 255.0F};
+}
 
 struct ColorPoint {
     double at = 0; // position on the scale, from 0 to 1

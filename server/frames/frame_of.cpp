@@ -14,13 +14,12 @@ struct Background {
     std::array<float, 3> top, bottom;
 };
 
-Background background_of(const std::string& name) {
-    if (name == "dark") return {{0.10F, 0.12F, 0.16F}, {0.03F, 0.04F, 0.05F}};
-    if (name == "light") return {{1.0F, 1.0F, 1.0F}, {0.90F, 0.92F, 0.95F}};
-    std::array<float, 3> color{};
-    for (std::size_t i = 0; i < 3; ++i)
-        color[i] = static_cast<float>(std::stoi(name.substr(1 + 2 * i, 2), nullptr, 16)) / 255.0F;
-    return {color, color};
+Background background_of(const scene::Scene& scene) {
+    if (const auto* color = std::get_if<scene::Color>(&scene.background))
+        return {color::floats_of(*color), color::floats_of(*color)};
+    if (std::get<scene::Scene::Background>(scene.background) == scene::Scene::Background::light)
+        return {{1.0F, 1.0F, 1.0F}, {0.90F, 0.92F, 0.95F}};
+    return {{0.10F, 0.12F, 0.16F}, {0.03F, 0.04F, 0.05F}};
 }
 
 render::Lighting lighting_of(const scene::Lighting& lighting) {
@@ -64,7 +63,7 @@ render::Frame frame_of(const geometry::Geometry& geometry, const scene::Scene& s
     static_cast<annotations::Viewpoint&>(frame) = geometry::viewpoint_of(geometry, scene, width, height);
     frame.samples = samples;
     frame.clip = geometry::shader_planes(geometry);
-    const Background background = background_of(scene.background);
+    const Background background = background_of(scene);
     frame.background_top = background.top;
     frame.background_bottom = background.bottom;
     frame.lighting = scene.lighting.on ? lighting_of(scene.lighting) : render::Lighting{0, 0, 0};

@@ -2,6 +2,7 @@
 
 #include "geometry/cut_box.hpp"
 #include "geometry/cutter.hpp"
+#include "scene/rules.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -37,10 +38,11 @@ bool leave_a_sheet_at_most(const std::vector<HalfSpace>& planes, const Geometry&
 std::vector<HalfSpace> clip_planes(const scene::Scene& scene, const Geometry& geometry) {
     std::vector<HalfSpace> planes;
     for_planes(scene, [&](const scene::ClipLayer& clip) {
+        const scene::Plane plane = plane_of(clip);
         HalfSpace kept;
         for (std::size_t axis = 0; axis < 3; ++axis) {
-            kept.normal[axis] = -clip.normal[axis];
-            kept.offset += clip.normal[axis] * (clip.origin[axis] - geometry.origin[axis]);
+            kept.normal[axis] = -plane.normal[axis];
+            kept.offset += plane.normal[axis] * (plane.origin[axis] - geometry.origin[axis]);
         }
         kept.offset = std::clamp(kept.offset, -farthest, farthest);
         planes.push_back(kept);

@@ -32,7 +32,8 @@ std::string hex_of(const color::Rgb8& color) {
 color::ColorScale color_scale_of(const scene::Coloring& coloring, std::array<float, 2> data_range) {
     color::ColorScale scale;
     scale.map = coloring.map;
-    for (const scene::ColorPoint& point : coloring.points) scale.points.push_back({point.at, point.color});
+    if (coloring.points)
+        for (const scene::ColorPoint& point : *coloring.points) scale.points.push_back({point.at, point.color});
     if (coloring.range)
         scale.range = {within_floats((*coloring.range)[0]), within_floats((*coloring.range)[1])};
     else
@@ -44,7 +45,7 @@ color::ColorScale color_scale_of(const scene::Coloring& coloring, std::array<flo
     if (coloring.log && !coloring.symmetric) scale.range = range_above_zero(scale.range);
     scale.reverse = coloring.reverse;
     scale.log = coloring.log;
-    scale.steps = coloring.steps;
+    scale.steps = static_cast<int>(coloring.steps.value_or(0));
     scale.nan = coloring.nan;
     scale.below = coloring.below;
     scale.above = coloring.above;

@@ -35,6 +35,11 @@ std::string short_number(double value) {
     return text.str();
 }
 
+std::array<float, 4> with_opacity(const scene::Color& color, float opacity) {
+    const std::array<float, 3> channels = color::floats_of(color);
+    return {channels[0], channels[1], channels[2], opacity};
+}
+
 } // namespace
 
 std::string bits_of(double number) { return {reinterpret_cast<const char*>(&number), sizeof number}; }
@@ -111,7 +116,7 @@ void LayerUpdate::tell_left_out(const std::string& scalar, bool is_cut) const {
 }
 
 void LayerUpdate::color(Drawable& drawable, const scene::Coloring& coloring, const scene::Layer& layer) const {
-    drawable.color = {coloring.solid[0], coloring.solid[1], coloring.solid[2], layer.opacity};
+    drawable.color = with_opacity(coloring.solid, layer.opacity);
     if (coloring.array.empty()) return;
     drawable.array = full_name(*dataset, coloring.array);
     const std::array<float, 2> range = range_of(*dataset, coloring.array, out.step);
@@ -125,19 +130,19 @@ void LayerUpdate::color(Drawable& drawable, const scene::Coloring& coloring, con
 }
 
 void LayerUpdate::add_edges(Outlined& outlined, const std::shared_ptr<const Shape>& shape,
-                            const std::optional<scene::LineStyle>& style, const scene::Layer& layer) {
-    if (!style) return outlined.forget();
+                            const std::optional<scene::Edges>& edges, const scene::Layer& layer) {
+    if (!edges) return outlined.forget();
     outlined.follow(shape);
-    add_lines(shape, *style, layer, outlined.identity, outlined.revision).edges = outlined.edges;
+    add_lines(shape, edges->color, edges->width, layer, outlined.identity, outlined.revision).edges = outlined.edges;
 }
 
-Drawable& LayerUpdate::add_lines(const std::shared_ptr<const Shape>& shape, const scene::LineStyle& style,
+Drawable& LayerUpdate::add_lines(const std::shared_ptr<const Shape>& shape, const scene::Color& color, float width,
                                  const scene::Layer& layer, std::uint64_t identity, std::uint64_t revision) {
     Drawable drawable;
     drawable.layer = layer.id;
     drawable.shape = shape;
-    drawable.line_width = style.width;
-    drawable.color = {style.color[0], style.color[1], style.color[2], layer.opacity};
+    drawable.line_width = width;
+    drawable.color = with_opacity(color, layer.opacity);
     drawable.lit = false;
     drawable.identity = identity;
     drawable.revision = revision;

@@ -5,6 +5,7 @@
 #include "annotations/camera.hpp"
 #include "geometry/cut.hpp"
 #include "geometry/volume_cut.hpp"
+#include "scene/rules.hpp"
 
 namespace ciel::geometry {
 
@@ -51,15 +52,16 @@ private:
     // Sets the color scale or the solid color. Adds to `out.lacking` if a scale has no place for the scalars.
     void color(Drawable& drawable, const scene::Coloring& coloring, const scene::Layer& layer) const;
     void add_edges(Outlined& outlined, const std::shared_ptr<const Shape>& shape,
-                   const std::optional<scene::LineStyle>& style, const scene::Layer& layer);
-    Drawable& add_lines(const std::shared_ptr<const Shape>& shape, const scene::LineStyle& style,
+                   const std::optional<scene::Edges>& edges, const scene::Layer& layer);
+    // width: in pixels.
+    Drawable& add_lines(const std::shared_ptr<const Shape>& shape, const scene::Color& color, float width,
                         const scene::Layer& layer, std::uint64_t identity, std::uint64_t revision);
     void add_contours(Contoured& contoured, const std::shared_ptr<const Shape>& shape,
                       const std::optional<scene::Contours>& contours, const scene::Layer& layer);
 
-    // Sets the cut's field to the distance along `normal` from the mesh's origin. Returns the plane's nu. A plane that
-    // moves along its normal is then another nu of the same field.
-    double use_plane(Cut& cut, const std::array<double, 3>& origin, const std::array<double, 3>& normal);
+    // Sets the cut's field to the distance along the normal from the mesh's origin. Returns the plane's nu. A plane
+    // that moves along its normal is then another nu of the same field.
+    double use_plane(Cut& cut, const scene::Plane& plane);
     // Returns the clip layer whose caps coincide with the slice, or null. The slice is then cut by that layer's plane:
     // with other rounding or orientation of the polygons, one would show through the other in places.
     [[nodiscard]] const scene::ClipLayer* cap_at(const scene::SliceLayer& slice) const;

@@ -10,14 +10,27 @@
 namespace ciel::geometry {
 namespace {
 
+constexpr std::size_t usual_contours = 10; // as the contract says
+
 // True if both lie in one plane, whichever side is kept.
-bool coincide(const scene::SliceLayer& slice, const scene::ClipLayer& clip, double diagonal) {
+bool coincide(const scene::Plane& slice, const scene::Plane& clip, double diagonal) {
     double cosine = 0, apart = 0;
     for (std::size_t axis = 0; axis < 3; ++axis) {
         cosine += slice.normal[axis] * clip.normal[axis];
         apart += clip.normal[axis] * (slice.origin[axis] - clip.origin[axis]);
     }
     return std::abs(cosine) >= 1 - 1e-13 && std::abs(apart) <= 1e-9 * diagonal;
+}
+
+// own: the range of the array at the shown step.
+std::vector<double> contour_values(const scene::Contours& contours, const scene::Range& own) {
+    if (contours.values) return *contours.values;
+    const auto [low, high] = contours.range.value_or(own);
+    const std::size_t count = contours.count.value_or(usual_contours);
+    std::vector<double> values;
+    for (std::size_t i = 1; i <= count; ++i)
+        values.push_back(low + (high - low) * static_cast<double>(i) / static_cast<double>(count + 1));
+    return values;
 }
 
 } // namespace
@@ -44,17 +57,18 @@ bool LayerUpdate::operator()(const scene::Layer& layer, const scene::IsoLayer& i
     return true;
 }
 
-double LayerUpdate::use_plane(Cut& cut, const std::array<double, 3>& origin, const std::array<double, 3>& normal) {
-    const std::string name = plane_name(normal, step());
-    if (cut.field_name != name) cut.use_field(name, loaded->plane(out.step, out.origin, normal), extraction);
+double LayerUpdate::use_plane(Cut& cut, const scene::Plane& plane) {
+    const std::string name = plane_name(plane.normal, step());
+    if (cut.field_name != name) cut.use_field(name, loaded->plane(out.step, out.origin, plane.normal), extraction);
     double nu = 0;
-    for (std::size_t axis = 0; axis < 3; ++axis) nu += normal[axis] * (origin[axis] - out.origin[axis]);
+    for (std::size_t axis = 0; axis < 3; ++axis) nu += plane.normal[axis] * (plane.origin[axis] - out.origin[axis]);
     return nu;
 }
 
 const scene::ClipLayer* LayerUpdate::cap_at(const scene::SliceLayer& slice) const {
-    const auto found =
-        std::ranges::find_if(caps, [&](const scene::ClipLayer* clip) { return coincide(slice, *clip, diagonal()); });
+    const scene::Plane plane = plane_of(slice);
+    const auto found = std::ranges::find_if(
+        caps, [&](const scene::ClipLayer* clip) { return coincide(plane, plane_of(*clip), diagonal()); });
     return found == caps.end() ? nullptr : *found;
 }
 
@@ -72,7 +86,7 @@ bool LayerUpdate::operator()(const scene::Layer& layer, const scene::SliceLayer&
     Cut& cut = cuts[{layer.id, 0}];
     const std::size_t before = cut.memory_bytes();
     const scene::ClipLayer* cap = cap_at(slice);
-    const double nu = use_plane(cut, cap ? cap->origin : slice.origin, cap ? cap->normal : slice.normal);
+    const double nu = use_plane(cut, cap != nullptr ? plane_of(*cap) : plane_of(slice));
     if (!cut_along(cut, nu)) return false;
     add(cut.painted, cut.shape, slice.color, layer, false);
     add_edges(cut.outlined, cut.painted.sound, slice.edges, layer);
@@ -84,10 +98,8 @@ bool LayerUpdate::operator()(const scene::Layer& layer, const scene::SliceLayer&
 void LayerUpdate::add_contours(Contoured& contoured, const std::shared_ptr<const Shape>& shape,
                                const std::optional<scene::Contours>& contours, const scene::Layer& layer) {
     if (!contours) return contoured.forget();
-    std::vector<double> values = contours->values;
     const auto own = range_of(*dataset, contours->array, out.step);
-    const auto [low, high] = contours->range.value_or(std::array<double, 2>{own[0], own[1]});
-    for (int i = 1; i <= contours->count; ++i) values.push_back(low + (high - low) * i / (contours->count + 1));
+    const std::vector<double> values = contour_values(*contours, {own[0], own[1]});
     try {
         contoured.follow(shape, contours->array, out.step, values, contours->coloring.has_value(), *loaded);
     } catch (const store::NotWritten& missing) {
@@ -98,7 +110,8 @@ void LayerUpdate::add_contours(Contoured& contoured, const std::shared_ptr<const
                               " has none of their values on it, and goes from " + annotations::number_label(own[0]) +
                               " to " + annotations::number_label(own[1]) + " in all of the data at this time");
     tell_left_out(contours->array, true);
-    Drawable& lines = add_lines(contoured.lines, contours->line, layer, contoured.identity, contoured.revision);
+    Drawable& lines =
+        add_lines(contoured.lines, contours->color, contours->width, layer, contoured.identity, contoured.revision);
     lines.contours = true;
     if (!contours->coloring) return;
     lines.scalars = contoured.scalars;

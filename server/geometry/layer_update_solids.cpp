@@ -47,7 +47,7 @@ std::vector<std::uint8_t> LayerUpdate::cells_of(const scene::Threshold& threshol
         return cells_in_range(*loaded->cell_values(threshold.array, out.step), threshold.range);
     auto kept = cells_in_range(dataset->mesh(step().mesh, step().coordinates),
                                *loaded->scalar_values(threshold.array, out.step), threshold.range,
-                               threshold.any ? InRange::any : InRange::all);
+                               threshold.keep == scene::Threshold::Keep::any ? InRange::any : InRange::all);
     if (const auto sound = loaded->sound_cells(threshold.array, out.step))
         for (std::size_t cell = 0; cell < kept.size(); ++cell) kept[cell] = kept[cell] & sound->kept[cell];
     return kept;
@@ -60,8 +60,8 @@ Boundary* LayerUpdate::solid(const scene::Layer& layer, const std::vector<std::s
     if (!threshold) return &boundary(layer, key);
     tell_left_out(threshold->array, false);
     const auto [low, high] = threshold->range;
-    key += '\0' + std::to_string(out.step) + (threshold->any ? " any " : " all ") + bits_of(low) + bits_of(high) +
-           threshold->array;
+    key += '\0' + std::to_string(out.step) + (threshold->keep == scene::Threshold::Keep::any ? " any " : " all ") +
+           bits_of(low) + bits_of(high) + threshold->array;
     Boundary& kept = boundary(layer, key);
     if (kept.shape) return &kept;
     const std::size_t before = kept.memory_bytes();
@@ -92,7 +92,7 @@ bool LayerUpdate::add_caps(const scene::Layer& layer, const scene::SurfaceLayer&
     for (std::size_t i = 0; i < caps.size(); ++i) {
         Cut& cut = cuts[{layer.id, i}];
         const std::size_t before = cut.memory_bytes();
-        const double nu = use_plane(cut, caps[i]->origin, caps[i]->normal);
+        const double nu = use_plane(cut, plane_of(*caps[i]));
         const bool opens = !side_at(nu, cut.field.field->range());
         if (opens && !cut.extract(nu, false, stop)) return false;
         count(before, cut.memory_bytes());
@@ -122,13 +122,14 @@ bool LayerUpdate::operator()(const scene::Layer& layer, const scene::EdgesLayer&
 }
 
 bool LayerUpdate::operator()(const scene::Layer& layer, const scene::PointsLayer& points) {
-    const std::string what = (points.all ? "points of all " : "points ") + std::to_string(points.most);
+    const bool all = points.of == scene::PointsLayer::Of::all;
+    const std::string what = (all ? "points of all " : "points ") + std::to_string(points.most);
     Boundary* kept = solid(layer, points.groups, points.threshold, what);
     if (kept == nullptr) return true;
     const std::size_t before = kept->memory_bytes();
     if (!kept->shape) {
-        const Surface vertices = points.all ? cell_vertices(dataset->mesh(step().mesh, step().coordinates), kept->cells)
-                                            : boundary_surface(*dataset, step(), points.groups, kept->cells);
+        const Surface vertices = all ? cell_vertices(dataset->mesh(step().mesh, step().coordinates), kept->cells)
+                                     : boundary_surface(*dataset, step(), points.groups, kept->cells);
         kept->points = vertices.positions.size();
         kept->thinned = std::max<std::size_t>(1, (kept->points + points.most - 1) / points.most);
         kept->shape = points_shape(vertices, kept->thinned);

@@ -1,6 +1,7 @@
 #include "geometry/legend_names.hpp"
 
 #include "annotations/ticks.hpp"
+#include "scene/rules.hpp"
 
 #include <algorithm>
 #include <map>
@@ -23,12 +24,12 @@ struct NameOf {
     std::string operator()(const scene::IsoLayer& iso) const { return "Iso-surface of " + iso.array; }
     std::string operator()(const scene::SliceLayer& slice) const {
         const std::string start = contours ? "Lines on " : "";
-        if (std::count(slice.normal.begin(), slice.normal.end(), 0.0) != 2)
-            return start + (contours ? "free plane" : "Free plane");
-        const auto across = std::find_if(slice.normal.begin(), slice.normal.end(), [](double n) { return n != 0; });
-        const auto axis = static_cast<std::size_t>(across - slice.normal.begin());
+        const auto [origin, normal] = plane_of(slice);
+        if (std::count(normal.begin(), normal.end(), 0.0) != 2) return start + (contours ? "free plane" : "Free plane");
+        const auto across = std::find_if(normal.begin(), normal.end(), [](double n) { return n != 0; });
+        const auto axis = static_cast<std::size_t>(across - normal.begin());
         return start + (contours ? "slice at " : "Slice at ") + "xyz"[axis] + " = " +
-               annotations::number_label(slice.origin[axis]);
+               annotations::number_label(origin[axis]);
     }
     std::string operator()(const scene::SurfaceLayer& surface) const {
         return surface.groups.empty() ? "Boundary" : "Boundary: " + listed(surface.groups);

@@ -9,7 +9,7 @@ namespace ciel::geometry {
 annotations::Camera camera_of(const Geometry& geometry, const scene::Scene& scene, double aspect) {
     if (!scene.camera) return annotations::default_camera(geometry.bounds_min, geometry.bounds_max, aspect);
     const scene::Camera& camera = *scene.camera;
-    return {camera.position, camera.target, camera.up, camera.fov, camera.parallel, camera.parallel_height};
+    return {camera.position, camera.target, camera.up, camera.fov, camera.parallel, camera.parallel_height.value_or(1)};
 }
 
 // Views use the same camera as annotated pictures of the scene, so that pixels of both correspond.

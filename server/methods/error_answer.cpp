@@ -28,6 +28,8 @@ json too_long_error(const std::string& reason) {
 json error_of_current_exception() {
     try {
         throw;
+    } catch (const InvalidRequest& e) {
+        return invalid_request(e.what());
     } catch (const MethodNotFound& e) {
         return error(-32601, "Method not found", e.what());
     } catch (const InvalidParams& e) {

@@ -7,6 +7,10 @@
 
 namespace ciel::methods {
 
+class InvalidRequest : public std::runtime_error {
+public:
+    using std::runtime_error::runtime_error;
+};
 class MethodNotFound : public std::runtime_error {
 public:
     using std::runtime_error::runtime_error;

@@ -2,6 +2,7 @@
 
 #include "methods/context.hpp"
 #include "scene/schema.hpp"
+#include "scene/unknown_members.hpp"
 
 #include <map>
 
@@ -45,10 +46,11 @@ json by_name(const json& params, const std::vector<std::string>& order) {
 
 } // namespace
 
-json checked_params(const std::string& method, json params) {
+json checked_params(const std::string& method, json params, std::vector<std::string>* ignored) {
     static const std::map<std::string, ParamsSchema> schemas = make_schemas();
     const ParamsSchema& expected = schemas.at(method);
     if (params.is_array()) params = by_name(params, expected.order);
+    if (ignored != nullptr) *ignored = scene::drop_unknown_members(expected.schema, params);
     if (const auto violation = scene::check_schema(expected.schema, params))
         throw InvalidParams(violation->path, violation->path + " " + violation->reason);
     return params;

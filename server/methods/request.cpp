@@ -5,6 +5,7 @@
 #include "methods/context.hpp"
 #include "methods/error_answer.hpp"
 #include "methods/method_params.hpp"
+#include "methods/protocol_version.hpp"
 #include "protocol/method_table.hpp"
 
 #include <algorithm>
@@ -43,14 +44,16 @@ const Method* find_method(const std::string& name) {
     return found == method_table.end() ? nullptr : found;
 }
 
-json call(Context& context, const json& request) {
+// ignored: receives the unknown members of a request of a later minor version.
+json call(Context& context, const json& request, std::vector<std::string>& ignored) {
     const auto& name = request["method"].get_ref<const std::string&>();
     const Method* method = find_method(name);
     context.server.counters().count_request(method == nullptr ? "unknown" : name);
     if (method == nullptr) throw MethodNotFound("there is no method " + name + "; rpc.discover lists them");
     const auto count = [&] { context.server.counters().count_call(name, context.milliseconds() / 1000); };
     try {
-        json result = method->call(context, checked_params(name, request.value("params", json::object())));
+        std::vector<std::string>* const dropped = is_of_later_minor(request) ? &ignored : nullptr;
+        json result = method->call(context, checked_params(name, request.value("params", json::object()), dropped));
         count();
         return result;
     } catch (...) {
@@ -134,10 +137,13 @@ std::optional<json> handle(Context& context, const json& request, double waited)
     if (const auto id = request.find("id"); id != request.end() && !is_id(*id))
         return failed(context, request, invalid_request("an id is a text, a number or null"));
     try {
-        json result = call(context, request);
+        std::vector<std::string> ignored;
+        json result = call(context, request, ignored);
         tell_if_slow(context, request, waited);
         if (!request.contains("id")) return {};
-        return answer(request["id"], "result", std::move(result));
+        json answered = answer(request["id"], "result", std::move(result));
+        if (!ignored.empty()) answered["ignored"] = std::move(ignored);
+        return answered;
     } catch (...) {
         return refuse(context, request);
     }

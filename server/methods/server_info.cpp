@@ -1,5 +1,6 @@
 #include "color/color_map.hpp"
 #include "methods/context.hpp"
+#include "protocol/document.hpp"
 
 namespace ciel::methods {
 namespace {
@@ -16,11 +17,14 @@ protocol::ServerInfoResult server_info(Context& context, const protocol::ServerI
     const frames::Readiness drawing = context.server.last_readiness();
     const bool by_signatures = context.server.options().extraction.algorithm == Algorithm::signatures;
     return {CIEL_VERSION,
+            {protocol::major_version, protocol::minor_version},
             drawing.gl_renderer,
             drawing.backend,
             by_signatures ? "signatures" : "propagation",
             table_of(context.server.limits()),
-            color::color_map_names()};
+            color::color_map_names(),
+            {scene::layer_types.begin(), scene::layer_types.end()},
+            {protocol::streams.begin(), protocol::streams.end()}};
 }
 
 } // namespace ciel::methods

@@ -160,12 +160,6 @@ Result check_names(const json& rule, const json& value, const json&, const std::
     return {};
 }
 
-const json& resolve(const json& schema) {
-    const auto reference = schema.find("$ref");
-    if (reference == schema.end()) return schema;
-    return contract().at(json::json_pointer(reference->get_ref<const std::string&>().substr(1)));
-}
-
 // The violation to report if no option fits. An option whose constant "type" matches, or whose violation lies inside
 // the value, was meant: its violation is returned. Otherwise lists all types or reasons.
 Violation best_of(const json& options, const json& value, const std::vector<Violation>& violations,
@@ -173,7 +167,7 @@ Violation best_of(const json& options, const json& value, const std::vector<Viol
     static const json::json_pointer discriminator("/properties/type/const");
     std::string types, reasons;
     for (std::size_t i = 0; i < violations.size(); ++i) {
-        const json& option = resolve(options[i]);
+        const json& option = resolved(options[i]);
         if (!option.contains(discriminator)) {
             if (violations[i].path != path) return violations[i];
             reasons += (reasons.empty() ? "" : ", or ") + violations[i].reason;
@@ -262,12 +256,18 @@ const json& contract() {
     return document;
 }
 
+const json& resolved(const json& schema) {
+    const auto reference = schema.find("$ref");
+    if (reference == schema.end()) return schema;
+    return contract().at(json::json_pointer(reference->get_ref<const std::string&>().substr(1)));
+}
+
 std::optional<Violation> check_schema(const json& schema, const json& value, const std::string& path) {
-    const json& resolved = resolve(schema);
+    const json& rules = resolved(schema);
     for (const auto& [keyword, check] : checks()) {
-        const auto rule = resolved.find(keyword);
-        if (rule == resolved.end()) continue;
-        if (auto violation = check(*rule, value, resolved, path)) return violation;
+        const auto rule = rules.find(keyword);
+        if (rule == rules.end()) continue;
+        if (auto violation = check(*rule, value, rules, path)) return violation;
     }
     return {};
 }

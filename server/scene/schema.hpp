@@ -21,6 +21,9 @@ struct Violation {
 [[nodiscard]] std::optional<Violation> check_schema(const nlohmann::json& schema, const nlohmann::json& value,
                                                     const std::string& path = "");
 
+// Follows "$ref", which is looked up in contract().
+[[nodiscard]] const nlohmann::json& resolved(const nlohmann::json& schema);
+
 // All supported keywords; a test compares them with the contract's.
 [[nodiscard]] std::vector<std::string> schema_keywords();
 

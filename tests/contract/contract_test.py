@@ -12,7 +12,7 @@ ROOT = pathlib.Path(sys.argv.pop(1) if len(sys.argv) > 1 else __file__).resolve(
 if ROOT.is_file():
     ROOT = ROOT.parents[2]
 sys.path.insert(0, str(ROOT / "protocol"))
-from generator import cpp, model, python, typescript  # noqa: E402
+from generator import cpp, cpp_scene, frame_header, model, python, python_calls, typescript  # noqa: E402
 
 DOCUMENT = json.loads((ROOT / "protocol/openrpc.json").read_text(encoding="utf-8"))
 
@@ -140,7 +140,7 @@ class Generated(unittest.TestCase):
 
     def test_again_is_the_same(self):
         again = model.load(ROOT / "protocol/openrpc.json")
-        for emit in [*cpp.FILES.values(), typescript.emit, python.emit]:
+        for emit in [*cpp.FILES.values(), *cpp_scene.FILES.values(), typescript.emit, python.emit, python_calls.emit]:
             self.assertEqual(emit(self.contract), emit(again))
 
     def test_python_types_are_up_to_date_and_load(self):
@@ -150,6 +150,30 @@ class Generated(unittest.TestCase):
         exec(compile(committed, "types.py", "exec"), names)
         for schema in self.contract.schemas:
             self.assertIn(schema, names)
+
+    def test_python_methods_and_frame_header_are_up_to_date(self):
+        header = frame_header.load(ROOT / "protocol/frame_header.json")
+        for name, text in (("calls.py", python_calls.emit(self.contract)), ("frame_header.py", frame_header.emit_python(header))):
+            committed = (ROOT / "protocol/python/ciel_client" / name).read_text(encoding="utf-8")
+            self.assertEqual(committed, text, f"{name}: run protocol/generate.py --python protocol/python/ciel_client")
+
+    def test_the_table_of_the_frame_header_is_up_to_date(self):
+        table = frame_header.emit_table(frame_header.load(ROOT / "protocol/frame_header.json"))
+        self.assertIn(table, (ROOT / "protocol/frame.md").read_text(encoding="utf-8"), "run protocol/generate.py --markdown")
+
+    def test_a_gap_in_the_frame_header_is_noticed(self):
+        table = json.loads((ROOT / "protocol/frame_header.json").read_text(encoding="utf-8"))
+        table["fields"][3]["offset"] += 1
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder) / "frame_header.json"
+            path.write_text(json.dumps(table), encoding="utf-8")
+            with self.assertRaisesRegex(ValueError, "width has offset 25; the field before it ends at 24"):
+                frame_header.load(path)
+
+    def test_every_layer_type_is_a_structure_of_the_scene(self):
+        types = cpp_scene.emit_types(self.contract)
+        for option in DOCUMENT["components"]["schemas"]["Layer"]["oneOf"]:
+            self.assertIn(f"struct {option['$ref'].rsplit('/', 1)[1]} {{", types)
 
     def test_the_embedded_document_is_the_document(self):
         text = cpp.emit_document(self.contract)
@@ -164,7 +188,7 @@ class Generated(unittest.TestCase):
             subprocess.run(command, check=True)
             after = {file.name: file.stat().st_mtime_ns for file in pathlib.Path(folder).iterdir()}
             self.assertEqual(before, after)
-            self.assertEqual(set(before), set(cpp.FILES))
+            self.assertEqual(set(before), {*cpp.FILES, *cpp_scene.FILES, "frame_header.hpp"})
 
 
 if __name__ == "__main__":

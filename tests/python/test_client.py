@@ -6,7 +6,7 @@ import pytest
 
 import box_dataset
 from ciel_client import Batches, Client, Pieces, RpcError, Stream, mesh_codec, read_frame
-from ciel_client.frames import GEOMETRY, HEADER, IMAGE
+from ciel_client.frame_header import GEOMETRY, IMAGE, FrameHeader, write_frame_header
 from ciel_client.types import ERROR_CODES
 from serve_process import PATIENCE, Server, iso
 
@@ -87,16 +87,25 @@ def test_frames_come_until_the_server_ends(tmp_path, stream, kind):
 
 
 def test_damaged_frames_are_refused():
-    whole = HEADER.pack(b"CIEL", 2, IMAGE, 7, 1, 1, 1, 4, 4, 0, 0, 0, 0, 0, 0, 3, 3, 0) + b"abc"
+    whole = write_frame_header(FrameHeader(IMAGE, 7, 1, 1, 1, 4, 4, 0, 0, 0, 0, 0, 0, 3, 3, 0)) + b"abc"
     assert read_frame(whole).payload == b"abc"
-    for damaged, words in [(whole[:79], "at least 80"), (b"X" + whole[1:], "not a CIEL frame"), (whole[:-1], "announces 3")]:
+    for damaged, words in [
+        (whole[:79], "has 79 bytes"),
+        (b"X" + whole[1:], "does not begin with 'CIEL'"),
+        (whole[:4] + b"\3" + whole[5:], "is of version 3"),
+        (whole[:5] + b"\3" + whole[6:], "is of kind 3"),
+        (whole[:7] + b"\x80" + whole[8:], "unknown flags 32775"),
+        (whole[:-1], "announces 3 bytes after its header and has 2"),
+        (whole[:68] + b"\1" + whole[69:], "brings 3 bytes from 1 on, and the whole has 3"),
+    ]:
         with pytest.raises(ValueError, match=words):
             read_frame(damaged)
 
 
 def piece(frame: int, offset: int, payload: bytes, whole: int, flags: int = 0, view: int = 1):
-    return read_frame(HEADER.pack(b"CIEL", 2, IMAGE, flags, view, frame, 1, 4, 4, 0, 0, 0, 0, 0, 0, len(payload), whole, offset)
-                      + payload)
+    return read_frame(
+        write_frame_header(FrameHeader(IMAGE, flags, view, frame, 1, 4, 4, 0, 0, 0, 0, 0, 0, len(payload), whole, offset)) + payload
+    )
 
 
 def test_pieces_make_a_whole_and_a_newer_frame_takes_the_place_of_half_an_older_one():

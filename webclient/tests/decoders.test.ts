@@ -2,7 +2,7 @@ import { describe, expect, test } from "vitest";
 import { GeometryDecoder, type GeometryBatch } from "../src/server/geometry";
 import { pictureOf } from "../src/server/image";
 import { lineEnds } from "../src/view/lines";
-import { decodeHeader } from "../src/server/frame_header";
+import { readFrameHeader } from "../src/generated/frame_header";
 import { frameBytes, geometryPayload, PNG_SIGNATURE } from "./frames";
 import { sequenceStream, triangleStream, vertexStream } from "./geometry_frames";
 
@@ -59,12 +59,12 @@ describe("frame header", () => {
       { kind: 1, flags: 5, view: 7, frame: 9, revision: 2n ** 40n, time: 0.125, triangles: 1234 },
       PNG_SIGNATURE,
     );
-    expect(decodeHeader(message)).toEqual({
+    expect(readFrameHeader(message)).toEqual({
       kind: 1,
       flags: 5,
       still: true,
-      last: false,
-      first: true,
+      lastOfFrame: false,
+      firstOfFrame: true,
       view: 7,
       frame: 9,
       revision: 2 ** 40,
@@ -88,14 +88,22 @@ describe("frame header", () => {
     return message;
   };
   test.each([
-    { name: "short", message: new ArrayBuffer(79), error: "shorter than its header" },
-    { name: "foreign", message: changed(0, 0x58), error: "not a CIEL frame" },
-    { name: "another version", message: changed(4, 1), error: "frames of version 1" },
-    { name: "cut off", message: frameBytes({}, PNG_SIGNATURE).slice(0, 85), error: "announces 8 bytes and brings 5" },
-    { name: "too long", message: changed(60, 7), error: "announces 7 bytes and brings 8" },
-    { name: "behind its whole", message: changed(68, 1), error: "ends behind its 8 bytes" },
+    { name: "short", message: new ArrayBuffer(79), error: "has 79 bytes; its header alone has 80" },
+    { name: "foreign", message: changed(0, 0x58), error: "does not begin with 'CIEL'" },
+    {
+      name: "another version",
+      message: changed(4, 1),
+      error: "version 1; this program reads version 2. Reload the page",
+    },
+    {
+      name: "cut off",
+      message: frameBytes({}, PNG_SIGNATURE).slice(0, 85),
+      error: "announces 8 bytes after its header and has 5",
+    },
+    { name: "too long", message: changed(60, 7), error: "announces 7 bytes after its header and has 8" },
+    { name: "behind its whole", message: changed(68, 1), error: "brings 8 bytes from 1 on, and the whole has 8" },
   ])("refuses a message that is $name", ({ message, error }) => {
-    expect(() => decodeHeader(message)).toThrow(error);
+    expect(() => readFrameHeader(message)).toThrow(error);
   });
 });
 

@@ -1,5 +1,5 @@
 import { describe, expect, test } from "vitest";
-import { decodeHeader } from "../src/server/frame_header";
+import { readFrameHeader } from "../src/generated/frame_header";
 import { LineRate } from "../src/server/line_rate";
 import { frameBytes } from "./frames";
 
@@ -12,7 +12,7 @@ function arrive(rate: LineRate, frame: number, pieces: number, every: number, le
   for (let i = 0; i < pieces; i += 1) {
     const flags = (i === 0 ? FIRST : 0) | (i === pieces - 1 ? LAST : 0);
     const fields = { frame, flags, offset: i * length, whole: pieces * length };
-    rate.arrived(decodeHeader(frameBytes(fields, new Uint8Array(length))), 1000 * frame + every * i);
+    rate.arrived(readFrameHeader(frameBytes(fields, new Uint8Array(length))), 1000 * frame + every * i);
   }
 }
 
@@ -31,7 +31,7 @@ describe("rate of the line", () => {
     lengths.forEach((length, i) => {
       at += length / 1250;
       const flags = [FIRST, 0, LAST][i] ?? 0;
-      rate.arrived(decodeHeader(frameBytes({ flags, whole: 100 << 10 }, new Uint8Array(length))), at);
+      rate.arrived(readFrameHeader(frameBytes({ flags, whole: 100 << 10 }, new Uint8Array(length))), at);
     });
     expect(rate.bytesPerSecond).toBeCloseTo(1.25e6);
   });
@@ -62,7 +62,7 @@ describe("rate of the line", () => {
     const rate = new LineRate();
     for (let frame = 1; frame < 6; frame += 1) arrive(rate, frame, 8, 1);
     const piece = (frame: number, at: number): boolean =>
-      rate.arrived(decodeHeader(frameBytes({ frame, flags: 0, whole: 999 * PIECE }, new Uint8Array(PIECE))), at);
+      rate.arrived(readFrameHeader(frameBytes({ frame, flags: 0, whole: 999 * PIECE }, new Uint8Array(PIECE))), at);
     expect(piece(6, 6000)).toBe(false);
     for (let i = 1; i < 9; i += 1) expect(piece(6, 6000 + 100 * i)).toBe(true);
     expect(rate.bytesPerSecond).toBeCloseTo(PIECE * 1000);

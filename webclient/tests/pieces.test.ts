@@ -1,5 +1,5 @@
 import { describe, expect, test } from "vitest";
-import { decodeHeader, HEADER_BYTES } from "../src/server/frame_header";
+import { readFrameHeader, FRAME_HEADER_BYTES } from "../src/generated/frame_header";
 import { Pieces } from "../src/server/pieces";
 import { frameBytes } from "./frames";
 
@@ -16,13 +16,13 @@ interface Piece {
 
 const add = (pieces: Pieces, { bytes, ...fields }: Piece): ArrayBuffer | null => {
   const message = frameBytes({ flags: 0, ...fields }, Uint8Array.from(bytes));
-  return pieces.add(decodeHeader(message), message);
+  return pieces.add(readFrameHeader(message), message);
 };
 
 describe("pieces", () => {
   test("a whole message is given on as it is", () => {
     const message = frameBytes({}, Uint8Array.of(1, 2));
-    expect(new Pieces().add(decodeHeader(message), message)).toBe(message);
+    expect(new Pieces().add(readFrameHeader(message), message)).toBe(message);
   });
 
   test("make one message with the flags of the first and the last", () => {
@@ -30,8 +30,13 @@ describe("pieces", () => {
     expect(add(pieces, { offset: 0, bytes: [1, 2], whole: 5, flags: FIRST })).toBeNull();
     expect(add(pieces, { offset: 2, bytes: [3, 4], whole: 5 })).toBeNull();
     const whole = add(pieces, { offset: 4, bytes: [5], whole: 5, flags: LAST }) as ArrayBuffer;
-    expect([...new Uint8Array(whole, HEADER_BYTES)]).toEqual([1, 2, 3, 4, 5]);
-    expect(decodeHeader(whole)).toMatchObject({ first: true, last: true, payloadBytes: 5, pieceOffset: 0 });
+    expect([...new Uint8Array(whole, FRAME_HEADER_BYTES)]).toEqual([1, 2, 3, 4, 5]);
+    expect(readFrameHeader(whole)).toMatchObject({
+      firstOfFrame: true,
+      lastOfFrame: true,
+      payloadBytes: 5,
+      pieceOffset: 0,
+    });
   });
 
   test("half a frame gives way to a newer one", () => {
@@ -39,7 +44,7 @@ describe("pieces", () => {
     expect(add(pieces, { offset: 0, bytes: [1, 2], whole: 4, frame: 1 })).toBeNull();
     expect(add(pieces, { offset: 0, bytes: [5, 6], whole: 4, frame: 2 })).toBeNull();
     const whole = add(pieces, { offset: 2, bytes: [7, 8], whole: 4, frame: 2 }) as ArrayBuffer;
-    expect([...new Uint8Array(whole, HEADER_BYTES)]).toEqual([5, 6, 7, 8]);
+    expect([...new Uint8Array(whole, FRAME_HEADER_BYTES)]).toEqual([5, 6, 7, 8]);
   });
 
   test.each([

@@ -10,11 +10,14 @@ import json
 import urllib.error
 import urllib.parse
 import urllib.request
+import warnings
 from collections.abc import AsyncIterator, Mapping
 from typing import Any
 
 from .append import check_sizes, message, pieces, pushed
+from .calls import AsyncCalls, Calls
 from .frames import Frame, Pieces, read_frame
+from .types import PROTOCOL
 
 
 class RpcError(Exception):
@@ -28,9 +31,16 @@ class RpcError(Exception):
         self.path: str | None = data.get("path")
 
 
+def _request(number: int, method: str, params: dict[str, Any]) -> dict[str, Any]:
+    params = {name: value for name, value in params.items() if value is not None}
+    return {"jsonrpc": "2.0", "protocol": PROTOCOL, "id": number, "method": method, "params": params}
+
+
 def _result(answer: dict[str, Any]) -> Any:
     if "error" in answer:
         raise RpcError(answer["error"])
+    if ignored := answer.get("ignored"):
+        warnings.warn(f"the server is older than this client, and ignored {', '.join(ignored)}", stacklevel=3)
     return answer["result"]
 
 
@@ -44,8 +54,8 @@ def _parted(url: str) -> tuple[bool, str, str | None]:
     return parts.scheme in ("https", "wss"), place, token
 
 
-class Client:
-    """Calls over HTTP POST. `Client("http://127.0.0.1:8080").call("dataset.list")`.
+class Client(Calls):
+    """Calls over HTTP POST: `Client("http://127.0.0.1:8080").dataset_list()`. Each method of the contract is a function.
 
     `url` may be the line that the server printed, with its token.
     """
@@ -61,17 +71,14 @@ class Client:
         self._ids = itertools.count(1)
 
     def call(self, method: str, **params: Any) -> Any:
-        request = {"jsonrpc": "2.0", "id": next(self._ids), "method": method, "params": params}
-        return _result(self._post(request))
+        return _result(self._post(_request(next(self._ids), method, params)))
 
     def batch(self, calls: list[tuple[str, dict[str, Any]]]) -> list[Any]:
         """Results in the order of the calls; a failed one is its RpcError."""
-        requests = [
-            {"jsonrpc": "2.0", "id": i, "method": method, "params": params} for i, (method, params) in enumerate(calls)
-        ]
+        requests = [_request(i, method, params) for i, (method, params) in enumerate(calls)]
         results: list[Any] = [None] * len(calls)
         for answer in self._post(requests) if calls else []:
-            results[answer["id"]] = RpcError(answer["error"]) if "error" in answer else answer["result"]
+            results[answer["id"]] = RpcError(answer["error"]) if "error" in answer else _result(answer)
         return results
 
     def append(self, dataset: str, time: float, arrays: Mapping[str, Any]) -> Any:
@@ -101,14 +108,16 @@ class Client:
             raise ConnectionError(f"{self._url}: {error.code} {error.reason}") from None
 
 
-class Stream:
+class Stream(AsyncCalls):
     """Calls, notifications and whole frames over one WebSocket. Needs the package `websockets`.
 
     async with Stream("ws://127.0.0.1:8080/ws") as stream:
-        session = await stream.call("session.open")
-        await stream.call("view.open", session=session["session"], width=640, height=360)
+        session = await stream.session_open()
+        await stream.view_open(session=session["session"], width=640, height=360)
         async for frame in stream.frames():  # each is acknowledged when the next one is asked for
             ...
+
+    Frames that are not taken are not acknowledged. The server then stops sending: a few frames of each view wait here.
     """
 
     def __init__(self, url: str = "ws://127.0.0.1:8080/ws", token: str | None = None) -> None:
@@ -142,7 +151,7 @@ class Stream:
             return await asyncio.to_thread(self._by_post.call, method, **params)
         number = next(self._ids)
         self._waiting[number] = asyncio.get_running_loop().create_future()
-        await self._socket.send(json.dumps({"jsonrpc": "2.0", "id": number, "method": method, "params": params}))
+        await self._socket.send(json.dumps(_request(number, method, params)))
         return await self._waiting[number]
 
     async def notify(self, method: str, **params: Any) -> None:
@@ -201,7 +210,7 @@ class Stream:
         waiting = self._waiting.pop(message["id"], None) if message["id"] is not None else None
         if waiting is None or waiting.done():
             return
-        if "error" in message:
-            waiting.set_exception(RpcError(message["error"]))
-        else:
-            waiting.set_result(message["result"])
+        try:
+            waiting.set_result(_result(message))
+        except RpcError as error:
+            waiting.set_exception(error)

@@ -10,29 +10,13 @@ from dataclasses import dataclass, field, replace
 from typing import Any
 
 from . import mesh_codec
-
-HEADER = struct.Struct("<4sBBHIIQIIdffffIIII8x")
-IMAGE, GEOMETRY = 1, 2
-STILL, LAST, FIRST = 1, 2, 4
+from .frame_header import FIRST_OF_FRAME, FRAME_HEADER_BYTES, LAST_OF_FRAME, STILL, FrameHeader, read_frame_header
 
 
 @dataclass
-class Frame:
-    kind: int
-    flags: int
-    view: int
-    frame: int
-    revision: int
-    width: int
-    height: int
-    time: float
-    wait_ms: float
-    extract_ms: float
-    draw_ms: float
-    encode_ms: float
-    triangles: int
-    whole_bytes: int
-    piece_offset: int
+class Frame(FrameHeader):
+    """A message: its header and its payload."""
+
     payload: bytes = field(repr=False)
 
     @property
@@ -41,11 +25,11 @@ class Frame:
 
     @property
     def is_last(self) -> bool:
-        return bool(self.flags & LAST)
+        return bool(self.flags & LAST_OF_FRAME)
 
     @property
     def is_first(self) -> bool:
-        return bool(self.flags & FIRST)
+        return bool(self.flags & FIRST_OF_FRAME)
 
 
 @dataclass
@@ -60,16 +44,8 @@ class Batch:
 
 
 def read_frame(message: bytes) -> Frame:
-    """One message: a piece of a frame, or a whole one."""
-    if len(message) < HEADER.size:
-        raise ValueError(f"a frame has at least {HEADER.size} bytes, this one {len(message)}")
-    magic, version, *fields, payload_bytes, whole_bytes, piece_offset = HEADER.unpack_from(message)
-    if magic != b"CIEL" or version != 2:
-        raise ValueError("not a CIEL frame of version 2")
-    payload = message[HEADER.size :]
-    if len(payload) != payload_bytes:
-        raise ValueError(f"the frame announces {payload_bytes} bytes of payload and has {len(payload)}")
-    return Frame(*fields, whole_bytes, piece_offset, payload)
+    """One message: a piece of a frame, or a whole one. Raises ValueError where its header is damaged."""
+    return Frame(**vars(read_frame_header(message)), payload=message[FRAME_HEADER_BYTES:])
 
 
 class Pieces:
@@ -91,7 +67,8 @@ class Pieces:
             return None
         del self._begun[piece.view]
         flags = pieces[0].flags | piece.flags
-        return replace(piece, flags=flags, piece_offset=0, payload=b"".join(one.payload for one in pieces))
+        payload = b"".join(one.payload for one in pieces)
+        return replace(piece, flags=flags, payload_bytes=len(payload), piece_offset=0, payload=payload)
 
 
 class Batches:

@@ -8,6 +8,9 @@ Vec3 = list[float]
 Range = list[float]
 
 
+Color = str
+
+
 class Camera(TypedDict):
     position: Vec3
     target: Vec3
@@ -19,7 +22,7 @@ class Camera(TypedDict):
 
 class ColorPoint(TypedDict):
     at: float  # along the range, of its logarithm with log
-    color: str
+    color: Color
 
 
 class Coloring(TypedDict):
@@ -31,17 +34,17 @@ class Coloring(TypedDict):
     symmetric: NotRequired[bool]  # widens the range to as much below zero as above it
     log: NotRequired[bool]  # logarithmic; a given range lies above zero, and of the array's only what does is on the map, six decades at most where it holds zero. With symmetric: logarithmic on both sides of zero, nearly linear within a thousandth of the range's end
     steps: NotRequired[int | None]  # so many equal parts of one color each; absent: smooth
-    nan: NotRequired[str]  # of values that are missing
-    below: NotRequired[str | None]  # of values below the range; absent: that of its lower end
-    above: NotRequired[str | None]  # of values above the range; absent: that of its upper end
-    solid: NotRequired[str]
+    nan: NotRequired[Color]  # of values that are missing
+    below: NotRequired[Color | None]  # of values below the range; absent: that of its lower end
+    above: NotRequired[Color | None]  # of values above the range; absent: that of its upper end
+    solid: NotRequired[Color]
 
 
 class Edges(TypedDict):
     """Lines along the edges of a layer's polygons: those of the cells, never those of a triangulation. Absent: none."""
 
     visible: NotRequired[bool]
-    color: NotRequired[str]
+    color: NotRequired[Color]
     width: NotRequired[float]  # pixels, of which larger pictures have more: pixel_ratio of a view; of a still so many as its text is larger than at 720 rows
 
 
@@ -51,9 +54,9 @@ class Contours(TypedDict):
     visible: NotRequired[bool]
     array: str  # a scalar name
     values: NotRequired[list[float]]
-    count: NotRequired[int]  # without values: so many, evenly inside the range
+    count: NotRequired[int]  # number of lines, evenly spaced inside the range; 10 if values is absent, too
     range: NotRequired[Range | None]  # of count; absent: the array's range at the shown time
-    color: NotRequired[str]
+    color: NotRequired[Color]
     coloring: NotRequired[Coloring]  # each line in the color of its value on this scale, instead of color; its array is that of the lines
     width: NotRequired[float]  # pixels, as of edges
 
@@ -227,7 +230,7 @@ class Scene(TypedDict):
     dataset: str
     time: NotRequired[float]  # the nearest time step is shown
     camera: NotRequired[Camera | None]
-    background: NotRequired[Literal["dark", "light"] | str]
+    background: NotRequired[Literal["dark", "light"] | Color]
     annotations: NotRequired[Annotations]
     lighting: NotRequired[Lighting]
     layers: NotRequired[dict[str, Layer]]  # by id, of at most 256 bytes of UTF-8; drawn by (order, id)
@@ -377,13 +380,23 @@ class ServerInfoParams(TypedDict):
     pass
 
 
+class ServerInfoResultProtocol(TypedDict):
+    """the version of this document"""
+
+    major: int
+    minor: int
+
+
 class ServerInfoResult(TypedDict):
-    version: str
+    version: str  # of the program
+    protocol: ServerInfoResultProtocol  # the version of this document
     gl_renderer: str
     backend: str
     engine: str
     limits: dict[str, float]  # by name, as `ciel serve --help` lists them: bytes, seconds, pixels, counts
     color_maps: list[str]
+    layer_types: list[str]  # values of a layer's type
+    streams: list[str]  # values of a view's stream
 
 
 class DatasetListParams(TypedDict):
@@ -746,6 +759,7 @@ class ServerDrainingParams(TypedDict):
     pass
 
 
+PROTOCOL = {"major": 1, "minor": 1}  # the version of the contract
 ERROR_CODES: dict[str, int] = {
     "NotFound": -32001,
     "InvalidScene": -32002,

@@ -35,7 +35,7 @@ public:
     explicit Own(const bench::Case& data) : data_(data) {
         scene_.dataset = data.dataset->info().name;
         scene_.time = data.time;
-        scene_.background = "#000000";
+        scene_.background = scene::Color{0, 0, 0};
         scene::IsoLayer iso;
         iso.array = data.array;
         scene_.layers = {{"bench", 0, true, 1, iso}};

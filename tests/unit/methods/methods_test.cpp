@@ -24,6 +24,9 @@ TEST_F(Methods, server_info) {
     EXPECT_EQ(info["limits"].size(), limits::limit_rows().size());
     for (const auto& row : limits::limit_rows()) EXPECT_EQ(info["limits"][row.name], limits.*row.member) << row.name;
     EXPECT_THAT(info["color_maps"], testing::Contains("viridis"));
+    EXPECT_EQ(info["protocol"].dump(), R"({"major":1,"minor":1})");
+    EXPECT_EQ(info["layer_types"], json({"iso", "slice", "surface", "outline", "clip", "edges", "points", "volume"}));
+    EXPECT_EQ(info["streams"], json({"image", "geometry"}));
 }
 
 TEST_F(Methods, dataset_describe) {

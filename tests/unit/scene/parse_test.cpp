@@ -1,4 +1,4 @@
-#include "scene/scene.hpp"
+#include "scene/rules.hpp"
 #include "scene/schema.hpp"
 
 #include <fstream>
@@ -14,11 +14,49 @@ json fallback(const char* schema, const char* name) {
     return contract()["components"]["schemas"][schema]["properties"][name]["default"];
 }
 
+// Adds the members of `schema` that have a default and are absent from `value`, at all depths.
+json with_defaults(json value, json schema) {
+    while (schema.contains("$ref"))
+        schema = contract()[json::json_pointer(schema["$ref"].get<std::string>().substr(1))];
+    for (const json& form : schema.value("oneOf", json::array())) {
+        const json& structure = contract()[json::json_pointer(form["$ref"].get<std::string>().substr(1))];
+        if (structure["properties"]["type"]["const"] == value["type"])
+            return with_defaults(std::move(value), structure);
+    }
+    if (schema.contains("anyOf"))
+        return value.is_object() ? with_defaults(std::move(value), schema["anyOf"][0]) : value;
+    if (!value.is_object()) return value;
+    if (const auto each = schema.value("additionalProperties", json()); each.is_object())
+        for (json& member : value) member = with_defaults(member, each);
+    const json properties = schema.value("properties", json::object());
+    for (const auto& [name, part] : properties.items()) {
+        if (!value.contains(name) && part.contains("default")) value[name] = part["default"];
+        if (value.contains(name)) value[name] = with_defaults(value[name], part);
+    }
+    return value;
+}
+
+TEST(scene, an_absent_member_is_the_same_as_its_default) {
+    const json scene =
+        json::parse(R"({"dataset": "d", "camera": {"position": [1, 2, 3], "target": [0, 0, 0]}, "layers": {
+        "a": {"type": "iso", "array": "p", "values": [1], "edges": {}},
+        "b": {"type": "slice", "axis": "x", "value": 0, "contours": {"array": "p", "coloring": {}}},
+        "c": {"type": "surface", "threshold": {"array": "p", "range": [0, 1]}},
+        "d": {"type": "outline"}, "e": {"type": "edges"}, "f": {"type": "points"},
+        "g": {"type": "clip", "axis": "x", "value": 0, "color": {}}, "h": {"type": "volume", "array": "p"}}})");
+    const json whole = with_defaults(scene, {{"$ref", "#/components/schemas/Scene"}});
+    EXPECT_EQ(whole["layers"]["h"]["color"]["map"], "viridis");
+    EXPECT_EQ(whole["layers"]["b"]["contours"]["coloring"]["solid"], "#cccccc");
+    EXPECT_GT(whole.flatten().size(), scene.flatten().size() + 100);
+    EXPECT_EQ(parse(whole), parse(scene));
+}
+
 TEST(scene, defaults_are_those_of_the_contract) {
     const Scene scene = parse({{"dataset", "d"},
                                {"camera", {{"position", {1, 2, 3}}, {"target", {0, 0, 0}}}},
                                {"layers", {{"i", {{"type", "iso"}, {"array", "p"}, {"values", json::array()}}}}}});
-    EXPECT_EQ(fallback("Scene", "background"), scene.background);
+    EXPECT_EQ(fallback("Scene", "background"), "dark");
+    EXPECT_EQ(std::get<Scene::Background>(scene.background), Scene::Background::dark);
     EXPECT_EQ(scene.annotations.legend, fallback("Annotations", "legend"));
     EXPECT_EQ(scene.annotations.triad, fallback("Annotations", "triad"));
     EXPECT_EQ(scene.annotations.axes, fallback("Annotations", "axes"));
@@ -44,16 +82,15 @@ TEST(scene, defaults_are_those_of_the_contract) {
     EXPECT_EQ(iso.smooth, fallback("IsoLayer", "smooth"));
     EXPECT_EQ(fallback("Coloring", "map"), iso.color.map);
     EXPECT_EQ(fallback("Coloring", "solid"), "#cccccc");
-    EXPECT_FLOAT_EQ(iso.color.solid[0], 0xcc / 255.0F);
+    EXPECT_EQ(iso.color.solid, (Color{0xcc, 0xcc, 0xcc}));
     EXPECT_FALSE(iso.color.range);
     EXPECT_FALSE(iso.edges) << "absent: none";
     EXPECT_EQ(iso.color.reverse, fallback("Coloring", "reverse"));
     EXPECT_EQ(iso.color.log, fallback("Coloring", "log"));
     EXPECT_EQ(iso.color.symmetric, fallback("Coloring", "symmetric"));
     EXPECT_EQ(fallback("Coloring", "nan"), "#808080");
-    EXPECT_EQ(iso.color.nan, (Rgb8{0x80, 0x80, 0x80}));
-    EXPECT_EQ(iso.color.steps, 0);
-    EXPECT_TRUE(iso.color.points.empty());
+    EXPECT_EQ(iso.color.nan, (Color{0x80, 0x80, 0x80}));
+    EXPECT_FALSE(iso.color.steps || iso.color.points);
     EXPECT_FALSE(iso.color.below || iso.color.above);
 }
 
@@ -66,8 +103,8 @@ TEST(scene, a_line_s_defaults_are_those_of_the_contract) {
     const json& fallback = contract()["components"]["schemas"]["Edges"]["properties"];
     EXPECT_EQ(edges_of("{}")->width, fallback["width"]["default"]);
     EXPECT_EQ(fallback["color"]["default"], "#1a1a1a");
-    EXPECT_NEAR(edges_of("{}")->color[0], 0x1a / 255.0F, 0.002);
-    EXPECT_EQ(edges_of(R"({"color": "#ff0000", "width": 2.5})")->color[0], 1);
+    EXPECT_EQ(edges_of("{}")->color, (Color{0x1a, 0x1a, 0x1a}));
+    EXPECT_EQ(edges_of(R"({"color": "#ff0000", "width": 2.5})")->color, (Color{255, 0, 0}));
     EXPECT_EQ(edges_of(R"({"color": "#ff0000", "width": 2.5})")->width, 2.5);
     EXPECT_FALSE(edges_of(R"({"visible": false})"));
 }
@@ -79,15 +116,15 @@ TEST(scene, every_member_of_a_coloring_is_read) {
         "b": {"type": "surface", "color": {"symmetric": true, "steps": null, "below": null, "above": null, "points": null, "range": [-1, 2]}}}})"));
     const Coloring& a = std::get<SurfaceLayer>(scene.layers.at(0).kind).color;
     EXPECT_TRUE(a.log && a.reverse && !a.symmetric);
-    EXPECT_EQ(a.steps, 9);
-    EXPECT_EQ(a.nan, (Rgb8{1, 2, 3}));
-    EXPECT_EQ(a.below, (Rgb8{0xaa, 0xbb, 0xcc}));
-    EXPECT_EQ(a.above, (Rgb8{0xff, 0xee, 0xdd}));
-    ASSERT_EQ(a.points.size(), 2U);
-    EXPECT_EQ(a.points[1].at, 0.25);
-    EXPECT_EQ(a.points[0].color, (Rgb8{0, 1, 2}));
+    EXPECT_EQ(a.steps, 9U);
+    EXPECT_EQ(a.nan, (Color{1, 2, 3}));
+    EXPECT_EQ(a.below, (Color{0xaa, 0xbb, 0xcc}));
+    EXPECT_EQ(a.above, (Color{0xff, 0xee, 0xdd}));
+    ASSERT_EQ(a.points->size(), 2U);
+    EXPECT_EQ(a.points->at(1).at, 0.25);
+    EXPECT_EQ(a.points->at(0).color, (Color{0, 1, 2}));
     const Coloring& b = std::get<SurfaceLayer>(scene.layers.at(1).kind).color;
-    EXPECT_TRUE(b.symmetric && !b.log && b.points.empty() && !b.below && b.steps == 0);
+    EXPECT_TRUE(b.symmetric && !b.log && !b.points && !b.below && !b.steps);
 }
 
 TEST(scene, every_member_is_read) {
@@ -105,7 +142,7 @@ TEST(scene, every_member_is_read) {
             "b": {"type": "surface", "order": 1, "groups": ["wall", "inlet"]},
             "o": {"type": "outline", "order": 1, "color": {"solid": "#000000"}}}})"));
     EXPECT_EQ(scene.time, 2.5);
-    EXPECT_EQ(scene.background, "#102030");
+    EXPECT_EQ(std::get<Color>(scene.background), (Color{0x10, 0x20, 0x30}));
     EXPECT_FALSE(scene.annotations.legend);
     EXPECT_FALSE(scene.annotations.triad);
     EXPECT_TRUE(scene.annotations.axes);
@@ -132,8 +169,8 @@ TEST(scene, every_member_is_read) {
     EXPECT_EQ(order, "bonzi"); // by (order, id)
     EXPECT_EQ(std::get<SurfaceLayer>(scene.layers[0].kind).groups, (std::vector<std::string>{"wall", "inlet"}));
     EXPECT_EQ(std::get<OutlineLayer>(scene.layers[1].kind).color.solid[0], 0);
-    EXPECT_EQ(std::get<SliceLayer>(scene.layers[2].kind).normal, (std::array<double, 3>{0, 0.6, 0.8}));
-    const auto& z = std::get<SliceLayer>(scene.layers[3].kind);
+    EXPECT_EQ(plane_of(std::get<SliceLayer>(scene.layers[2].kind)).normal, (std::array<double, 3>{0, 0.6, 0.8}));
+    const Plane z = plane_of(std::get<SliceLayer>(scene.layers[3].kind));
     EXPECT_EQ(z.normal, (std::array<double, 3>{0, 0, 1}));
     EXPECT_EQ(z.origin, (std::array<double, 3>{0, 0, -2}));
     const auto& iso = std::get<IsoLayer>(scene.layers[4].kind);
@@ -142,8 +179,7 @@ TEST(scene, every_member_is_read) {
     EXPECT_EQ(iso.values, (std::vector<double>{1, 2}));
     EXPECT_FALSE(iso.smooth);
     EXPECT_EQ(iso.color.range, (std::array<double, 2>{3, 4}));
-    EXPECT_EQ(iso.color.solid[0], 1.0F);
-    EXPECT_EQ(iso.color.solid[1], 0.0F);
+    EXPECT_EQ(iso.color.solid, (Color{255, 0, 128}));
 }
 
 TEST(scene, six_clip_planes_may_be_visible_and_no_more) {
@@ -170,17 +206,17 @@ TEST(scene, clips_edges_points_and_thresholds_are_read) {
         "s": {"type": "surface", "order": 4, "threshold": {"array": "p", "range": [1, 2], "enabled": false}},
         "t": {"type": "edges", "order": 5}, "u": {"type": "points", "order": 6}}})"));
     const auto& clip = std::get<ClipLayer>(scene.layers[0].kind);
-    EXPECT_EQ(clip.normal, (std::array<double, 3>{0, 0, -1}));
-    EXPECT_EQ(clip.origin[2], 2);
+    EXPECT_EQ(plane_of(clip).normal, (std::array<double, 3>{0, 0, -1}));
+    EXPECT_EQ(plane_of(clip).origin[2], 2);
     EXPECT_FALSE(clip.caps);
     const auto& edges = std::get<EdgesLayer>(scene.layers[1].kind);
     EXPECT_EQ(edges.angle, 30);
     EXPECT_EQ(edges.width, 2);
     EXPECT_EQ(edges.groups.size(), 1U);
-    EXPECT_TRUE(edges.threshold->any);
+    EXPECT_EQ(edges.threshold->keep, Threshold::Keep::any);
     EXPECT_EQ(edges.threshold->range, (std::array<double, 2>{1, 2}));
     const auto& points = std::get<PointsLayer>(scene.layers[2].kind);
-    EXPECT_TRUE(points.all);
+    EXPECT_EQ(points.of, PointsLayer::Of::all);
     EXPECT_EQ(points.size, 9);
     EXPECT_EQ(points.most, 5U);
     EXPECT_FALSE(std::get<SurfaceLayer>(scene.layers[3].kind).threshold);

@@ -14,7 +14,8 @@ namespace {
 
 using nlohmann::json;
 
-const std::set<std::string> annotations{"description", "default", "x-document"};
+const std::set<std::string> annotations{"description", "default",    "format",  "x-document",
+                                        "x-key",       "x-patch-of", "x-shared"};
 
 // Calls `visit` for every schema inside of one.
 template <class Visit>

@@ -1,6 +1,6 @@
 // Kind 2: one batch of polygons of one layer (protocol/frame.md).
 import { MeshoptDecoder } from "meshoptimizer/decoder";
-import { decodeHeader, HEADER_BYTES } from "./frame_header";
+import { readFrameHeader, FRAME_HEADER_BYTES } from "../generated/frame_header";
 import type { ColorScale } from "../model/color_scale";
 import type { Coloring, Range, Vec3 } from "../generated/protocol";
 import { scaleOf } from "../model/color_range";
@@ -188,16 +188,16 @@ export class GeometryDecoder {
 
   /** Returns null for a frame without polygons. Throws Error on inconsistent sizes, MissingPart on an unknown part. */
   decode(message: ArrayBuffer): GeometryBatch | null {
-    const bytes = message.byteLength - HEADER_BYTES;
+    const bytes = message.byteLength - FRAME_HEADER_BYTES;
     if (bytes < 4) throw new Error("A geometry frame is cut off");
-    const jsonBytes = new DataView(message).getUint32(HEADER_BYTES, true);
+    const jsonBytes = new DataView(message).getUint32(FRAME_HEADER_BYTES, true);
     if (jsonBytes > bytes - 4) throw new Error("A geometry frame's description is cut off");
-    const text = new TextDecoder().decode(new Uint8Array(message, HEADER_BYTES + 4, jsonBytes));
+    const text = new TextDecoder().decode(new Uint8Array(message, FRAME_HEADER_BYTES + 4, jsonBytes));
     const header = JSON.parse(text) as BatchHeader;
     this.kept.forgetBefore(header.base);
     if (header.batches === 0) return null;
-    const rest = new Rest(new Uint8Array(message, HEADER_BYTES + 4 + jsonBytes));
-    const batch = this.batchOf(header, decodeHeader(message).frame, rest);
+    const rest = new Rest(new Uint8Array(message, FRAME_HEADER_BYTES + 4 + jsonBytes));
+    const batch = this.batchOf(header, readFrameHeader(message).frame, rest);
     rest.end();
     return batch;
   }

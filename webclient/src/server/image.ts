@@ -1,5 +1,5 @@
 // Kind 1: one picture, decoded off the main thread.
-import { HEADER_BYTES } from "./frame_header";
+import { FRAME_HEADER_BYTES } from "../generated/frame_header";
 
 const SIGNATURES: Record<string, number[]> = {
   "image/png": [0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a],
@@ -8,7 +8,7 @@ const SIGNATURES: Record<string, number[]> = {
 
 /** Returns the picture of an image frame. Throws Error if the payload is neither PNG nor JPEG. */
 export function pictureOf(message: ArrayBuffer): Blob {
-  const picture = new Uint8Array(message, HEADER_BYTES);
+  const picture = new Uint8Array(message, FRAME_HEADER_BYTES);
   for (const [type, signature] of Object.entries(SIGNATURES))
     if (signature.every((byte, index) => picture[index] === byte)) return new Blob([picture], { type });
   throw new Error("An image frame holds neither a PNG nor a JPEG");

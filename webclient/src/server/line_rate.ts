@@ -1,6 +1,6 @@
 // Line rate in bytes per second, from the pieces of a frame (protocol/frame.md): bytes after the first piece, divided
 // by the time since it. Moving pictures of one piece give no measurement; the still after them is longer.
-import type { FrameHeader } from "./frame_header";
+import type { FrameHeader } from "../generated/frame_header";
 
 /** Fewer bytes may arrive at once from buffers. Frames longer than this by a short piece begin with one. */
 const FEWEST_BYTES = 32 << 10;

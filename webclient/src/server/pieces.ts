@@ -1,5 +1,5 @@
 // Reassembles pictures and batches. They arrive in pieces, since proxies cut long messages (protocol/frame.md).
-import { HEADER_BYTES, setWhole, type FrameHeader } from "./frame_header";
+import { FRAME_HEADER_BYTES, writeFrameHeader, type FrameHeader } from "../generated/frame_header";
 
 interface Begun {
   frame: number;
@@ -19,18 +19,18 @@ export class Pieces {
       this.begun = null;
       return message;
     }
-    if (header.pieceOffset === 0) this.begin(header, message);
+    if (header.pieceOffset === 0) this.begin(header);
     const { begun } = this;
     if (begun === null || begun.frame !== header.frame || begun.arrived !== header.pieceOffset) {
       this.begun = null;
       throw new Error(`A piece of frame ${header.frame} is missing`);
     }
-    new Uint8Array(begun.message, HEADER_BYTES + begun.arrived).set(new Uint8Array(message, HEADER_BYTES));
+    new Uint8Array(begun.message, FRAME_HEADER_BYTES + begun.arrived).set(new Uint8Array(message, FRAME_HEADER_BYTES));
     begun.arrived += header.payloadBytes;
     begun.flags |= header.flags;
     if (begun.arrived < header.wholeBytes) return null;
     this.begun = null;
-    setWhole(begun.message, begun.flags);
+    writeFrameHeader({ ...header, flags: begun.flags, payloadBytes: header.wholeBytes, pieceOffset: 0 }, begun.message);
     return begun.message;
   }
 
@@ -39,9 +39,7 @@ export class Pieces {
     this.begun = null;
   }
 
-  private begin({ frame, flags, wholeBytes }: FrameHeader, message: ArrayBuffer): void {
-    const whole = new ArrayBuffer(HEADER_BYTES + wholeBytes);
-    new Uint8Array(whole).set(new Uint8Array(message, 0, HEADER_BYTES));
-    this.begun = { frame, flags, message: whole, arrived: 0 };
+  private begin({ frame, flags, wholeBytes }: FrameHeader): void {
+    this.begun = { frame, flags, message: new ArrayBuffer(FRAME_HEADER_BYTES + wholeBytes), arrived: 0 };
   }
 }

@@ -11,7 +11,7 @@ import type { Core, Page } from "./core";
 import { describeDataset } from "./datasets";
 import { SceneEditor } from "./editor";
 import { Entry } from "./entry";
-import type { FrameHeader } from "./frame_header";
+import type { FrameHeader } from "../generated/frame_header";
 import { Histograms } from "./histograms";
 import { Latency } from "./latency";
 import { Disconnected } from "./rpc";

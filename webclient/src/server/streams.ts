@@ -1,6 +1,6 @@
 // Selects the stream of the view: the user's choice, or for `auto` by scene, gesture and line rate.
 import type { Scene } from "../generated/protocol";
-import { KIND_IMAGE, type FrameHeader } from "./frame_header";
+import { FrameKind, type FrameHeader } from "../generated/frame_header";
 import { layersOf } from "../model/scalars";
 import { chooseStream, hasHardwareWebGL, type Gesture, type Kind } from "./choose_stream";
 import { DrawPace } from "./draw_pace";
@@ -44,7 +44,7 @@ export class Streams {
 
   presented({ kind, still, triangles, drawMs, encodeMs }: FrameHeader, bytes: number): void {
     const ms = drawMs + encodeMs;
-    if (kind !== KIND_IMAGE) this.polygons = { bytes, triangles };
+    if (kind !== FrameKind.image) this.polygons = { bytes, triangles };
     else if (still) this.still = { ms };
     else this.picture = { bytes, ms };
     this.reconsider();

@@ -1,5 +1,5 @@
 // Frames that arrive before the answer to view.open, which names their view (protocol/frame.md).
-import type { FrameHeader } from "../server/frame_header";
+import type { FrameHeader } from "../generated/frame_header";
 
 /** The server sends at most this many before the first acknowledgement, and early frames are not acknowledged. */
 const MOST_FRAMES = 2;

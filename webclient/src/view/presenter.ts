@@ -1,7 +1,7 @@
 // From binary messages to the screen: decode, keep the newest, draw in an animation frame, then acknowledge.
 import { MissingPart, type GeometryBatch } from "../server/geometry";
 import { EarlyFrames } from "./early_frames";
-import { decodeHeader, KIND_GEOMETRY, KIND_IMAGE, type FrameHeader } from "../server/frame_header";
+import { readFrameHeader, FrameKind, type FrameHeader } from "../generated/frame_header";
 import { Pieces } from "../server/pieces";
 
 export interface Screen {
@@ -66,12 +66,12 @@ export class Presenter {
     this.decoders.geometry.clear();
     this.ready?.release();
     this.ready = null;
-    for (const message of early) this.take(decodeHeader(message), message);
+    for (const message of early) this.take(readFrameHeader(message), message);
   }
 
   receive(message: ArrayBuffer): void {
     try {
-      const header = decodeHeader(message);
+      const header = readFrameHeader(message);
       this.events.arrived(header);
       if (this.early === null) this.take(header, message);
       else this.early.keep(header, message);
@@ -84,15 +84,15 @@ export class Presenter {
     if (header.view !== this.view) return;
     try {
       const whole = this.pieces.add(header, message);
-      if (whole !== null) this.receiveWhole(decodeHeader(whole), whole);
+      if (whole !== null) this.receiveWhole(readFrameHeader(whole), whole);
     } catch (error) {
       this.events.failed(error as Error);
     }
   }
 
   private receiveWhole(header: FrameHeader, message: ArrayBuffer): void {
-    if (header.kind === KIND_IMAGE) this.receiveImage(header, message);
-    else if (header.kind === KIND_GEOMETRY) this.receiveGeometry(header, message);
+    if (header.kind === FrameKind.image) this.receiveImage(header, message);
+    else if (header.kind === FrameKind.geometry) this.receiveGeometry(header, message);
     else throw new Error(`The server sends frames of a kind ${header.kind} that this page does not know. Reload it`);
   }
 
@@ -115,7 +115,7 @@ export class Presenter {
   }
 
   private receiveGeometry(header: FrameHeader, message: ArrayBuffer): void {
-    if (header.first || this.parts?.frame !== header.frame)
+    if (header.firstOfFrame || this.parts?.frame !== header.frame)
       this.parts = { frame: header.frame, batches: [], bytes: 0, damaged: false };
     const { parts } = this;
     try {
@@ -127,7 +127,7 @@ export class Presenter {
       this.events.failed(error as Error);
     }
     parts.bytes += message.byteLength;
-    if (!header.last) return;
+    if (!header.lastOfFrame) return;
     this.parts = null;
     if (parts.damaged) {
       this.events.acknowledge(header.view, header.frame); // as with a damaged image

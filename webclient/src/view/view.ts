@@ -3,7 +3,7 @@ import { effect } from "@preact/signals";
 import { backgroundColors } from "../model/background";
 import { lightsOf } from "../model/lights";
 import { cameraOf, type Model } from "../model/model";
-import type { FrameHeader } from "../server/frame_header";
+import type { FrameHeader } from "../generated/frame_header";
 import { GeometryDecoder, geometryReady } from "../server/geometry";
 import { decodeImage } from "../server/image";
 import type { Server } from "../server/server";

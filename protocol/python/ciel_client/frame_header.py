@@ -1,0 +1,61 @@
+"""Generated from protocol/frame_header.json; do not edit."""
+
+import struct
+from dataclasses import astuple, dataclass
+
+FRAME_HEADER = struct.Struct("<4sBBHIIQIIdffffIIII8x")
+FRAME_HEADER_BYTES = 80
+IMAGE, GEOMETRY = 1, 2
+STILL, LAST_OF_FRAME, FIRST_OF_FRAME = 1, 2, 4
+
+
+@dataclass
+class FrameHeader:
+    kind: int
+    flags: int
+    view: int  # as `view.open` answered
+    frame: int  # counts up from 1 in each view
+    revision: int  # of the scene that the frame shows
+    width: int  # of the picture, or of the view, in pixels
+    height: int  # likewise
+    time: float  # simulation time shown
+    wait_ms: float  # from the newest change to the start of the work
+    extract_ms: float  # iso-surfaces and slices
+    draw_ms: float  # drawing and reading back
+    encode_ms: float  # compression of the payload
+    triangles: int  # in the whole frame
+    payload_bytes: int  # of this message
+    whole_bytes: int  # of the whole picture or batch
+    piece_offset: int  # where in the whole this message's payload begins
+
+
+def read_frame_header(message: bytes) -> FrameHeader:
+    """Raises ValueError on a bad magic, version, kind, flag or size."""
+    if len(message) < FRAME_HEADER_BYTES:
+        raise ValueError(f"a binary frame has {len(message)} bytes; its header alone has 80")
+    magic, version, *fields = FRAME_HEADER.unpack_from(message)
+    header = FrameHeader(*fields)
+    if magic != b"CIEL":
+        raise ValueError("a binary frame does not begin with 'CIEL'")
+    if version != 2:
+        raise ValueError(
+            f"a binary frame is of version {version}; this program reads version 2. "
+            "Reload the page, or update the client"
+        )
+    if header.kind not in (1, 2):
+        raise ValueError(f"a binary frame is of kind {header.kind}; there are 1 (image) and 2 (geometry)")
+    if header.flags & ~7:
+        raise ValueError(f"a binary frame has unknown flags {header.flags}")
+    payload = len(message) - FRAME_HEADER_BYTES
+    if payload != header.payload_bytes:
+        raise ValueError(f"a binary frame announces {header.payload_bytes} bytes after its header and has {payload}")
+    if header.piece_offset + header.payload_bytes > header.whole_bytes:
+        raise ValueError(
+            f"a binary frame brings {header.payload_bytes} bytes from {header.piece_offset} on, "
+            f"and the whole has {header.whole_bytes}"
+        )
+    return header
+
+
+def write_frame_header(header: FrameHeader) -> bytes:
+    return FRAME_HEADER.pack(b"CIEL", 2, *astuple(header))

@@ -1,0 +1,23 @@
+// The rules of a scene that hold across members. Rules about one member are in its schema.
+#pragma once
+
+#include "scene/scene.hpp"
+
+namespace ciel::scene {
+
+inline constexpr std::size_t most_clip_planes = 6; // visible ones: two fewer than every OpenGL has at least
+
+struct Plane {
+    Vec3 origin{}, normal{}; // the normal has length 1
+};
+
+// Returns the plane that a layer gives by axis and value, or by origin and normal. A clip layer's normal points to the
+// removed side. REQUIRES: apply_rules has accepted the layer's scene.
+[[nodiscard]] Plane plane_of(const SliceLayer& slice);
+[[nodiscard]] Plane plane_of(const ClipLayer& clip);
+
+// Sorts the layers by (order, id) and removes edges, contours and thresholds that are switched off. Throws Invalid when
+// the scene breaks a rule.
+void apply_rules(Scene& scene);
+
+} // namespace ciel::scene
