@@ -1,0 +1,33 @@
+# Debian packages and archives of the server and of the importer: cpack -G "DEB;TGZ". The importer is a package of its
+# own, because it needs VTK. The page has to be built before (deploy/package does all of it).
+include(GNUInstallDirs)
+install(TARGETS ciel_app RUNTIME COMPONENT server)
+install(DIRECTORY webclient/dist/ DESTINATION ${CMAKE_INSTALL_DATADIR}/ciel/webclient COMPONENT server)
+install(FILES deploy/ciel.service DESTINATION lib/systemd/system COMPONENT server)
+install(FILES LICENSE README.md CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT server)
+set(packages server)
+if(CIEL_IMPORT)
+  install(TARGETS ciel_import RUNTIME COMPONENT import)
+  list(APPEND packages import)
+endif()
+
+set(CPACK_PACKAGE_NAME ciel)
+set(CPACK_PACKAGE_VENDOR "The CIEL authors")
+set(CPACK_PACKAGE_CONTACT "The CIEL authors <ciel@localhost>")
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "Explore large simulation results in a browser")
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_STRIP_FILES ON)
+set(CPACK_COMPONENTS_ALL ${packages})
+set(CPACK_COMPONENTS_GROUPING IGNORE)
+set(CPACK_ARCHIVE_COMPONENT_INSTALL ON)
+set(CPACK_DEB_COMPONENT_INSTALL ON)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_SECTION science)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON) # the release that builds a package is the one that it fits
+set(CPACK_DEBIAN_SERVER_PACKAGE_NAME ciel)
+# What is opened at run time: drivers and fonts.
+set(CPACK_DEBIAN_SERVER_PACKAGE_DEPENDS "libegl1, libgl1-mesa-dri, libopengl0, libosmesa6, fonts-dejavu-core")
+set(CPACK_DEBIAN_SERVER_PACKAGE_RECOMMENDS "ciel-import, fonts-wqy-microhei")
+set(CPACK_DEBIAN_IMPORT_PACKAGE_NAME ciel-import)
+set(CPACK_DEBIAN_IMPORT_PACKAGE_DEPENDS "ciel (= ${PROJECT_VERSION})")
+include(CPack)

@@ -1,0 +1,26 @@
+"""The client's package in a fresh virtual environment, and the version that all packages share."""
+
+import re
+import shutil
+
+from conftest import ROOT, run
+
+
+def test_the_client_installs_without_a_network_and_brings_its_types(tmp_path):
+    source = shutil.copytree(ROOT / "protocol/python", tmp_path / "source")  # setuptools writes beside it
+    run("/usr/bin/python3", "-m", "venv", "--system-site-packages", tmp_path / "venv")
+    program = tmp_path / "venv/bin/python"
+    run(program, "-m", "pip", "install", "--no-build-isolation", "--no-index", "--no-deps", source)
+    shutil.rmtree(source)
+    said = run(
+        program, "-c", "import ciel_client, pathlib; print(pathlib.Path(ciel_client.__file__).with_name('py.typed').exists(),"
+        " ciel_client.Client('http://127.0.0.1:1').picture_render.__doc__)", cwd=tmp_path
+    )  # fmt: skip
+    assert said.startswith("True A lossless still picture"), said
+
+
+def test_all_packages_have_the_version_of_the_project():
+    version = re.search(r"^project\(ciel VERSION (\S+)", (ROOT / "CMakeLists.txt").read_text(), re.M).group(1)
+    for place in ("pyproject.toml", "protocol/python/pyproject.toml"):
+        assert f'\nversion = "{version}"\n' in (ROOT / place).read_text(), place
+    assert f"\nversion: {version}\n" in (ROOT / "CITATION.cff").read_text()
