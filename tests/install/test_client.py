@@ -1,6 +1,5 @@
-"""The client's package in a fresh virtual environment, and the version that all packages share."""
+"""The client's package in a fresh virtual environment."""
 
-import re
 import shutil
 
 from conftest import ROOT, run
@@ -17,10 +16,3 @@ def test_the_client_installs_without_a_network_and_brings_its_types(tmp_path):
         " ciel_client.Client('http://127.0.0.1:1').picture_render.__doc__)", cwd=tmp_path
     )  # fmt: skip
     assert said.startswith("True A lossless still picture"), said
-
-
-def test_all_packages_have_the_version_of_the_project():
-    version = re.search(r"^project\(ciel VERSION (\S+)", (ROOT / "CMakeLists.txt").read_text(), re.M).group(1)
-    for place in ("pyproject.toml", "protocol/python/pyproject.toml"):
-        assert f'\nversion = "{version}"\n' in (ROOT / place).read_text(), place
-    assert f"\nversion: {version}\n" in (ROOT / "CITATION.cff").read_text()

@@ -38,10 +38,11 @@ class Version(unittest.TestCase):
     def test_the_citation_has_it(self):
         self.assertIn(f"\nversion: {project_version()}\n", text("CITATION.cff"))
 
-    def test_the_kernel_alone_and_its_python_package_have_it(self):
+    def test_the_kernel_alone_and_the_python_packages_have_it(self):
         places = {
             "server/ciel/CMakeLists.txt": r"project\(ciel VERSION (\S+) ",
             "pyproject.toml": r'^version = "(.+)"',
+            "protocol/python/pyproject.toml": r'^version = "(.+)"',
             "server/ciel/bindings/python/ciel_mesh/__init__.py": r'^__version__ = "(.+)"',
         }
         for path, pattern in places.items():

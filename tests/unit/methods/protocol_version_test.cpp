@@ -38,14 +38,14 @@ TEST_F(ProtocolVersion, unknown_members_of_a_later_minor_are_ignored_and_named) 
 TEST_F(ProtocolVersion, so_are_those_of_a_patch) {
     const std::string session = client.call("session.open", {{"scene", scene_with_iso()}})["session"];
     const json patch = json::parse(R"({"fog": null, "camera": {"roll": 1, "fov": 40}, "layers": {
-        "iso": {"color": {"map": "gray", "shine": 1}, "edges": {"dash": 3}},
+        "iso": {"color": {"map": "grayscale", "shine": 1}, "edges": {"dash": 3}},
         "new": {"type": "slice", "axis": "x", "value": 1003, "groups": ["body"]}}})");
     const json answer = ask(later(), "scene.patch", {{"session", session}, {"patch", patch}});
     EXPECT_EQ(answer["ignored"], json({"/patch/camera/roll", "/patch/fog", "/patch/layers/iso/color/shine",
                                        "/patch/layers/iso/edges/dash", "/patch/layers/new/groups"}));
     const json scene = client.call("scene.get", {{"session", session}})["scene"];
     EXPECT_EQ(scene["camera"]["fov"], 40);
-    EXPECT_EQ(scene["layers"]["iso"]["color"], json({{"map", "gray"}}));
+    EXPECT_EQ(scene["layers"]["iso"]["color"], json({{"map", "grayscale"}}));
     EXPECT_EQ(scene["layers"]["iso"]["edges"], json::object());
     EXPECT_FALSE(scene["layers"]["new"].contains("groups"));
 }
@@ -53,7 +53,7 @@ TEST_F(ProtocolVersion, so_are_those_of_a_patch) {
 TEST_F(ProtocolVersion, everybody_else_has_them_refused) {
     for (const json& declared : {version(major_version, minor_version), version(major_version, 0)}) {
         const json answer = ask(declared, "session.open", {{"scene", scene()}});
-        EXPECT_EQ(answer["error"]["data"]["path"], "/scene/fog") << declared;
+        EXPECT_EQ(answer["error"]["data"]["path"], "/scene/layers/iso/glow") << declared;
         EXPECT_FALSE(answer.contains("ignored"));
     }
     EXPECT_EQ(client.error_code("session.open", {{"scene", scene()}}), -32602);
