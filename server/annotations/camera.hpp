@@ -23,8 +23,8 @@ struct Viewpoint {
 };
 
 struct ViewTransform {
-    // Offsets from the view's origin -> the eye's axes, looking along -z. The eye of a parallel view is placed in front
-    // of all bounds; its distance does not change the picture.
+    // Maps offsets from the view's origin to the eye's axes; the eye looks along -z. The eye of a parallel view is
+    // placed in front of all bounds; its distance does not change the picture.
     glm::dmat4 view;
     glm::dmat4 projection; // -> clip space, z from -1 to 1 between the nearest and farthest point of the bounds
     double scale = 1;      // 1 / the bounds' diagonal

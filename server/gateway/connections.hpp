@@ -23,8 +23,8 @@ struct ConnectionHooks {
     std::function<void()> cut;   // end now
 };
 
-// Thread-safe. At a limit, the oldest connection is cut that is neither a WebSocket nor in an authorized request.
-// Without such a connection the new one is refused.
+// Thread-safe. At a limit, a new connection closes the oldest one that may be closed. WebSockets and connections in an
+// authorized request are never closed. If none may be closed, the new connection is refused.
 class Connections {
     struct Entry;
 

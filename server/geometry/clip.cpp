@@ -22,7 +22,8 @@ void for_planes(const scene::Scene& scene, F&& f) {
         if (const auto* clip = std::get_if<scene::ClipLayer>(&layer.kind); clip != nullptr && layer.visible) f(*clip);
 }
 
-// True if at most a sheet remains. It has no content, but the caps on both of its sides would be visible.
+// Returns true if the planes leave nothing, or a piece without thickness. Such a piece has no volume, but the caps on
+// both of its sides would be drawn.
 bool leave_a_sheet_at_most(const std::vector<HalfSpace>& planes, const Geometry& geometry) {
     if (planes.empty()) return false;
     const double slack = clip_slack(geometry);

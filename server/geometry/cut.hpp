@@ -67,7 +67,8 @@ struct Contoured {
     void forget() { *this = {}; } // not shown
 };
 
-// One iso-value `nu` of one field. `query` reads `field` until it is destroyed, so `field` is declared first.
+// One iso-value `nu` of one field. `query` reads `field` until `query` is destroyed, so `field` is
+// declared first.
 struct Cut {
     store::ScalarField field;
     std::string field_name;

@@ -168,7 +168,7 @@ std::unique_ptr<Source> open_plot3d(const Inputs& inputs, const SourceOptions& o
     Inputs ordered = inputs;
     for (const std::string& input : inputs)
         if (!std::filesystem::is_regular_file(input)) throw Error(input + ": there is no such file");
-    // The grid first, in whatever order they were named.
+    // Moves the grid files to the front, in whatever order the files were named.
     std::stable_partition(ordered.begin(), ordered.end(),
                           [](const std::string& file) { return !layouts_of(file, Plot3dKind::grid).empty(); });
     std::vector<std::string> notes;

@@ -1,4 +1,4 @@
-// What a dataset says of itself: its arrays, steps, meshes and groups, as values.
+// Describes a dataset: its arrays, steps, meshes and groups. Plain structures that refer to no open file.
 #pragma once
 
 #include "ciel/face_mesh.hpp"

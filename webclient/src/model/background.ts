@@ -18,7 +18,7 @@ export function backgroundColors(background: string | undefined): { top: Rgb; bo
 /** Equals the plates behind text in the server's pictures. */
 const PAPER_OPACITY = 0.72;
 
-/** Plate color behind text: the background at `share` of the height (0: top, 1: bottom). Invisible over it. */
+/** Returns the color of the plate behind a text: that of the background at `share` of the height (0: top, 1: bottom). */
 export function paperAt(background: string | undefined, share: number): string {
   const { top, bottom } = backgroundColors(background);
   const channels = top.map((from, i) => Math.round(255 * (from + share * ((bottom[i] ?? from) - from))));

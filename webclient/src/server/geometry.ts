@@ -95,7 +95,7 @@ class Rest {
 class KeptParts {
   private readonly parts = new Map<string, { frame: number; part: unknown }>();
 
-  /** Returns the part and marks it as used in this frame. `decode` null: it must be kept. Throws MissingPart if not. */
+  /** Returns the part and marks it as used in this frame. Throws MissingPart if `decode` is null and the part is not kept. */
   use<Part>(id: string, frame: number, decode: (() => Part) | null): Part {
     const part = decode === null ? this.parts.get(id)?.part : decode();
     if (part === undefined) throw new MissingPart(`A geometry frame names a part ${id} that did not come before`);

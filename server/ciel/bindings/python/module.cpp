@@ -92,7 +92,7 @@ ciel::Options options_of(const std::string& algorithm, const std::string& decide
 
 ciel::Vec3d vector_of(const std::array<double, 3>& numbers) { return {numbers[0], numbers[1], numbers[2]}; }
 
-// A surface whose arrays Python owns from when they are first asked for.
+// A surface for Python. The first access to an array hands it to Python, which owns it from then on.
 struct PySurface {
     ciel::Surface surface;
     ciel::Vec3d origin{};

@@ -1,4 +1,4 @@
-// The paper's Algorithm 2 behind Query: cuts the cells that propagation.hpp has reached.
+// Algorithm 2 of the paper (Levy et al., 2001). Query calls it to cut the cells that propagation.hpp has reached.
 #include "ciel/parallel.hpp"
 #include "extraction/cutter.hpp"
 #include "extraction/propagation.hpp"

@@ -60,7 +60,7 @@ void FoamReader::read_header() {
     }
 }
 
-// "LSB;label=32;scalar=64"
+// `text`: the entry `arch` of a file header, such as "LSB;label=32;scalar=64".
 void FoamReader::set_architecture(std::string_view text) {
     if (text.find("MSB") != std::string_view::npos)
         fail("is written for a big-endian machine; foamFormatConvert writes it anew");
