@@ -45,7 +45,8 @@ def main() -> int:
         write(arguments.typescript / "frame_header.ts", frame_header.emit_typescript(header))
     if arguments.python:
         write(arguments.python / "types.py", python.emit(contract))
-        write(arguments.python / "calls.py", python_calls.emit(contract))
+        write(arguments.python / "calls.py", python_calls.emit(contract, is_async=False))
+        write(arguments.python / "async_calls.py", python_calls.emit(contract, is_async=True))
         write(arguments.python / "frame_header.py", frame_header.emit_python(header))
     if arguments.markdown:
         text = (PROTOCOL / "frame.md").read_text(encoding="utf-8")

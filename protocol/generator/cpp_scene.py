@@ -112,7 +112,7 @@ class Structures:
             value = self.literal(part, part["default"], enum)
             return f"    {type_name} {name}{value if value == '{}' else ' = ' + value};{comment}\n"
         is_absent_when_empty = part.get("type") == "string" and part.get("minLength", 0) > 0
-        if not required and not is_absent_when_empty and not type_name.startswith(("std::optional", "std::vector<Layer")):
+        if not required and not is_absent_when_empty and not type_name.startswith("std::optional"):
             type_name = f"std::optional<{type_name}>"
         return f"    {type_name} {name}{{}};{comment}\n"
 
@@ -148,8 +148,11 @@ class Structures:
         reads = []
         for member in shared:
             parts = [self.schemas[form]["properties"].get(member) for form in forms]
-            part = next(part for part in parts if part)
-            members.append(self.member(member, {k: v for k, v in part.items() if k != "description"}, False, ""))
+            forms_of_member = [{k: v for k, v in part.items() if k != "description"} for part in parts if part]
+            part = forms_of_member[0]
+            if any(other != part for other in forms_of_member):
+                raise ValueError(f"{name}: the forms disagree about the shared member {member}")
+            members.append(self.member(member, part, False, ""))
             reads.append(self.read_of(member, part))
         for form in forms:
             self.done.add(form)

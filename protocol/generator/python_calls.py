@@ -47,11 +47,11 @@ class Signatures:
         )
 
 
-def emit(contract: Contract) -> str:
+def emit(contract: Contract, is_async: bool) -> str:
     signatures = Signatures(contract)
-    mixins = signatures.mixin("Calls", False) + "\n\n" + signatures.mixin("AsyncCalls", True)
+    mixin = signatures.mixin("AsyncCalls" if is_async else "Calls", is_async)
     names = "".join(f"    {name},\n" for name in sorted(signatures.names))
     return (
         '"""Generated from protocol/openrpc.json; do not edit."""\n\n'
-        f"from typing import Any, Literal\n\nfrom .types import (\n{names})\n\n\n{mixins}"
+        f"from typing import Any, Literal\n\nfrom .types import (\n{names})\n\n\n{mixin}"
     )

@@ -15,7 +15,8 @@ from collections.abc import AsyncIterator, Mapping
 from typing import Any
 
 from .append import check_sizes, message, pieces, pushed
-from .calls import AsyncCalls, Calls
+from .async_calls import AsyncCalls
+from .calls import Calls
 from .frames import Frame, Pieces, read_frame
 from .types import PROTOCOL
 

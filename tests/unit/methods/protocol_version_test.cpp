@@ -50,6 +50,14 @@ TEST_F(ProtocolVersion, so_are_those_of_a_patch) {
     EXPECT_FALSE(scene["layers"]["new"].contains("groups"));
 }
 
+TEST_F(ProtocolVersion, and_those_of_the_steps_to_undo) {
+    const json steps = json::array({{{"fog", nullptr}, {"layers", {{"iso", {{"glow", 1}, {"opacity", 0.5}}}}}}});
+    const json answer = ask(later(), "session.open", {{"scene", scene_with_iso()}, {"undo", steps}});
+    EXPECT_EQ(answer["ignored"], json({"/undo/0/fog", "/undo/0/layers/iso/glow"}));
+    const std::string session = answer["result"]["session"];
+    EXPECT_EQ(client.call("scene.undo", {{"session", session}})["scene"]["layers"]["iso"]["opacity"], 0.5);
+}
+
 TEST_F(ProtocolVersion, everybody_else_has_them_refused) {
     for (const json& declared : {version(major_version, minor_version), version(major_version, 0)}) {
         const json answer = ask(declared, "session.open", {{"scene", scene()}});
