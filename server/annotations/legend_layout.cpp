@@ -76,8 +76,8 @@ Entry entry_of(Layout& layout, const Legend& legend) {
 }
 
 Ink ink_of(const color::Rgb8& color) {
-    return {static_cast<float>(color[0]) / 255, static_cast<float>(color[1]) / 255, static_cast<float>(color[2]) / 255,
-            1};
+    const auto [red, green, blue] = color::floats_of(color);
+    return {red, green, blue, 1};
 }
 
 // Bars have a border because an end may have the background's color.

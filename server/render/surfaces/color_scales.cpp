@@ -31,7 +31,7 @@ void append_colors(std::vector<std::uint8_t>& pixels, const color::ColorScale& s
 }
 
 void append_color(std::vector<float>& rules, const color::Rgb8& color) {
-    for (const std::uint8_t channel : color) rules.push_back(static_cast<float>(channel) / 255.0F);
+    for (const float channel : color::floats_of(color)) rules.push_back(channel);
     rules.push_back(1);
 }
 
