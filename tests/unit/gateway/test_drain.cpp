@@ -16,7 +16,7 @@ constexpr int as_expected = 7;
 
 // Drawn to its end in software, this picture takes minutes.
 const std::string heavy_picture =
-    R"({"jsonrpc":"2.0","id":1,"method":"picture.render","params":{"width":1500,"height":1500,"scene":{"dataset":"box",)"
+    R"({"jsonrpc":"2.0","id":1,"method":"picture.render","params":{"width":1000,"height":1000,"scene":{"dataset":"box",)"
     R"("layers":{"lines":{"type":"edges","width":32,"opacity":0.3}}}}})";
 
 class Stopping {
@@ -105,7 +105,7 @@ void client_that_does_not_read() {
 
 // Its answers fit into the system's buffers, so that the server writes its close, and waits for the client's.
 void client_that_does_not_close() {
-    Stopping stopping(4);
+    Stopping stopping(8); // as above
     HandMade stuck(*stopping.server);
     stuck.send_frame(text, heavy_picture);
     stopping.wait_until_drawing();
