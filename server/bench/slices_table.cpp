@@ -1,6 +1,6 @@
-// Times 100 slices with the property at their points, which the paper's volume rendering blends.
+// Measures the paper's table 4: 100 slices with the property at their points, as its volume rendering blends them.
 #include "bench/case.hpp"
-#include "ciel/sweep.hpp"
+#include "ciel/sweep_sinks.hpp"
 
 #include <cmath>
 
@@ -53,7 +53,8 @@ private:
     std::vector<SliceSink::Out> slices_;
 };
 
-// The fields of a box's six directions are kept; a camera's direction is new with every turn.
+// Makes the field whose iso-surfaces are slices across `normal`. Box-aligned rows reuse one field; screen-aligned rows
+// make a field in each run, because the direction is new after every turn of the camera.
 Field distance_along(const Case& data, Vec3d normal) {
     return field_of(data,
                     std::make_shared<const std::vector<float>>(plane_distance(data.mesh, data.mesh.origin, normal)));

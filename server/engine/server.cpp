@@ -6,7 +6,7 @@
 #include "limits/machine_memory.hpp"
 #include "limits/memory_reserve.hpp"
 #include "logging/log.hpp"
-#include "probe/locator.hpp"
+#include "probe/locators.hpp"
 #include "protocol/json.hpp"
 #include "sessions/notify.hpp"
 #include "store/files/files.hpp"
@@ -20,7 +20,8 @@ namespace ciel::engine {
 namespace {
 
 constexpr std::chrono::seconds readiness_lasts{1};
-constexpr std::chrono::milliseconds readiness_patience{500}; // of a probe, which wants its answer within a second
+// How long readiness_by_now() waits: probes of /readyz expect an answer within a second.
+constexpr std::chrono::milliseconds readiness_patience{500};
 
 frames::Readiness tested(Worker& worker) {
     try {
@@ -44,14 +45,14 @@ struct Server::State {
     probe::Locators locators;
     Uploads uploads;
     SlowCalls slow_calls;
-    std::stop_source calls; // requested: those under way are given up
+    std::stop_source calls; // a stop request cancels the slow calls in progress
     std::mutex readiness_mutex;
     std::condition_variable readiness_known;
     std::optional<frames::Readiness> last_readiness;
-    bool readiness_asked = false;                     // a test picture waits for a worker, or is drawn
-    std::optional<Clock::time_point> readiness_since; // of the last result
+    bool readiness_asked = false;                     // a test picture waits for a worker, or is being drawn
+    std::optional<Clock::time_point> readiness_since; // time of last_readiness
     std::shared_ptr<void> watch;
-    std::jthread housekeeping; // last: it uses the others
+    std::jthread housekeeping; // the last member: its thread uses the others
 
     explicit State(ServerOptions chosen)
         : options(std::move(chosen)),
@@ -113,7 +114,8 @@ struct Server::State {
         readiness_known.notify_all();
     }
 
-    // Both who draw frames and who draws pictures must: each has a context of its own.
+    // Draws a test picture on a frame worker and then one on the picture worker, because each has its own GL context.
+    // The server is ready only if both pictures are right.
     void test_readiness() {
         const auto test_pictures = [this](Worker& worker) { know(tested(worker)); };
         const auto test_frames = [this, test_pictures](Worker& worker) {
@@ -123,19 +125,20 @@ struct Server::State {
         };
         if (!workers.post_later(Clock::now(), test_frames)) know_of_end();
     }
-    void know_of_end() { know({.problem = "the server is about to stop and draws no more"}); }
+    void know_of_end() { know({.problem = "the server is about to stop and draws no further pictures"}); }
 
     void tell_steps(const std::string& dataset) {
         protocol::DatasetChanged note{dataset, std::vector<double>()};
         try {
             for (const auto& step : catalog.open(dataset)->dataset()->steps()) note.times->push_back(step.time);
-        } catch (const Error&) { // removed or damaged: clients are told, what sessions hold stays as it is
+            // The dataset was removed or is damaged. Clients are notified; sessions keep the data that they have.
+        } catch (const Error&) {
             connections.send_all(sessions::notification_text(note));
             return;
         }
         std::string text = sessions::notification_text(note);
         if (text.size() > wire::longest_message) {
-            note.times.reset(); // clients ask for them
+            note.times.reset(); // too long for one message: clients ask for the times
             text = sessions::notification_text(note);
         }
         connections.send_all(text);
@@ -180,7 +183,7 @@ frames::Readiness Server::readiness() {
     frames::Readiness readiness;
     try {
         readiness = state_->workers.run([](Worker& worker) { return tested(worker); });
-    } catch (const std::exception& error) { // drained
+    } catch (const std::exception& error) { // the workers are drained
         readiness.problem = store::sentence_for_clients(error);
     }
     state_->know(readiness);
@@ -198,7 +201,8 @@ frames::Readiness Server::readiness_by_now() {
         lock.lock();
     }
     state.readiness_known.wait_for(lock, readiness_patience, [&] { return !state.readiness_asked; });
-    return state.last_readiness.value_or(frames::Readiness{.problem = "no test picture has been drawn yet"});
+    return state.last_readiness.value_or(
+        frames::Readiness{.problem = "the server has not drawn its test picture yet; ask again in a second"});
 }
 
 frames::Readiness Server::last_readiness() {
@@ -217,7 +221,7 @@ std::string Server::metrics() const {
         ++gauges.sessions;
         gauges.views += session->viewer_count();
         gauges.session_bytes += session->geometry_bytes();
-        datasets.insert(session->newest()->checked.loaded()); // also one that another has replaced
+        datasets.insert(session->newest()->checked.loaded()); // may be a dataset that the catalog has replaced
     }
     gauges.connections = state_->connections.size();
     gauges.datasets = datasets.size();
@@ -250,7 +254,7 @@ void Server::drain_frames() { state_->workers.drain(); }
 
 void Server::drain() {
     state_->sessions.stop_opening();
-    state_->slow_calls.drain(); // first: those under way still need a worker
+    state_->slow_calls.drain(); // before the picture workers, which running calls still need
     state_->picture_workers.drain();
     drain_frames();
 }

@@ -18,7 +18,7 @@ namespace ciel::limits {
 class Memory; // limits/memory.hpp
 }
 namespace ciel::probe {
-class Locators; // probe/locator.hpp
+class Locators; // probe/locators.hpp
 }
 
 namespace ciel::engine {
@@ -28,8 +28,8 @@ struct ServerOptions {
     render::Backend backend = render::Backend::automatic;
     Extraction extraction;
     unsigned render_workers = 1;
-    int still_samples = frames::default_still_samples; // of a pixel
-    bool allow_append = false;                         // by clients, who need the token
+    int still_samples = frames::default_still_samples; // per pixel
+    bool allow_append = false;                         // clients may append steps if they have the token
     limits::Limits limits;
 };
 
@@ -40,7 +40,8 @@ struct Services;    // services.hpp
 class SlowCalls;    // schedule/slow_calls.hpp
 class Uploads;      // uploads.hpp
 
-// Thread-safe. The gateway calls connection_closed and drain; methods reach the rest.
+// A Server is thread-safe. The gateway's service opens and closes connections and drains the server. JSON-RPC methods
+// use the other members.
 class Server {
 public:
     explicit Server(ServerOptions options);
@@ -50,7 +51,8 @@ public:
     [[nodiscard]] store::Catalog& catalog();
     [[nodiscard]] Sessions& sessions();
     [[nodiscard]] FrameWorkers& frame_workers();
-    // For slow calls: somebody waits for a picture under way, so it is neither put off nor in the way of a frame.
+    // Draws pictures for slow calls. These workers are separate from the frame workers, so a picture neither waits for
+    // frames nor delays them.
     [[nodiscard]] FrameWorkers& picture_workers();
     [[nodiscard]] const ServerOptions& options() const;
     [[nodiscard]] Metrics& counters();
@@ -60,30 +62,34 @@ public:
     [[nodiscard]] Uploads& uploads();
     [[nodiscard]] limits::Memory& memory();
 
-    // Tells clients of steps that were appended to a dataset of the catalog, without waiting for its watch.
+    // Looks for steps that were appended to a dataset of the catalog, and notifies clients of them. Does not wait for
+    // the catalog's watch to find them.
     void look_for_steps(const std::string& name, store::LoadedDataset& dataset);
-    // Connections hear of appended steps (`dataset.changed`) while they are registered here.
+    // Registers a connection. Until connection_closed() it gets the notification `dataset.changed` when steps are
+    // appended.
     void connection_opened(std::shared_ptr<sessions::Connection> connection);
     void connection_closed(std::uint64_t connection_id);
 
-    // Gives back what has not been used for long: sessions, datasets. Called every now and then by the server itself.
+    // Frees sessions and datasets that have not been used for long. The server itself calls it every 10 seconds.
     void tidy(std::chrono::steady_clock::time_point now);
 
-    // Draws a test picture and checks its pixels: waits for a frame worker.
+    // Draws a test picture on a frame worker and checks its pixels. Waits until a worker is free.
     [[nodiscard]] frames::Readiness readiness();
-    // Asks for test pictures of frame and picture workers, at most once a second, and waits for them for a moment:
-    // while the workers draw for others the answer is that of the last one.
+    // Requests test pictures of the frame and picture workers, at most once a second, and waits up to 0.5 s for the
+    // result. If the workers stay busy, returns the previous result.
     [[nodiscard]] frames::Readiness readiness_by_now();
     [[nodiscard]] frames::Readiness
-    last_readiness();                          // of the last test picture; draws one only when none was drawn yet
+    // Returns the result of the last test picture. Draws one only if there is none yet.
+    last_readiness();
     [[nodiscard]] std::string metrics() const; // Prometheus text exposition format 0.0.4
-    // SIGTERM, in this order. announce_end: no new sessions from here on, and clients are told; does not block.
+    // On SIGTERM, announce_end, drain_frames and drain are called in this order. announce_end refuses new sessions and
+    // views, and notifies clients. It does not block.
     void announce_end();
-    // No new frames. The drawing of those under way is given up: clients get them again where they go on.
+    // Starts no new frames and cancels the frames that are being drawn. Returns when no frame is in progress.
     void drain_frames();
-    // No new slow calls either; returns when those under way have been finished, or given up after give_up.
+    // Starts no new slow calls. Returns when the running ones have finished or, after give_up(), have been cancelled.
     void drain();
-    // Slow calls under way end as soon as they look at call_stop(). Does not block.
+    // Requests call_stop(): running slow calls end when they next check it. Does not block.
     void give_up();
     [[nodiscard]] std::stop_token call_stop() const;
 

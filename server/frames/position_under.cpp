@@ -7,7 +7,7 @@
 namespace ciel::frames {
 
 std::optional<Vec3d> position_under(const geometry::Geometry& geometry, const scene::Scene& scene,
-                                    geometry::ViewSize size, std::array<double, 2> pixel, const probe::Locator& locator,
+                                    geometry::ViewSize size, std::array<double, 2> pixel, const CellLocator& locator,
                                     render::Renderer& renderer, std::function<void()> check_wanted) {
     const auto width = static_cast<int>(size.width), height = static_cast<int>(size.height);
     if (!(pixel[0] >= 0 && pixel[0] < width && pixel[1] >= 0 && pixel[1] < height)) return {};

@@ -1,9 +1,9 @@
-// World position of a picture's pixel, from the depth buffer.
+// Finds the world position under a pixel of a picture, from the depth buffer.
 #pragma once
 
 #include "geometry/geometry.hpp"
 #include "geometry/view_size.hpp"
-#include "probe/locator.hpp"
+#include "probe/locators.hpp"
 #include "render/renderer.hpp"
 #include "scene/scene.hpp"
 
@@ -12,12 +12,12 @@
 
 namespace ciel::frames {
 
-// Returns the world position under a pixel, counted from the top left; nothing on the background. The depth buffer puts
-// a position on a boundary outside of the mesh as often as inside. Such a position is moved along the line of sight
-// into a cell, by at most 1e-3 of the bounds' diagonal. `check_wanted`: as render::Frame's.
+// Returns the world position under a pixel, counted from the top left; nothing on the background. By rounding, the
+// depth buffer puts a position on a boundary outside of the mesh as often as inside. Such a position is moved along the
+// line of sight into a cell, by at most 1e-3 of the bounds' diagonal. `check_wanted`: see render::Frame.
 [[nodiscard]] std::optional<Vec3d> position_under(const geometry::Geometry& geometry, const scene::Scene& scene,
                                                   geometry::ViewSize size, std::array<double, 2> pixel,
-                                                  const probe::Locator& locator, render::Renderer& renderer,
+                                                  const CellLocator& locator, render::Renderer& renderer,
                                                   std::function<void()> check_wanted);
 
 } // namespace ciel::frames

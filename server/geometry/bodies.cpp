@@ -1,5 +1,7 @@
 #include "geometry/bodies.hpp"
 
+#include "ciel/mesh_faces.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -58,50 +60,16 @@ bool is_flat_side(const Patch& patch, const BoundingBox& domain) {
 
 double length_of_faces(const Patch& patch) { return std::sqrt(patch.area / static_cast<double>(patch.faces)); }
 
-// Normal vector whose length is twice the area (Newell).
-Vec3d area_vector(const FaceMeshView& mesh, Index face) {
-    const auto at = [&](Index vertex) {
-        const float* p = &mesh.positions[std::size_t{3} * vertex];
-        return Vec3d{p[0], p[1], p[2]};
-    };
-    const auto loop = mesh.loop(face);
-    Vec3d sum{};
-    for (std::size_t i = 0; i < loop.size(); ++i) {
-        const Vec3d a = at(loop[i]), b = at(loop[(i + 1) % loop.size()]);
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-            const std::size_t next = (axis + 1) % 3, last = (axis + 2) % 3;
-            sum[axis] += (a[next] - b[next]) * (a[last] + b[last]);
-        }
-    }
-    return sum;
-}
-
-Patch measured(const store::Group& group, const FaceMeshView& mesh) {
-    Patch patch{group.name,
-                {{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}},
-                0,
-                group.ids.size(),
-                group.facts.type};
-    for (const Index face : group.ids) {
-        for (const Index vertex : mesh.loop(face))
-            for (std::size_t axis = 0; axis < 3; ++axis) {
-                const double at = mesh.origin[axis] + mesh.positions[std::size_t{3} * vertex + axis];
-                patch.box.low[axis] = std::min(patch.box.low[axis], at);
-                patch.box.high[axis] = std::max(patch.box.high[axis], at);
-            }
-        const Vec3d normal = area_vector(mesh, face);
-        patch.area += std::hypot(normal[0], normal[1], normal[2]) / 2;
-    }
-    return patch;
-}
-
 } // namespace
 
 std::vector<Patch> patches_of(const store::Dataset& dataset, const store::Step& step) {
-    const FaceMeshView mesh = dataset.mesh(step.mesh, step.coordinates);
+    const auto mesh = dataset.mesh(step.mesh, step.coordinates);
     std::vector<Patch> patches;
-    for (const store::Group& group : dataset.groups(step.mesh))
-        if (group.of == store::Group::Of::faces && !group.ids.empty()) patches.push_back(measured(group, mesh));
+    for (const store::Group& group : dataset.groups(step.mesh)) {
+        if (group.of != store::Group::Of::faces || group.ids.empty()) continue;
+        const FacesSize size = size_of_faces(mesh, group.ids);
+        patches.push_back({group.name, {size.low, size.high}, size.area, group.ids.size(), group.facts.type});
+    }
     return patches;
 }
 

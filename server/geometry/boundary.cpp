@@ -1,40 +1,22 @@
 #include "ciel/feature_edges.hpp"
+#include "ciel/mesh_faces.hpp"
 #include "ciel/polygon_edges.hpp"
-#include "ciel/threshold_surface.hpp"
 #include "geometry/cut.hpp"
 
 #include <algorithm>
 #include <array>
 
 namespace ciel::geometry {
-namespace {
-
-std::vector<CellFace> boundary_faces(const store::Dataset& dataset, const store::Step& step,
-                                     const std::vector<std::string>& names, std::span<const std::uint8_t> kept) {
-    const FaceMeshView mesh = dataset.mesh(step.mesh, step.coordinates);
-    std::vector<CellFace> faces;
-    if (names.empty()) {
-        if (!kept.empty()) return threshold_faces(mesh, kept);
-        for (Index face = 0; face < mesh.face_count(); ++face)
-            if (mesh.neighbour[face] == none) faces.push_back({face, mesh.owner[face]});
-        return faces;
-    }
-    std::vector<Index> ids;
-    for (const store::Group& group : dataset.groups(step.mesh))
-        if (group.of == store::Group::Of::faces && std::find(names.begin(), names.end(), group.name) != names.end())
-            ids.insert(ids.end(), group.ids.begin(), group.ids.end());
-    std::sort(ids.begin(), ids.end());
-    ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
-    for (const Index face : ids)
-        if (const Index owner = mesh.owner[face]; kept.empty() || kept[owner] != 0) faces.push_back({face, owner});
-    return faces;
-}
-
-} // namespace
 
 Surface boundary_surface(const store::Dataset& dataset, const store::Step& step, const std::vector<std::string>& groups,
                          std::span<const std::uint8_t> kept) {
-    return face_surface(dataset.mesh(step.mesh, step.coordinates), boundary_faces(dataset, step, groups, kept));
+    const auto mesh = dataset.mesh(step.mesh, step.coordinates);
+    if (groups.empty()) return face_surface(mesh, boundary_faces(mesh, kept));
+    std::vector<Index> ids;
+    for (const store::Group& group : dataset.groups(step.mesh))
+        if (group.of == store::Group::Of::faces && std::ranges::find(groups, group.name) != groups.end())
+            ids.insert(ids.end(), group.ids.begin(), group.ids.end());
+    return face_surface(mesh, faces_by_id(mesh, std::move(ids), kept));
 }
 
 std::shared_ptr<const Shape> triangles_shape(Surface&& surface) {
@@ -62,23 +44,6 @@ std::shared_ptr<const Shape> points_shape(const Surface& boundary, std::size_t t
         shape->surface.points.push_back(boundary.points[i]);
     }
     return shape;
-}
-
-Surface cell_vertices(const FaceMeshView& mesh, std::span<const std::uint8_t> kept) {
-    std::vector<std::uint8_t> used(mesh.vertex_count());
-    for (Index face = 0; face < mesh.face_count(); ++face) {
-        const Index neighbour = mesh.neighbour[face];
-        if (!kept.empty() && kept[mesh.owner[face]] == 0 && (neighbour == none || kept[neighbour] == 0)) continue;
-        for (const Index vertex : mesh.loop(face)) used[vertex] = 1;
-    }
-    Surface out;
-    for (Index vertex = 0; vertex < used.size(); ++vertex) {
-        if (used[vertex] == 0) continue;
-        const float* at = &mesh.positions[std::size_t{3} * vertex];
-        out.positions.push_back({at[0], at[1], at[2]});
-        out.points.push_back({vertex, vertex, 0});
-    }
-    return out;
 }
 
 std::shared_ptr<const Shape> outline_shape(Vec3d minimum, Vec3d maximum, Vec3d origin) {

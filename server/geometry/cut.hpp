@@ -109,8 +109,6 @@ struct Boundary {
 [[nodiscard]] std::shared_ptr<const Shape> edges_shape(Surface&& boundary, std::optional<double> angle);
 // Returns one in `thinned` of the vertices.
 [[nodiscard]] std::shared_ptr<const Shape> points_shape(const Surface& boundary, std::size_t thinned);
-// Returns the vertices of all kept cells, without polygons.
-[[nodiscard]] Surface cell_vertices(const FaceMeshView& mesh, std::span<const std::uint8_t> kept);
 [[nodiscard]] std::shared_ptr<const Shape> outline_shape(Vec3d minimum, Vec3d maximum, Vec3d origin);
 
 } // namespace ciel::geometry

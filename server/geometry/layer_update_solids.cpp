@@ -1,7 +1,7 @@
 // Layers that show the mesh itself, or those of its cells that a threshold keeps: boundary, edges, points, outline.
 #include "geometry/layer_update.hpp"
 
-#include "ciel/threshold_surface.hpp"
+#include "ciel/mesh_faces.hpp"
 #include "geometry/mesh_side.hpp"
 
 #include <algorithm>
@@ -128,7 +128,7 @@ bool LayerUpdate::operator()(const scene::Layer& layer, const scene::PointsLayer
     if (kept == nullptr) return true;
     const std::size_t before = kept->memory_bytes();
     if (!kept->shape) {
-        const Surface vertices = all ? cell_vertices(dataset->mesh(step().mesh, step().coordinates), kept->cells)
+        const Surface vertices = all ? vertices_of_cells(dataset->mesh(step().mesh, step().coordinates), kept->cells)
                                      : boundary_surface(*dataset, step(), points.groups, kept->cells);
         kept->points = vertices.positions.size();
         kept->thinned = std::max<std::size_t>(1, (kept->points + points.most - 1) / points.most);
@@ -150,8 +150,8 @@ bool LayerUpdate::operator()(const scene::Layer& layer, const scene::OutlineLaye
     solid.array.clear(); // a box has no values
     if (!outline.color.array.empty())
         out.remarks.push_back("layer " + layer.id + " has no colors of " + outline.color.array +
-                              ": an outline is a box without values; leave its color.array out, or color another "
-                              "layer by it");
+                              ": an outline is a box without values; leave color.array out of the layer, or color "
+                              "another layer by the array");
     add(kept.painted, kept.shape, solid, layer, false);
     return true;
 }

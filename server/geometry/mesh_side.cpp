@@ -1,8 +1,7 @@
 #include "geometry/mesh_side.hpp"
 
-#include "ciel/threshold_surface.hpp"
+#include "ciel/mesh_faces.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 namespace ciel::geometry {
@@ -22,15 +21,8 @@ std::optional<double> side_at(double nu, std::array<float, 2> range) {
 }
 
 Surface side_surface(const store::ScalarField& distances, double nu) {
-    const FaceMeshView& mesh = distances.mesh;
-    const auto values = distances.field->values();
     const double most = rounding(distances.field->range());
-    std::vector<CellFace> faces;
-    for (Index face = 0; face < mesh.face_count(); ++face)
-        if (mesh.neighbour[face] == none &&
-            std::ranges::all_of(mesh.loop(face), [&](Index v) { return std::abs(values[v] - nu) <= most; }))
-            faces.push_back({face, mesh.owner[face]});
-    return face_surface(mesh, faces);
+    return face_surface(distances.mesh, boundary_faces_at(distances.mesh, distances.field->values(), nu, most));
 }
 
 } // namespace ciel::geometry

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "ciel/extract.hpp"
-#include "ciel/face_mesh.hpp"
 #include "store/loaded.hpp"
 
 #include <optional>

@@ -5,21 +5,21 @@
 #include "engine/services.hpp"
 #include "engine/sessions.hpp"
 #include "limits/errors.hpp"
-#include "probe/locator.hpp"
+#include "probe/locators.hpp"
 #include "protocol/methods.hpp"
 
 #include <chrono>
 
 namespace ciel::methods {
 
-// Throws NotAllowed unless the server accepts steps and the connection has its token.
+// Throws NotAllowed unless the server accepts appended steps and the connection has the server's token.
 void check_may_append(const engine::Server& server, const sessions::Connection& connection);
 
 struct Context { // NOLINT(bugprone-exception-escape): moving a string does not throw
     engine::Server& server;
     sessions::Connection& connection;
-    std::stop_token stop{};   // the connection has ended, or the server cancels the call
-    std::string request_id{}; // of the call under way, in the log and in errors
+    std::stop_token stop{};   // requested when the connection has ended or the server cancels the call
+    std::string request_id{}; // of the call in progress, for the log and for errors
     std::chrono::steady_clock::time_point begun{};
 
     void begin();                              // starts a call: sets its id and time
@@ -33,11 +33,11 @@ struct Context { // NOLINT(bugprone-exception-escape): moving a string does not 
     void check_may_append() const { methods::check_may_append(server, connection); }
     [[nodiscard]] std::shared_ptr<engine::View> view(std::int64_t id) const;
     [[nodiscard]] std::shared_ptr<store::LoadedDataset> dataset(const std::string& name) const;
-    // The connection, shared with views and subscriptions; null over HTTP.
+    // Returns the connection for views and subscriptions to share; null over HTTP.
     [[nodiscard]] std::shared_ptr<sessions::Connection> streaming_connection() const;
 };
 
-// Params that satisfy the schema but not the method. `path` is a JSON pointer into the params.
+// Thrown for params that satisfy the schema but not the method. `path` is a JSON pointer into the params.
 class InvalidParams : public std::runtime_error {
 public:
     InvalidParams(std::string path_, const std::string& reason) : std::runtime_error(reason), path(std::move(path_)) {}

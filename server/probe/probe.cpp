@@ -26,7 +26,7 @@ bool went_wrong(const store::Dataset& dataset, std::size_t step, const store::Ar
 }
 
 // The weighted sum of the values of vertices, or of one cell.
-void probe_array(const store::Dataset& dataset, std::size_t step, const store::ArrayInfo& array, const Weights& weights,
+void probe_array(const store::Dataset& dataset, std::size_t step, const store::ArrayInfo& array, const VertexWeights& weights,
                  bool is_wrong, Probed& out) {
     const auto values = dataset.values(array.name, step);
     for (const std::string& scalar : store::scalar_names(array)) {
@@ -41,7 +41,7 @@ void probe_array(const store::Dataset& dataset, std::size_t step, const store::A
 
 } // namespace
 
-Probed probe(const store::Dataset& dataset, std::size_t step, const Locator& locator, Vec3d position) {
+Probed probe(const store::Dataset& dataset, std::size_t step, const CellLocator& locator, Vec3d position) {
     Probed out;
     out.position = position;
     const Index cell = locator.cell_at(position);
@@ -52,8 +52,8 @@ Probed probe(const store::Dataset& dataset, std::size_t step, const Locator& loc
     out.vertex = dataset.original_vertex(mesh)[vertex];
     if (const auto ids = dataset.solver_cell(mesh); !ids.empty() && ids[cell] >= 0) out.solver_cell = ids[cell];
     if (const auto ids = dataset.solver_vertex(mesh); !ids.empty() && ids[vertex] >= 0) out.solver_vertex = ids[vertex];
-    const Weights weights = locator.weights_in(cell, position);
-    const Weights own{{cell, 1.0}};
+    const VertexWeights weights = locator.weights_in(cell, position);
+    const VertexWeights own{{cell, 1.0}};
     for (const store::ArrayInfo& array : dataset.info().arrays) {
         if (array.association == store::Association::boundary_face) continue;
         const bool on_points = array.association == store::Association::point;

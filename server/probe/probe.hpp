@@ -1,7 +1,7 @@
 // Values at a point.
 #pragma once
 
-#include "probe/locator.hpp"
+#include "probe/locators.hpp"
 #include "store/loaded.hpp"
 
 #include <map>
@@ -18,6 +18,6 @@ struct Probed {
 };
 
 // Point scalars are interpolated in the cell; cell scalars are the cell's.
-[[nodiscard]] Probed probe(const store::Dataset& dataset, std::size_t step, const Locator& locator, Vec3d position);
+[[nodiscard]] Probed probe(const store::Dataset& dataset, std::size_t step, const CellLocator& locator, Vec3d position);
 
 } // namespace ciel::probe

@@ -1,6 +1,7 @@
 #include "probe/sight.hpp"
 
 #include "annotations/camera.hpp"
+#include "ciel/mesh_faces.hpp"
 #include "ciel/vectors.hpp"
 #include "geometry/clip.hpp"
 #include "geometry/cutter.hpp"
@@ -122,20 +123,15 @@ std::optional<std::string> patch_of(const Crossing& crossing, const geometry::Ge
     const scene::SurfaceLayer* layer = surface_layer(scene, drawable.layer);
     if (layer == nullptr) return {};
     const store::Step& step = dataset.steps()[geometry.step];
-    const FaceMeshView mesh = dataset.mesh(step.mesh, step.coordinates);
+    const auto mesh = dataset.mesh(step.mesh, step.coordinates);
     std::array<Index, 3> vertices{};
     for (std::size_t i = 0; i < 3; ++i) {
         const EdgePoint& point = drawable.shape->surface.points[crossing.corners[i]];
         if (point.a != point.b) return {}; // of a cap
         vertices[i] = point.a;
     }
-    const auto has_all = [&](Index face) {
-        const auto loop = mesh.loop(face);
-        return std::all_of(vertices.begin(), vertices.end(),
-                           [&](Index vertex) { return std::find(loop.begin(), loop.end(), vertex) != loop.end(); });
-    };
     for (const store::Group& group : dataset.groups(step.mesh))
-        if (shows(*layer, group) && std::any_of(group.ids.begin(), group.ids.end(), has_all)) return group.name;
+        if (shows(*layer, group) && face_with_vertices(mesh, group.ids, vertices) != none) return group.name;
     return {};
 }
 

@@ -22,7 +22,8 @@ struct Crossing {
 // The pixel is counted from the top left. Lines, points and volumes are ignored. Tests every triangle.
 [[nodiscard]] std::vector<Crossing> crossings(const geometry::Geometry& geometry, const scene::Scene& scene,
                                               geometry::ViewSize size, std::array<double, 2> pixel);
-// Returns the crossing nearest to a position from the depth buffer; nothing if a line or a point was drawn there.
+// Returns the crossing nearest to `position`, which was read from the depth buffer. Returns nothing if none is within
+// 0.002 of the bounds' diagonal, for example if a line or a point is drawn at `position`.
 [[nodiscard]] std::optional<Crossing> crossing_at(const std::vector<Crossing>& crossings,
                                                   const geometry::Geometry& geometry, const Vec3d& position);
 // Returns the patch that a surface layer shows there; nothing on other layers, caps, and faces that are in no patch.

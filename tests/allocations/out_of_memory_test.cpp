@@ -1,10 +1,10 @@
-// No memory, at any of the places where the kernel asks for some: the call throws, and what is asked for next is right.
+// Fails each allocation of the kernel in turn: the call must throw, and the next call must be correct.
 #include "allocations/counted_new.hpp"
 #include "blocks/blocks.hpp"
 #include "ciel/extract.hpp"
 #include "ciel/geometric_vertices.hpp"
 #include "ciel/slab.hpp"
-#include "ciel/sweep.hpp"
+#include "ciel/sweep_sinks.hpp"
 #include "fields/cell_ranges.hpp"
 #include "support/fields.hpp"
 #include "support/meshes.hpp"
@@ -18,7 +18,7 @@
 namespace ciel::test {
 namespace {
 
-// Of those that have every kind of cell, and vertices that several blocks share.
+// True for the test meshes with all kinds of cells, or with vertices that several blocks share.
 bool is_chosen(const NamedMesh& mesh) {
     static const std::vector<std::string> chosen{"zoo_shuffled", "voronoi", "o_grid", "hanging_nodes"};
     return std::ranges::find(chosen, mesh.name) != chosen.end();
@@ -40,7 +40,7 @@ bool same(const Surface& a, const Surface& b) {
            a.polygon_cell == b.polygon_cell && std::ranges::equal(a.chunks, b.chunks, same_chunk);
 }
 
-// A mesh in two places and two fields on it, with gaps. Nothing has been made of the fields on demand.
+// A mesh with two sets of positions and two fields with missing values. The fields' lazy data has not been computed.
 struct Data {
     explicit Data(const NamedMesh& named)
         : input(named.make()), assembled(assemble(view(input))), topology(assembled.mesh.view(), {32}),
@@ -60,11 +60,11 @@ struct Data {
     std::array<std::vector<float>, 2> values;
 };
 
-// What a hand does, one call after another.
+// One call of the sequence that the test makes.
 struct Step {
     enum class What { field, mesh, extract };
     What what;
-    int which = 0; // of the fields or of the places
+    int which = 0; // index of the field or of the set of positions
     double nu = 0;
 };
 const std::vector<Step> steps{
@@ -103,7 +103,7 @@ private:
     Query query_;
 };
 
-// Each surface of the hand by a query that has seen nothing before.
+// The expected surface of each `extract` step, from a new query.
 std::vector<Surface> expected_surfaces(const Data& data, const How& how) {
     std::vector<Surface> out;
     Step field, mesh{Step::What::mesh};
@@ -122,7 +122,7 @@ std::vector<Surface> expected_surfaces(const Data& data, const How& how) {
 
 class OutOfMemory : public testing::TestWithParam<std::tuple<NamedMesh, How>> {};
 
-// A caller who has been thrown at asks again. Returns false when nobody was.
+// Runs all steps while the nth allocation fails, and repeats the step that throws. Returns false when no step threw.
 bool fails_once(Hand& hand, std::size_t nth, const std::vector<Surface>& expected) {
     bool thrown = false;
     std::size_t surfaces = 0;
@@ -143,7 +143,7 @@ bool fails_once(Hand& hand, std::size_t nth, const std::vector<Surface>& expecte
     return thrown;
 }
 
-// A thread of its own, whose scratch has to be asked for from the start.
+// Runs f on a new thread, which has no scratch memory yet.
 template <class F>
 void on_new_thread(F&& f) {
     std::thread(std::forward<F>(f)).join();
@@ -165,7 +165,7 @@ TEST_P(OutOfMemory, NextSurfaceIsRight) {
     EXPECT_GT(nth, 50U);
 }
 
-// Where several threads were at work when one of them failed.
+// With four threads, one may fail while the others work.
 TEST_P(OutOfMemory, NextSurfaceIsRightWithFourThreads) {
     const NamedMesh& named = std::get<0>(GetParam());
     const How& how = std::get<1>(GetParam());
@@ -270,7 +270,7 @@ INSTANTIATE_TEST_SUITE_P(meshes, SweepOutOfMemory,
 
 class OnDemandOutOfMemory : public testing::TestWithParam<NamedMesh> {
 protected:
-    // Until ask(nth) says that nothing has failed.
+    // Calls ask(1), ask(2), ... until one returns false, which means that no allocation failed.
     template <class F>
     void fail_each(F&& ask) {
         bool failed = true;
@@ -290,7 +290,7 @@ protected:
     const Data data{GetParam()};
 };
 
-// A field's minima along a direction, and the vertices where they may be.
+// A field's minima along a direction, and the candidate vertices for them.
 TEST_P(OnDemandOutOfMemory, Extrema) {
     const FaceMeshView mesh = data.assembled.mesh.view();
     const std::vector<float> distance = plane_distance(mesh, mesh.origin, {0.6, 0.8, 0});
@@ -308,7 +308,7 @@ TEST_P(OnDemandOutOfMemory, Extrema) {
     });
 }
 
-// Without them a surface is right but slow, for good.
+// CellRanges that failed to build must be built by the next call. Without the ranges, extraction is correct but slow.
 TEST_P(OnDemandOutOfMemory, RangesOfCells) {
     const Block& block = data.topology.blocks().block[0];
     const std::vector<float> values = random_field(block.vertex_count, 5);

@@ -1,9 +1,9 @@
-// A hand that goes to and fro: once every buffer has been as large as it gets, the kernel asks for no memory.
+// Repeats a sequence of values: once every buffer has reached its final size, the kernel allocates no memory.
 #include "allocations/counted_new.hpp"
 #include "ciel/extract.hpp"
 #include "ciel/parallel.hpp"
 #include "ciel/slab.hpp"
-#include "ciel/sweep.hpp"
+#include "ciel/sweep_sinks.hpp"
 #include "support/fields.hpp"
 #include "support/meshes.hpp"
 #include "support/views.hpp"
@@ -30,7 +30,7 @@ const std::vector<How> ways{
 
 class SteadyState : public testing::TestWithParam<std::tuple<NamedMesh, How>> {
 protected:
-    void SetUp() override { set_thread_count(1); } // each thread has scratch of its own to grow
+    void SetUp() override { set_thread_count(1); } // each thread has its own scratch memory
     void TearDown() override { set_thread_count(0); }
 };
 

@@ -75,12 +75,12 @@ void EveryUse::show_layers() {
         });
     attempt("default scene", [&] { (void)geometry::default_scene(*loaded, name_); });
     attempt("probe", [&] {
-        const probe::Locator locator(dataset_, 0, 0);
+        const CellLocator locator(dataset_->mesh(0, 0));
         (void)probe::probe(*dataset_, 0, locator, middle_of(dataset_->info().meshes[0]));
     });
 }
 
-// On the server's own LoadedDataset.
+// Uses the server's own copy of the dataset.
 void EveryUse::ask_methods() {
     Client client(server_, false);
     const auto ask = [&](const std::string& method, const json& params) {

@@ -1,11 +1,11 @@
 """Fails when an include crosses an edge that CMake does not declare, goes up in a room's order of folders, or takes a
-library of the outside world into another room."""
+library of the outside world into another room, or when a room above the store reads the face lists of a mesh."""
 
 import pathlib
 import re
 import sys
 
-# Which room may include which part of the outside world.
+# External include prefixes, and the rooms that may use them.
 OUTSIDE = {
     "boost/": {"gateway"},
     "GL/": {"render"},
@@ -34,13 +34,16 @@ OUTSIDE = {
         "import",
     },
 }
-PROGRAMS = {"app", "import"}  # nothing may include these
-KERNEL_SOURCES = pathlib.Path("ciel/src")  # an include root of the kernel's own
+# How the store and the kernel keep a mesh: rooms above them ask ciel/mesh_faces.hpp and ciel/cell_locator.hpp.
+FACE_LISTS = re.compile(r"\bFaceMeshView\b|\.loop\(|\.neighbour\b|\.owner\[|\bface_(?:offset|vertex)\b")
+WITH_FACE_LISTS = {"ciel", "store", "import", "demo", "bench"}
+PROGRAMS = {"app", "import"}  # no room may include these
+KERNEL_SOURCES = pathlib.Path("ciel/src")  # an include root of the kernel only
 INCLUDE = re.compile(r'\s*#\s*include\s*[<"]([^>"]+)[>"]')
 
 
 def read_declared(edges_file):
-    """The links between rooms, and the order of each room's folders: lower ones first, "." for the room itself."""
+    """Reads the links between rooms and the order of each room's folders, from below. "." is the room itself."""
     edges, orders = set(), {}
     for line in edges_file.read_text().splitlines():
         first, *rest = line.split()
@@ -52,7 +55,7 @@ def read_declared(edges_file):
 
 
 def place_of(path):
-    """(room, folder in the room) of a path relative to server/."""
+    """Returns (room, folder in the room) for a path relative to server/."""
     room, *folders = path.parent.parts
     return room, "/".join(folders) or "."
 
@@ -69,6 +72,8 @@ def main(server: pathlib.Path, edges_file: pathlib.Path) -> int:
             problems.append(f"{source}: server/{room}/CMakeLists.txt does not name {folder}/ in ciel_folders")
             continue
         for number, line in enumerate(source.read_text().splitlines(), 1):
+            if room not in WITH_FACE_LISTS and (word := FACE_LISTS.search(line)):
+                problems.append(f"{source}:{number}: {word.group(0)}: only {', '.join(sorted(WITH_FACE_LISTS))} read face lists")
             match = INCLUDE.match(line)
             if not match:
                 continue

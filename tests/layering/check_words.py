@@ -1,11 +1,11 @@
-"""Fails where a retired word stands: one name, one thing (server/README.md, "Words")."""
+"""Fails on retired words. Each thing has one name (server/README.md, "Words")."""
 
 import pathlib
 import re
 import subprocess
 import sys
 
-# Word, what it is called now, and the files that may still have it.
+# Pattern of the retired word, its replacement, and the files that may contain it.
 RETIRED = [
     (r"[Cc]olour", "color", {"CHANGELOG.md"}),
     (r"\bEngine::(signatures|propagation|naive)\b", "Algorithm", set()),
@@ -20,7 +20,7 @@ RETIRED = [
     (r"\bkernel_unit\b", "tests/unit/ciel", set()),
 ]
 TEXTS = {".cpp", ".hpp", ".ts", ".tsx", ".py", ".md", ".json", ".txt", ".cmake", ".css", ".html", ".glsl", ""}
-# Results are told with the words of their day.
+# Old benchmark results keep the words of their time.
 LEFT_OUT = ("tests/bench/results/", "tests/layering/check_words.py", "webclient/package-lock.json", "protocol/colormaps.json")
 
 

@@ -1,5 +1,6 @@
-// The vertices move under a query, as in a crash: it goes on with the topology and what it knows of the field.
-#include "ciel/sweep.hpp"
+// The vertices move under a query, as in a crash simulation. The query keeps its topology and what it has computed for
+// the field.
+#include "ciel/sweep_sinks.hpp"
 #include "oracle/kernel_mesh.hpp"
 #include "support/fields.hpp"
 #include "support/meshes.hpp"
@@ -21,7 +22,7 @@ std::vector<float> sheared(std::span<const float> positions, float by) {
     return moved;
 }
 
-// Each place once: at the border of two blocks both have a point.
+// Sorted positions without duplicates. A point on the border of two blocks occurs in both.
 std::vector<Vec3f> in_order(std::vector<Vec3f> positions) {
     std::ranges::sort(positions);
     positions.erase(std::unique(positions.begin(), positions.end()), positions.end());
@@ -71,7 +72,7 @@ TEST_P(Moved, GivesWhatANewQueryGives) {
     }
 }
 
-// A field that has been extracted from serves a sweep of the moved mesh: what a new field gives, and the new positions.
+// A sweep of the moved mesh with a used field gives the result of a new field, at the new positions.
 TEST_P(Moved, IsSweptWhereItIsNow) {
     const Polyhedra input = GetParam().make();
     const KernelMesh mesh(input, {32});
@@ -103,7 +104,7 @@ TEST_P(Moved, IsSweptWhereItIsNow) {
     }
 }
 
-// Slices of a mesh that moves are of other values: of the distance where the vertices are now.
+// Slicing a moving mesh changes the field too: it is the distance of the moved vertices.
 TEST_P(Moved, IsSlicedWhereItIsNow) {
     const Polyhedra input = GetParam().make();
     const KernelMesh mesh(input, {32});
@@ -134,7 +135,7 @@ TEST_P(Moved, ThatIsAnotherMeshIsRefused) {
     const KernelMesh mesh(input);
     Query query = mesh.query();
     FaceMeshView shorter = mesh.mesh();
-    if (shorter.vertex_count() == 0) return; // nothing to take away
+    if (shorter.vertex_count() == 0) return; // the empty mesh has no vertex to remove
     shorter.positions = shorter.positions.first(shorter.positions.size() - 3);
     EXPECT_THROW(query.set_mesh(shorter), Error);
 }

@@ -1,6 +1,6 @@
-// Several values in one pass give, value by value, what a query gives.
+// A sweep over several values in one pass gives the same surfaces as one query per value.
 #include "ciel/slab.hpp"
-#include "ciel/sweep.hpp"
+#include "ciel/sweep_sinks.hpp"
 #include "oracle/kernel_mesh.hpp"
 #include "support/fields.hpp"
 #include "support/meshes.hpp"
@@ -9,6 +9,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 #include <limits>
+#include <mutex>
 
 namespace ciel::test {
 namespace {
@@ -35,7 +36,7 @@ protected:
     KernelMesh mesh{input, {32}};
     std::vector<float> stored = mesh.stored(random_field(input.vertex_count(), 3));
     Field field = make_field(mesh.topology, stored);
-    // In no order, twice the same, outside the range, no number.
+    // Unsorted, with a repeated value, two outside the range and a NaN.
     std::vector<double> values{0.5, 0.1, 0.9, 0.5, -1, 2, std::numeric_limits<double>::quiet_NaN(), 0.3};
 
     Surface surface_at(double nu) {
@@ -49,7 +50,7 @@ protected:
         return std::span(surface.polygon_vertex)
             .subspan(surface.polygon_offset[i], surface.polygon_offset[i + 1] - surface.polygon_offset[i]);
     }
-    // Calls f(a, b, c) for each polygon's fan.
+    // Calls f(a, b, c) for each triangle of each polygon's fan.
     template <class F>
     static void for_fans(const Surface& surface, F&& f) {
         for (std::size_t i = 0; i < surface.polygon_cell.size(); ++i) {
@@ -112,7 +113,7 @@ TEST_P(Sweep, AnOutlineIsThePolygonsEdges) {
     }
 }
 
-// Not only what is drawn, but every array; where vertices have no value, too, and with what another field has left.
+// All arrays are equal, also with missing values and with buffers left by another field.
 TEST_P(Sweep, MakesTheSameArraysAsAnyOther) {
     std::vector<float> gaps = mesh.stored(random_field(input.vertex_count(), 7));
     for (std::size_t v = 0; v < gaps.size(); v += 5) gaps[v] = std::numeric_limits<float>::quiet_NaN();
@@ -132,7 +133,7 @@ TEST_P(Sweep, MakesTheSameArraysAsAnyOther) {
     }
 }
 
-// NaN and infinities are no values: what is left is finite, and is there wherever all of a cell's vertices have some.
+// NaN and infinite values count as missing. The slab is finite and covers every cell whose vertices all have values.
 TEST_P(Sweep, ASlabLeavesOutWhatHasNoValue) {
     constexpr float infinity = std::numeric_limits<float>::infinity();
     std::vector<float> property = mesh.stored(random_field(input.vertex_count(), 5));
@@ -170,7 +171,7 @@ INSTANTIATE_TEST_SUITE_P(All, Sweep, testing::Combine(testing::ValuesIn(all_mesh
                              return std::get<0>(test.param).name + std::string("_") + std::get<1>(test.param).name;
                          });
 
-// One buffer serves meshes of other sizes, as when time plays over a mesh that changes.
+// One scratch buffer serves meshes of different sizes, as during playback over a changing mesh.
 TEST(SweepParts, ServeAnotherMesh) {
     SweepParts<SoupSink> scratch;
     for (const int edge : {4, 2, 5}) {
@@ -185,6 +186,31 @@ TEST(SweepParts, ServeAnotherMesh) {
         EXPECT_EQ(out, expected);
         EXPECT_FALSE(out[0].empty());
     }
+}
+
+TEST_P(Sweep, ACallbackGetsEveryPolygonWithItsValue) {
+    std::vector<std::size_t> polygons(values.size());
+    std::mutex mutex;
+    SweepScratch scratch;
+    const auto count = [&](std::size_t value, Index block, const BlockPolygons& cut) {
+        const std::scoped_lock lock(mutex);
+        EXPECT_LT(block, mesh.topology.block_count());
+        EXPECT_GT(cut.polygon_count(), 0U);
+        polygons[value] += cut.polygon_count();
+    };
+    ASSERT_TRUE(sweep(mesh.topology, mesh.mesh(), field, values, count, scratch, {}, how));
+    for (std::size_t i = 0; i < values.size(); ++i)
+        EXPECT_EQ(polygons[i], surface_at(values[i]).polygon_cell.size()) << values[i];
+}
+
+TEST(SweepCallback, AnExceptionEndsTheSweep) {
+    const Polyhedra input = hexahedra({{4, 4, 4}});
+    const KernelMesh mesh(input, {8});
+    const Field field = make_field(mesh.topology, mesh.stored(random_field(input.vertex_count(), 3)));
+    SweepScratch scratch;
+    const auto refuse = [](std::size_t, Index, const BlockPolygons&) { throw Error("enough"); };
+    for (const Algorithm algorithm : {Algorithm::signatures, Algorithm::propagation, Algorithm::naive})
+        EXPECT_THROW(sweep(mesh.topology, mesh.mesh(), field, std::vector{0.5}, refuse, scratch, {}, algorithm), Error);
 }
 
 TEST(SweepStopped, SaysSo) {

@@ -1,6 +1,6 @@
 #include "vs_vtk/duel.hpp"
 
-#include "ciel/sweep.hpp"
+#include "ciel/sweep_sinks.hpp"
 
 #include <cmath>
 #include <vtk3DLinearGridPlaneCutter.h>
@@ -27,7 +27,7 @@ Contender cutter(const char* name, vtkUnstructuredGrid* grid, const Planes& plan
     filter->SetInputData(grid);
     if constexpr (std::is_same_v<Cutter, vtkCutter>) {
         filter->SetCutFunction(plane);
-        return {name, [filter, planes] { // all values in one call: its best
+        return {name, [filter, planes] { // vtkCutter is fastest with all values in one call
                     filter->SetNumberOfContours(static_cast<int>(planes.at.size()));
                     for (int i = 0; i < static_cast<int>(planes.at.size()); ++i)
                         filter->SetValue(i, planes.at[static_cast<std::size_t>(i)]);

@@ -1,6 +1,6 @@
 #include "vs_vtk/duel.hpp"
 
-#include "ciel/sweep.hpp"
+#include "ciel/sweep_sinks.hpp"
 
 #include <vtkContour3DLinearGrid.h>
 #include <vtkContourFilter.h>
@@ -48,7 +48,7 @@ std::uint64_t run(vtkAlgorithm* filter) {
     return static_cast<std::uint64_t>(vtkPolyData::SafeDownCast(filter->GetOutputDataObject(0))->GetNumberOfCells());
 }
 
-// One surface after another with the same filter, so that its tree is warm.
+// Extracts one surface after another with the same filter, so that its scalar tree is built once.
 template <class Filter>
 Contender series(const char* name, vtkSmartPointer<Filter> filter, const Setup& setup, std::vector<double> values) {
     use_tree(filter.Get(), setup.tree);
@@ -139,7 +139,7 @@ private:
     SweepParts<SoupSink> parts_;
 };
 
-// The scalars are exchanged while nobody looks at the clock of VTK; CIEL's block ranges are made on the clock.
+// Replacing VTK's scalars is not timed. Building CIEL's block ranges is timed.
 void changed_field(const bench::Case& data, vtkUnstructuredGrid* grid, Own& own, double nu, const char* name) {
     bool ours = false, theirs = false;
     const Contender ciel{name, [&] {
@@ -173,7 +173,7 @@ void surfaces(const bench::Case& data, vtkUnstructuredGrid* grid, std::size_t ma
          {"CIEL, merged", [&] { return own.extract(values, false); }}, contenders(data, grid, false, values, true));
 
     const double middle = (static_cast<double>(low) + static_cast<double>(high)) / 2;
-    // VTK's normals come from the polygons; CIEL's own choice is the field's gradient.
+    // VTK computes normals from polygons; CIEL's default is the field's gradient.
     for (const auto& [normals, name] : {std::pair{Normals::polygons, "CIEL, merged + normals from polygons"},
                                         {Normals::gradient, "CIEL, merged + normals from gradients"}}) {
         own.set_normals(normals);

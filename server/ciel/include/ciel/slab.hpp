@@ -1,8 +1,9 @@
-// Slices for volume rendering (paper, sections 2 and 3). The mesh is cut by the middle planes of parallel slabs. Each
-// point has the property and its gradient, so the property can be evaluated through the slab along any ray.
+// Slices for volume rendering (paper, sections 2 and 3). The mesh is cut by the middle planes of parallel slabs. The
+// property is the scalar that is drawn. Each point of a slice has its value and its gradient, so a renderer can
+// evaluate the property along any ray through the slab.
 #pragma once
 
-#include "ciel/sweep.hpp"
+#include "ciel/sweep_sinks.hpp"
 
 namespace ciel {
 
@@ -10,11 +11,11 @@ struct SlabVertex {
     Vec3f position; // offset from the mesh's origin
     float value;    // of the property
     Vec3f gradient; // of the property, per length
-    // [min, max] of the property in the cell of the polygon whose triangles start at this vertex.
+    // [min, max] of the property in the cell of one polygon: the polygon whose triangles all start at this vertex.
     std::array<float, 2> limits;
 };
 
-// Triangles; each polygon is a fan. Its first vertex is first in no other fan and has the polygon's `limits`.
+// Polygons as fans of triangles. A vertex starts the triangles of at most one polygon, whose `limits` it holds.
 struct SlabMesh {
     std::vector<SlabVertex> vertices;
     std::vector<Index> triangles; // three vertices each
@@ -24,31 +25,32 @@ struct SlabMesh {
     }
 };
 
-// Limits of a cell that is not filled: low > high.
+// Limits of a cell that the volume leaves empty: low > high.
 inline constexpr std::array<float, 2> not_filled{std::numeric_limits<float>::infinity(),
                                                  -std::numeric_limits<float>::infinity()};
 
-// [min, max] of the values at each cell's vertices; not_filled where one of them is NaN or infinite.
+// Returns [min, max] of the values at the vertices of each cell; not_filled if one of them is NaN or infinite.
 [[nodiscard]] std::vector<std::array<float, 2>> cell_limits(const FaceMeshView& mesh, std::span<const float> values);
 
-// The property at the mesh's V vertices and C cells. Borrowed, and must have these sizes.
+// The property on the whole mesh. Does not own its arrays.
 struct SlabProperty {
-    std::span<const float> value;                 // V
-    std::span<const Vec3f> gradient;              // V, per length
-    std::span<const std::array<float, 2>> limits; // C
+    std::span<const float> value;                 // one per mesh vertex
+    std::span<const Vec3f> gradient;              // one per mesh vertex, per length
+    std::span<const std::array<float, 2>> limits; // one per cell (cell_limits)
 };
 
-// Sink for `sweep`. Writes filled cells only.
+// Sink for `sweep` (sweep.hpp) that makes the slices of a volume. Cells whose limits are not_filled are left out.
 struct SlabSink {
     SlabProperty property;
 
     using Piece = SlabMesh;
     using Out = SlabMesh;
+    void check(const FaceMeshView& mesh) const;
     void write(const BlockPolygons& cut, Piece& piece) const;
     void join(std::span<const Piece* const> pieces, Out& out) const;
 };
 
-// Boundary of the filled cells as a SlabMesh, wound outwards.
+// Returns the boundary of all cells whose limits are not not_filled, wound outwards.
 [[nodiscard]] SlabMesh slab_boundary(const FaceMeshView& mesh, const SlabProperty& property);
 
 } // namespace ciel

@@ -2,6 +2,7 @@
 
 #include "extraction/join_pieces.hpp"
 #include "extraction/polygon.hpp"
+#include "extraction/sink_arrays.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +12,7 @@ namespace ciel {
 
 namespace {
 
-// Adds polygons to a SlabMesh whose vertices are already the polygons' points.
+// Appends polygons to a SlabMesh as triangle fans. The points of the polygons must already be vertices of the mesh.
 class FanWriter {
 public:
     explicit FanWriter(SlabMesh& out) : out_(out), taken_(taken_of_this_thread()) {
@@ -28,7 +29,8 @@ public:
     }
 
 private:
-    // Returns `point`, or a copy if it is taken: the first vertex of a polygon has the limits of one cell.
+    // Returns `point`, or a copy of the vertex if another fan starts at `point`. The first vertex of a fan has the
+    // limits of one cell, so two fans cannot share it.
     [[nodiscard]] Index own(Index point) {
         if (taken_[point] == 0) {
             taken_[point] = 1;
@@ -44,14 +46,15 @@ private:
         return taken;
     }
 
-    // Returns a corner whose fan has no reversed triangle, if possible one that is not taken. A fan that folds back
-    // would be blended twice. Of more than 64 corners about 64 are tried.
+    // Returns the corner where the fan of a polygon should start: no triangle is reversed, and preferably no other fan
+    // starts there. Where a fan folds back, the overlap would be blended twice. Of more than 64 corners about 64 are
+    // tried.
     [[nodiscard]] std::size_t best_corner(std::span<const Index> loop) const {
         if (loop.size() == 3) return free_corner(loop);
         const Vec3d normal = area_of(loop);
         std::size_t best = 0;
         double best_worst = -std::numeric_limits<double>::infinity();
-        const std::size_t step = std::max<std::size_t>(1, loop.size() / 64); // linear, not quadratic
+        const std::size_t step = std::max<std::size_t>(1, loop.size() / 64); // keeps the time linear in the corners
         for (std::size_t k = 0, first = free_corner(loop); k < loop.size() && best_worst < 0; k += step) {
             const std::size_t corner = (first + k) % loop.size();
             const double worst = worst_area(loop, normal, corner);
@@ -81,7 +84,7 @@ private:
     }
     [[nodiscard]] double worst_area(std::span<const Index> loop, const Vec3d& normal, std::size_t corner) const {
         const std::size_t n = loop.size();
-        // Tolerance: a sliver that rounding reverses is no fold.
+        // Tolerance: a sliver triangle that is reversed only by rounding does not count as a fold.
         double worst = 1e-5 * dot(normal, normal);
         for (std::size_t i = 1; i + 1 < n; ++i)
             worst = std::min(worst, 1e-6 * dot(normal, normal) +
@@ -91,7 +94,7 @@ private:
     }
 
     SlabMesh& out_;
-    std::vector<std::uint8_t>& taken_; // by point: is the first vertex of a polygon
+    std::vector<std::uint8_t>& taken_; // by vertex: 1 if a fan starts there
 };
 
 bool is_filled(const std::array<float, 2>& limits) { return limits[0] <= limits[1]; }
@@ -127,6 +130,12 @@ std::vector<std::array<float, 2>> cell_limits(const FaceMeshView& mesh, std::spa
     return limits;
 }
 
+void SlabSink::check(const FaceMeshView& mesh) const {
+    require_size(property.value.size(), mesh.vertex_count(), "values, one per vertex");
+    require_size(property.gradient.size(), mesh.vertex_count(), "gradients, one per vertex");
+    require_size(property.limits.size(), mesh.cell_count(), "limits, one per cell");
+}
+
 void SlabSink::write(const BlockPolygons& cut, Piece& piece) const {
     piece.vertices.clear();
     piece.vertices.reserve(cut.points.size() + cut.polygon_count() / 2);
@@ -155,7 +164,7 @@ SlabMesh slab_boundary(const FaceMeshView& mesh, const SlabProperty& property) {
     SlabMesh out;
     struct Side {
         Index face, cell;
-        bool is_owner; // the loop is wound out of this cell
+        bool is_owner; // `cell` owns the face, so the loop is wound outwards
     };
     std::vector<Side> sides;
     std::vector<Index> local(mesh.vertex_count(), none), loop;
@@ -175,7 +184,7 @@ SlabMesh slab_boundary(const FaceMeshView& mesh, const SlabProperty& property) {
     for (const auto& [face, cell, is_owner] : sides) {
         loop.clear();
         for (const Index vertex : mesh.loop(face)) {
-            if (local[vertex] == none) mesh.face_vertex.refuse(); // changed since it was numbered
+            if (local[vertex] == none) mesh.face_vertex.refuse(); // the mapped file changed
             loop.push_back(local[vertex]);
         }
         if (!is_owner) std::ranges::reverse(loop);

@@ -1,4 +1,4 @@
-#include "probe/locator.hpp"
+#include "ciel/cell_locator.hpp"
 
 #include "ciel/vector_operators.hpp"
 
@@ -6,14 +6,13 @@
 #include <cmath>
 #include <numbers>
 
-namespace ciel::probe {
+namespace ciel {
 namespace {
 
-constexpr Index cells_per_box = 128; // cells lie on a space-filling curve, so that runs of them are compact
-constexpr std::size_t locators_kept = 4;
-constexpr double rounding = 1e-6; // in units of 4 pi; a point on a face, edge or corner is partly in each cell
+constexpr Index cells_per_box = 128; // runs of cells are compact: cells are in space-filling-curve order
+constexpr double rounding = 1e-6;    // tolerance of `winding`, in units of 4 pi
 
-// Of the triangle a, b, c seen from the origin.
+// Solid angle of the triangle a, b, c seen from the origin, in steradians.
 double solid_angle(const Vec3d& a, const Vec3d& b, const Vec3d& c) {
     const double la = length(a), lb = length(b), lc = length(c);
     const double volume = dot(a, cross(b, c));
@@ -22,8 +21,7 @@ double solid_angle(const Vec3d& a, const Vec3d& b, const Vec3d& c) {
 
 } // namespace
 
-Locator::Locator(std::shared_ptr<const store::Dataset> dataset, std::size_t mesh, std::size_t coordinates)
-    : dataset_(std::move(dataset)), mesh_(dataset_->mesh(mesh, coordinates)), faces_(cell_faces(mesh_)) {
+CellLocator::CellLocator(const FaceMeshView& mesh) : mesh_(mesh), faces_(cell_faces(mesh)) {
     constexpr float infinity = std::numeric_limits<float>::infinity();
     boxes_.assign((mesh_.cell_count() + cells_per_box - 1) / cells_per_box,
                   {Vec3f{infinity, infinity, infinity}, Vec3f{-infinity, -infinity, -infinity}});
@@ -37,16 +35,15 @@ Locator::Locator(std::shared_ptr<const store::Dataset> dataset, std::size_t mesh
                     high[axis] = std::max(high[axis], at);
                 }
     }
-    dataset_->check_unchanged();
 }
 
-Vec3d Locator::point(Index vertex) const {
+Vec3d CellLocator::point(Index vertex) const {
     const float* at = &mesh_.positions[std::size_t{3} * vertex];
     return {at[0], at[1], at[2]};
 }
 
 template <class Vertices>
-Vec3d Locator::centroid(const Vertices& vertices) const {
+Vec3d CellLocator::centroid(const Vertices& vertices) const {
     Vec3d sum{};
     for (const Index vertex : vertices) {
         const Vec3d at = point(vertex);
@@ -55,7 +52,7 @@ Vec3d Locator::centroid(const Vertices& vertices) const {
     return sum;
 }
 
-std::vector<Index> Locator::vertices(Index cell) const {
+std::vector<Index> CellLocator::vertices(Index cell) const {
     std::vector<Index> all;
     for (const Index face : faces_.of(cell)) {
         const Ids loop = mesh_.loop(face);
@@ -63,11 +60,11 @@ std::vector<Index> Locator::vertices(Index cell) const {
     }
     std::sort(all.begin(), all.end());
     all.erase(std::unique(all.begin(), all.end()), all.end());
-    if (all.empty()) mesh_.face_offset.refuse(); // a cell that contains a point has vertices
+    if (all.empty()) mesh_.face_offset.refuse(); // a damaged mesh: each cell has vertices
     return all;
 }
 
-double Locator::winding(Index cell, const Vec3d& at) const {
+double CellLocator::winding(Index cell, const Vec3d& at) const {
     double angle = 0;
     for (const Index face : faces_.of(cell)) {
         const Ids loop = mesh_.loop(face);
@@ -80,7 +77,7 @@ double Locator::winding(Index cell, const Vec3d& at) const {
     return angle / (4 * std::numbers::pi);
 }
 
-Index Locator::cell_at(const Vec3d& position) const {
+Index CellLocator::cell_at(const Vec3d& position) const {
     const Vec3d at = position - mesh_.origin;
     Index best = none;
     double most = rounding;
@@ -101,19 +98,20 @@ Index Locator::cell_at(const Vec3d& position) const {
     return best;
 }
 
-Index Locator::nearest_vertex(Index cell, const Vec3d& position) const {
+Index CellLocator::nearest_vertex(Index cell, const Vec3d& position) const {
     const Vec3d at = position - mesh_.origin;
     const auto all = vertices(cell);
     return *std::min_element(all.begin(), all.end(),
                              [&](Index a, Index b) { return length(point(a) - at) < length(point(b) - at); });
 }
 
-Weights Locator::weights_in(Index cell, const Vec3d& position) const {
+VertexWeights CellLocator::weights_in(Index cell, const Vec3d& position) const {
     const Vec3d at = position - mesh_.origin;
     const auto all = vertices(cell);
     const Vec3d center = centroid(all);
 
-    // The tetrahedron that the point is deepest in; in a bent cell it may lie a little outside of all.
+    // Searches the tetrahedron in which the least barycentric weight of the point is largest. In a bent cell, the point
+    // may lie slightly outside of all tetrahedra.
     std::array<double, 4> best{};
     double deepest = -std::numeric_limits<double>::infinity();
     Ids best_loop;
@@ -139,8 +137,8 @@ Weights Locator::weights_in(Index cell, const Vec3d& position) const {
             best_b = b;
         }
     }
-    Weights weights;
-    if (best_a == none) return {{nearest_vertex(cell, position), 1}}; // a cell without volume
+    VertexWeights weights;
+    if (best_a == none) return {{nearest_vertex(cell, position), 1}}; // the cell has no volume
     for (const Index vertex : all) weights.emplace_back(vertex, best[0] / static_cast<double>(all.size()));
     for (const Index vertex : best_loop) weights.emplace_back(vertex, best[1] / static_cast<double>(best_loop.size()));
     weights.emplace_back(best_a, best[2]);
@@ -148,27 +146,4 @@ Weights Locator::weights_in(Index cell, const Vec3d& position) const {
     return weights;
 }
 
-std::shared_ptr<const Locator> Locators::get(const std::shared_ptr<store::Dataset>& dataset, std::size_t step) {
-    const store::Step& shown = dataset->steps().at(step);
-    const float* positions = dataset->mesh(shown.mesh, shown.coordinates).positions.data();
-    const std::scoped_lock lock(mutex_);
-    const auto found =
-        std::find_if(kept_.begin(), kept_.end(), [&](const Kept& kept) { return kept.positions == positions; });
-    if (found != kept_.end()) return found->locator;
-    auto made = std::make_shared<const Locator>(dataset, shown.mesh, shown.coordinates);
-    if (kept_.size() == locators_kept) kept_.erase(kept_.begin());
-    kept_.push_back({positions, made});
-    return made;
-}
-
-void Locators::forget() {
-    const std::scoped_lock lock(mutex_);
-    kept_.clear();
-}
-
-void Locators::forget_lost() {
-    const std::scoped_lock lock(mutex_);
-    std::erase_if(kept_, [](const Kept& kept) { return !kept.locator->dataset().is_intact(); });
-}
-
-} // namespace ciel::probe
+} // namespace ciel

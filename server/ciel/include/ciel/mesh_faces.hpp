@@ -1,0 +1,35 @@
+// Faces of a mesh chosen by cell, by id or by vertex, and their size. Not in the paper. All functions: any thread; the
+// results own their data; throw Error when an index leads out of the mesh.
+#pragma once
+
+#include "ciel/threshold_surface.hpp"
+
+namespace ciel {
+
+// `kept`, here and below: one flag per cell, or empty for all cells.
+
+// Returns the boundary faces of the mesh, in the order of faces. With `kept`: those of threshold_faces.
+[[nodiscard]] std::vector<CellFace> boundary_faces(const FaceMeshView& mesh, std::span<const std::uint8_t> kept = {});
+
+// Returns the faces with these ids whose owner is kept, each once and in the order of faces. `ids`: in any order.
+[[nodiscard]] std::vector<CellFace> faces_by_id(const FaceMeshView& mesh, std::vector<Index> ids,
+                                                std::span<const std::uint8_t> kept = {});
+
+// Returns the boundary faces that lie in the level set of `level`: each vertex's value differs from it by at most
+// `tolerance`. `values`: one per vertex.
+[[nodiscard]] std::vector<CellFace> boundary_faces_at(const FaceMeshView& mesh, std::span<const float> values,
+                                                      double level, double tolerance);
+
+// Returns the first of the faces `ids` that has all of these vertices, or `none`.
+[[nodiscard]] Index face_with_vertices(const FaceMeshView& mesh, const Ids& ids, std::span<const Index> vertices);
+
+// Returns the vertices of all kept cells in ascending order, as points without polygons.
+[[nodiscard]] Surface vertices_of_cells(const FaceMeshView& mesh, std::span<const std::uint8_t> kept);
+
+struct FacesSize {
+    Vec3d low{}, high{}; // corners of the bounding box, in the mesh's coordinates; infinite if there are no faces
+    double area = 0;     // sum of the faces' areas; a bent face counts with the length of its area vector
+};
+[[nodiscard]] FacesSize size_of_faces(const FaceMeshView& mesh, const Ids& ids);
+
+} // namespace ciel

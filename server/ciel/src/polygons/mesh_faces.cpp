@@ -1,0 +1,104 @@
+#include "ciel/mesh_faces.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace ciel {
+namespace {
+
+Vec3d offset(const FaceMeshView& mesh, Index vertex) {
+    const float* p = &mesh.positions[std::size_t{3} * vertex];
+    return {p[0], p[1], p[2]};
+}
+
+// Returns the normal vector of a polygon by Newell's method. The length of the vector is twice the area.
+Vec3d area_vector(const FaceMeshView& mesh, const Ids& loop) {
+    Vec3d sum{};
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+        const Vec3d a = offset(mesh, loop[i]), b = offset(mesh, loop[(i + 1) % loop.size()]);
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const std::size_t next = (axis + 1) % 3, last = (axis + 2) % 3;
+            sum[axis] += (a[next] - b[next]) * (a[last] + b[last]);
+        }
+    }
+    return sum;
+}
+
+} // namespace
+
+std::vector<CellFace> boundary_faces(const FaceMeshView& mesh, std::span<const std::uint8_t> kept) {
+    if (!kept.empty()) return threshold_faces(mesh, kept);
+    std::vector<CellFace> faces;
+    for (Index face = 0; face < mesh.face_count(); ++face)
+        if (mesh.neighbour[face] == none) faces.push_back({face, mesh.owner[face]});
+    return faces;
+}
+
+std::vector<CellFace> faces_by_id(const FaceMeshView& mesh, std::vector<Index> ids,
+                                  std::span<const std::uint8_t> kept) {
+    std::ranges::sort(ids);
+    ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+    std::vector<CellFace> faces;
+    for (const Index face : ids)
+        if (const Index owner = mesh.owner[face]; kept.empty() || kept[owner] != 0) faces.push_back({face, owner});
+    return faces;
+}
+
+std::vector<CellFace> boundary_faces_at(const FaceMeshView& mesh, std::span<const float> values, double level,
+                                        double tolerance) {
+    std::vector<CellFace> faces;
+    for (Index face = 0; face < mesh.face_count(); ++face)
+        if (mesh.neighbour[face] == none && std::ranges::all_of(mesh.loop(face), [&](Index vertex) {
+                return std::abs(values[vertex] - level) <= tolerance;
+            }))
+            faces.push_back({face, mesh.owner[face]});
+    return faces;
+}
+
+Index face_with_vertices(const FaceMeshView& mesh, const Ids& ids, std::span<const Index> vertices) {
+    const auto has_all = [&](Index face) {
+        const Ids loop = mesh.loop(face);
+        return std::ranges::all_of(
+            vertices, [&](Index vertex) { return std::find(loop.begin(), loop.end(), vertex) != loop.end(); });
+    };
+    const auto found = std::find_if(ids.begin(), ids.end(), has_all);
+    return found == ids.end() ? none : *found;
+}
+
+Surface vertices_of_cells(const FaceMeshView& mesh, std::span<const std::uint8_t> kept) {
+    std::vector<std::uint8_t> used(mesh.vertex_count());
+    for (Index face = 0; face < mesh.face_count(); ++face) {
+        const Index neighbour = mesh.neighbour[face];
+        if (!kept.empty() && kept[mesh.owner[face]] == 0 && (neighbour == none || kept[neighbour] == 0)) continue;
+        for (const Index vertex : mesh.loop(face)) used[vertex] = 1;
+    }
+    Surface out;
+    for (Index vertex = 0; vertex < used.size(); ++vertex) {
+        if (used[vertex] == 0) continue;
+        const float* at = &mesh.positions[std::size_t{3} * vertex];
+        out.positions.push_back({at[0], at[1], at[2]});
+        out.points.push_back({vertex, vertex, 0});
+    }
+    return out;
+}
+
+FacesSize size_of_faces(const FaceMeshView& mesh, const Ids& ids) {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    FacesSize size{{infinity, infinity, infinity}, {-infinity, -infinity, -infinity}, 0};
+    for (const Index face : ids) {
+        const Ids loop = mesh.loop(face);
+        for (const Index vertex : loop) {
+            const Vec3d at = offset(mesh, vertex);
+            for (std::size_t axis = 0; axis < 3; ++axis) {
+                size.low[axis] = std::min(size.low[axis], mesh.origin[axis] + at[axis]);
+                size.high[axis] = std::max(size.high[axis], mesh.origin[axis] + at[axis]);
+            }
+        }
+        const Vec3d normal = area_vector(mesh, loop);
+        size.area += std::hypot(normal[0], normal[1], normal[2]) / 2;
+    }
+    return size;
+}
+
+} // namespace ciel

@@ -1,0 +1,79 @@
+#include "ciel/cell_locator.hpp"
+
+#include "ciel/assemble.hpp"
+#include "support/fields.hpp"
+#include "support/meshes.hpp"
+#include "support/views.hpp"
+
+#include <gtest/gtest.h>
+#include <random>
+
+namespace ciel {
+namespace {
+
+class CellLocators : public testing::TestWithParam<test::NamedMesh> {};
+
+Vec3d vertex_at(const FaceMeshView& mesh, Index vertex) {
+    Vec3d at = mesh.origin;
+    for (std::size_t axis = 0; axis < 3; ++axis) at[axis] += mesh.positions[std::size_t{3} * vertex + axis];
+    return at;
+}
+
+Vec3d middle_of(const FaceMeshView& mesh, Index face) {
+    const auto loop = mesh.loop(face);
+    Vec3d middle{};
+    for (const Index vertex : loop)
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            middle[axis] += vertex_at(mesh, vertex)[axis] / static_cast<double>(loop.size());
+    return middle;
+}
+
+TEST_P(CellLocators, WeightsAreExactForALinearField) {
+    const test::LinearField field{{1, -2, 0.5}, 3};
+    const Assembled assembled = assemble(test::view(GetParam().make()));
+    if (assembled.mesh.cell_types.empty()) GTEST_SKIP() << "a mesh without cells";
+    const FaceMeshView mesh = assembled.mesh.view();
+    const CellLocator locator(mesh);
+    std::mt19937 random(5);
+    int found = 0;
+    for (int i = 0; i < 40; ++i) {
+        const Vec3d at = middle_of(mesh, random() % mesh.face_count());
+        const Index cell = locator.cell_at(at);
+        if (cell == none) continue;
+        ++found;
+        double value = 0, sum = 0;
+        for (const auto& [vertex, share] : locator.weights_in(cell, at)) {
+            value += share * field.at(vertex_at(mesh, vertex));
+            sum += share;
+        }
+        EXPECT_NEAR(sum, 1, 1e-9);
+        EXPECT_NEAR(value, field.at(at), 1e-4);
+    }
+    EXPECT_GE(found, GetParam().planar_faces ? 40 : 30);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, CellLocators, testing::ValuesIn(test::all_meshes()),
+                         [](const auto& each) { return each.param.name; });
+
+TEST(CellLocator, KnowsCellsTheirNearestVertexAndTheOutside) {
+    const Assembled assembled = assemble(test::view(test::tetrahedra({{4, 4, 4}})));
+    const FaceMeshView mesh = assembled.mesh.view();
+    const CellLocator locator(mesh);
+    const CellFaces faces = cell_faces(mesh);
+    for (Index cell = 0; cell < mesh.cell_count(); ++cell) {
+        Vec3d middle{};
+        for (const Index face : faces.of(cell))
+            for (std::size_t axis = 0; axis < 3; ++axis) middle[axis] += middle_of(mesh, face)[axis] / 4;
+        ASSERT_EQ(locator.cell_at(middle), cell);
+        const Index corner = mesh.loop(faces.of(cell)[0])[0];
+        Vec3d near{};
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            near[axis] = 0.9 * vertex_at(mesh, corner)[axis] + 0.1 * middle[axis];
+        ASSERT_EQ(locator.cell_at(near), cell);
+        ASSERT_EQ(locator.nearest_vertex(cell, near), corner);
+    }
+    for (const Vec3d& outside : {Vec3d{-1e3, 0, 0}, Vec3d{1e30, 1e30, 1e30}}) EXPECT_EQ(locator.cell_at(outside), none);
+}
+
+} // namespace
+} // namespace ciel

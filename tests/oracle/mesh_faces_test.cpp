@@ -1,0 +1,117 @@
+#include "ciel/mesh_faces.hpp"
+
+#include "ciel/assemble.hpp"
+#include "ciel/cell_faces.hpp"
+#include "support/meshes.hpp"
+#include "support/views.hpp"
+
+#include <gtest/gtest.h>
+#include <random>
+#include <set>
+
+namespace ciel {
+namespace {
+
+using Sides = std::set<std::pair<Index, Index>>; // face, cell
+
+Sides sides(const std::vector<CellFace>& faces) {
+    Sides all;
+    for (const auto& [face, cell] : faces) all.emplace(face, cell);
+    EXPECT_EQ(all.size(), faces.size()) << "a face is listed twice";
+    return all;
+}
+
+// A box of 3 x 3 x 3 unit cubes, with half of its cells kept at random.
+class MeshFaces : public testing::Test {
+protected:
+    MeshFaces() {
+        std::mt19937 random(7);
+        for (auto& flag : kept) flag = random() % 2 != 0 ? 1 : 0;
+    }
+    [[nodiscard]] Ids checked(const std::vector<Index>& ids) const { return {ids, mesh.face_count()}; }
+
+    Assembled assembled = assemble(test::view(test::hexahedra({{3, 3, 3}})));
+    FaceMeshView mesh = assembled.mesh.view();
+    std::vector<std::uint8_t> kept = std::vector<std::uint8_t>(mesh.cell_count());
+};
+
+TEST_F(MeshFaces, TheBoundaryHasNineFacesASide) {
+    const Sides boundary = sides(boundary_faces(mesh));
+    EXPECT_EQ(boundary.size(), 54U);
+    for (const auto& [face, cell] : boundary) EXPECT_EQ(mesh.neighbour[face], none);
+}
+
+TEST_F(MeshFaces, TheBoundaryOfKeptCellsIsThatOfTheThreshold) {
+    EXPECT_EQ(sides(boundary_faces(mesh, kept)), sides(threshold_faces(mesh, kept)));
+}
+
+TEST_F(MeshFaces, FacesByIdAreSortedOnceAndOfKeptOwners) {
+    const std::vector<Index> ids{20, 3, 3, 50, 20, 0};
+    std::vector<Index> all;
+    for (const CellFace& each : faces_by_id(mesh, ids)) {
+        all.push_back(each.face);
+        EXPECT_EQ(each.cell, mesh.owner[each.face]);
+    }
+    EXPECT_EQ(all, (std::vector<Index>{0, 3, 20, 50}));
+    Sides expected;
+    for (const Index face : ids)
+        if (kept[mesh.owner[face]] != 0) expected.emplace(face, mesh.owner[face]);
+    EXPECT_EQ(sides(faces_by_id(mesh, ids, kept)), expected);
+}
+
+TEST_F(MeshFaces, FacesAtALevelAreThoseOfOneSide) {
+    std::vector<float> heights;
+    for (Index vertex = 0; vertex < mesh.vertex_count(); ++vertex)
+        heights.push_back(mesh.positions[std::size_t{3} * vertex + 2] + static_cast<float>(mesh.origin[2]));
+    EXPECT_EQ(boundary_faces_at(mesh, heights, 3, 1e-6).size(), 9U);
+    EXPECT_EQ(boundary_faces_at(mesh, heights, 1, 1e-6).size(), 0U) << "a level between layers of cells";
+    EXPECT_EQ(boundary_faces_at(mesh, heights, 3.5, 0.5 + 1e-6).size(), 9U);
+}
+
+TEST_F(MeshFaces, AFaceIsFoundByThreeOfItsVertices) {
+    std::vector<Index> ids(mesh.face_count());
+    for (Index face = 0; face < mesh.face_count(); ++face) ids[face] = face;
+    for (const Index face : ids) {
+        const auto loop = mesh.loop(face);
+        const std::array<Index, 3> three{loop[3], loop[0], loop[2]};
+        ASSERT_EQ(face_with_vertices(mesh, checked(ids), three), face);
+    }
+    EXPECT_EQ(face_with_vertices(mesh, checked(ids).part(0, 1), std::array<Index, 1>{mesh.loop(40)[0]}), none);
+    EXPECT_EQ(face_with_vertices(mesh, Ids(), std::array<Index, 1>{0}), none);
+}
+
+TEST_F(MeshFaces, VerticesOfCellsAreTheirCorners) {
+    const CellFaces faces = cell_faces(mesh);
+    std::set<Index> expected;
+    for (Index cell = 0; cell < mesh.cell_count(); ++cell)
+        for (const Index face : faces.of(cell))
+            for (const Index vertex : mesh.loop(face))
+                if (kept[cell] != 0) expected.insert(vertex);
+    const Surface points = vertices_of_cells(mesh, kept);
+    ASSERT_EQ(points.points.size(), expected.size());
+    ASSERT_EQ(points.positions.size(), expected.size());
+    auto next = expected.begin();
+    for (std::size_t i = 0; i < points.points.size(); ++i, ++next) {
+        EXPECT_EQ(points.points[i].a, *next);
+        EXPECT_EQ(points.positions[i][0], mesh.positions[std::size_t{3} * *next]);
+    }
+    EXPECT_EQ(vertices_of_cells(mesh, {}).points.size(), 64U);
+}
+
+TEST_F(MeshFaces, TheSizeOfASideIsItsBoxAndArea) {
+    std::vector<Index> side;
+    for (Index face = 0; face < mesh.face_count(); ++face) {
+        bool is_side = mesh.neighbour[face] == none;
+        for (const Index vertex : mesh.loop(face))
+            is_side = is_side && std::abs(mesh.origin[0] + mesh.positions[std::size_t{3} * vertex] - 3) < 1e-6;
+        if (is_side) side.push_back(face);
+    }
+    const FacesSize size = size_of_faces(mesh, checked(side));
+    EXPECT_NEAR(size.area, 9, 1e-5);
+    EXPECT_EQ(size.low, (Vec3d{3, 0, 0}));
+    EXPECT_EQ(size.high, (Vec3d{3, 3, 3}));
+    EXPECT_EQ(size_of_faces(mesh, Ids()).area, 0);
+}
+
+} // namespace
+} // namespace ciel
