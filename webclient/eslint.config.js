@@ -14,7 +14,7 @@ export default tseslint.config(
       "@typescript-eslint/no-confusing-void-expression": ["error", { ignoreArrowShorthand: true }],
     },
   },
-  ...["model", "server", "view", "commands", "panels"].map((folder, level, folders) => ({
+  ...["wasm", "model", "server", "view", "commands", "panels"].map((folder, level, folders) => ({
     // One direction: a folder imports those before it. Panels get the model and the commands, and nothing else.
     files: [`webclient/src/${folder}/**`],
     rules: {
@@ -24,7 +24,8 @@ export default tseslint.config(
           patterns: [
             {
               regex: `^(\\.\\./)+(${[...folders.slice(level + 1), ...(folder === "panels" ? ["server", "view"] : []), "main"].join("|")})(/|$)`,
-              message: "The folders of src/ import those before them only: model, server, view, commands, panels.",
+              message:
+                "The folders of src/ import those before them only: wasm, model, server, view, commands, panels.",
             },
           ],
         },

@@ -10,9 +10,10 @@
 namespace ciel::annotations {
 namespace {
 
-// In ems.
+// Lengths in ems. least_edge: shortest edge that gets an axis.
 constexpr double tick_length = 0.5, gap = 0.35, apart = 0.5, least_edge = 3;
-constexpr double across_spacing = 3.6, up_spacing = 2.4; // least distance of ticks, along and across lines of text
+// Least distance of ticks in ems: on a horizontal edge, on a vertical edge.
+constexpr double across_spacing = 3.6, up_spacing = 2.4;
 constexpr int most_ticks = 10;
 constexpr std::array names{"x", "y", "z"};
 
@@ -56,14 +57,12 @@ private:
         return (value - low) / (edge_.high[edge_.axis] - low);
     }
 
-    // Places text so that it begins `distance` outside the edge. Text that would leave the picture is moved into it.
-    [[nodiscard]] Placed beside(Place foot, const std::string& text, double distance) {
+    // Places text around a point. Text that would leave the picture is moved into it.
+    [[nodiscard]] Placed around(Place middle, const std::string& text) {
         const TextSize& size = layout_.text();
         const double half_width = layout_.width_of(text, size) / 2.0;
-        const double half_height = size.metrics.digit / 2.0;
-        const double away = distance + std::abs(edge_.outward.x) * half_width + std::abs(edge_.outward.y) * half_height;
-        const double x = foot.x + away * edge_.outward.x - half_width;
-        const double y = foot.y + away * edge_.outward.y + half_height;
+        const double x = middle.x - half_width;
+        const double y = middle.y + size.metrics.digit / 2.0;
         const double right = layout_.width() - 2 * half_width - 1;
         const double bottom = layout_.height() - size.metrics.descent;
         Placed placed{text,
@@ -75,8 +74,20 @@ private:
         return placed;
     }
 
-    // Places the numbers and returns whether they keep clear of each other at this density. Numbers that would overlap
-    // other annotations, such as another axis's number at a common corner, are left out at any density.
+    // Half of the text's extent along a direction.
+    [[nodiscard]] double half_along(const Place& direction, const std::string& text) {
+        return std::abs(direction.x) * layout_.width_of(text, layout_.text()) / 2.0 +
+               std::abs(direction.y) * layout_.text().metrics.digit / 2.0;
+    }
+
+    // Places text beside a point of the edge, so that it begins `distance` pixels outside.
+    [[nodiscard]] Placed beside(Place foot, const std::string& text, double distance) {
+        const double away = distance + half_along(edge_.outward, text);
+        return around({foot.x + away * edge_.outward.x, foot.y + away * edge_.outward.y}, text);
+    }
+
+    // Places the numbers of at most `most` ticks. Returns whether they keep clear of each other. A number is left out,
+    // whatever `most` is, if it would overlap another annotation, such as another axis's number at a common corner.
     bool number(int most) {
         const Scale scale = nice_scale(value(edge_.from), value(edge_.to), most);
         exponent_ = scale.exponent;
@@ -93,7 +104,7 @@ private:
         return are_clear;
     }
 
-    // Widens a number's box: adjacent numbers, as at a common corner of two axes, would read as one.
+    // Returns a number's box, widened: adjacent numbers, as at a common corner of two axes, would read as one number.
     [[nodiscard]] Box with_room(const Box& box) const {
         const double room = apart * layout_.em() / 2;
         return {std::max(0.0, box.left - room), box.top, std::min<double>(layout_.width(), box.right + room),
@@ -117,27 +128,45 @@ private:
             const Place foot = at(share(one.value));
             layout_.draw_line(foot, {foot.x + length * edge_.outward.x, foot.y + length * edge_.outward.y});
         }
-        // In a steep view, a number may overlap its neighbour's tick.
+        // Drops numbers that overlap the tick of an adjacent number, as happens in a steep view.
         std::erase_if(numbers_, [&](const Numbered& one) { return !layout_.is_free(one.label.box); });
         for (const Numbered& one : numbers_) write(one.label);
     }
 
-    // Writes the name outside the numbers, as near to the middle of the edge as there is room.
-    void write_name() {
+    [[nodiscard]] std::string name() {
         const std::string units = pretty_units(picture_.annotations.length_units);
-        const std::string name = std::string(names[static_cast<std::size_t>(edge_.axis)]) +
-                                 (units.empty() ? "" : " [" + units + "]") + times_power_of_ten(exponent_);
+        const std::string whole = std::string(names[static_cast<std::size_t>(edge_.axis)]) +
+                                  (units.empty() ? "" : " [" + units + "]") + times_power_of_ten(exponent_);
+        return layout_.shortened(whole, layout_.text(), layout_.width() - 2);
+    }
+
+    // Places for the name of the axis, best first: outside the numbers, as near to the middle of the edge as possible;
+    // then beyond the ends of the edge.
+    [[nodiscard]] std::vector<Placed> places_of(const std::string& name) {
         double depth = 0;
         for (const Numbered& one : numbers_)
             depth = std::max(depth, std::abs(edge_.outward.x) * one.label.box.width() +
                                         std::abs(edge_.outward.y) * layout_.text().metrics.digit);
         const double distance = depth + (tick_length + 2.2 * gap) * layout_.em();
-        for (const double share : {0.5, 0.4, 0.6, 0.3, 0.7, 0.15, 0.85, 0.0, 1.0}) {
-            const Placed placed = beside(at(glm::mix(edge_.from, edge_.to, share)), name, distance);
-            if (!layout_.is_free(placed.box)) continue;
-            write(placed);
-            return;
-        }
+        std::vector<Placed> places;
+        for (const double share : {0.5, 0.4, 0.6, 0.3, 0.7, 0.15, 0.85, 0.0, 1.0})
+            places.push_back(beside(at(glm::mix(edge_.from, edge_.to, share)), name, distance));
+        const Place from = at(edge_.from), to = at(edge_.to);
+        const double length = std::hypot(to.x - from.x, to.y - from.y);
+        const Place along{(to.x - from.x) / length, (to.y - from.y) / length};
+        const double past = (apart + 2 * gap) * layout_.em() + half_along(along, name);
+        places.push_back(around({to.x + past * along.x, to.y + past * along.y}, name));
+        places.push_back(around({from.x - past * along.x, from.y - past * along.y}, name));
+        return places;
+    }
+
+    void write_name() {
+        const std::string text = name();
+        if (text.empty()) return;
+        const std::vector<Placed> places = places_of(text);
+        const auto free =
+            std::ranges::find_if(places, [&](const Placed& placed) { return layout_.is_free(placed.box); });
+        if (free != places.end()) write(*free);
     }
 
     Layout& layout_;

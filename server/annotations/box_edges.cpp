@@ -25,10 +25,10 @@ glm::dvec3 corner(const Viewpoint& viewpoint, int axis, bool upper, int second, 
 struct Candidate {
     BoxEdge edge;
     double length = 0; // pixels
-    double rank = 0;   // the largest wins
+    double rank = 0;   // per axis, the candidate with the largest rank wins
 };
 
-// The normal of a silhouette edge that points away from the center of the box.
+// Returns the unit normal of a silhouette edge in the picture that points away from the center of the box.
 Place outward_of(Place along, Place middle, Place center) {
     const Place across{-along.y, along.x};
     const double side = across.x * (middle.x - center.x) + across.y * (middle.y - center.y);
@@ -73,7 +73,7 @@ Place Projection::pixel(const glm::dvec3& world) const {
     return {(at.x / at.w + 1) / 2 * viewpoint_.width, (1 - at.y / at.w) / 2 * viewpoint_.height};
 }
 
-// Liang and Barsky (1984), in homogeneous coordinates.
+// Clips the line by the method of Liang and Barsky (1984), in homogeneous coordinates.
 std::optional<std::pair<double, double>> Projection::part_seen(const glm::dvec3& a, const glm::dvec3& b) const {
     const glm::dvec4 p = clip(a);
     const glm::dvec4 q = clip(b);
@@ -82,7 +82,7 @@ std::optional<std::pair<double, double>> Projection::part_seen(const glm::dvec3&
     for (int plane = 0; plane < 6; ++plane) {
         const int axis = plane / 2;
         const double sign = plane % 2 == 0 ? 1 : -1;
-        const double in_p = p.w + sign * p[axis]; // negative: outside
+        const double in_p = p.w + sign * p[axis]; // negative: p is outside
         const double in_q = q.w + sign * q[axis];
         if (in_p < 0 && in_q < 0) return {};
         if (in_p < 0) from = std::max(from, in_p / (in_p - in_q));

@@ -1,4 +1,4 @@
-// The edges of a box in a picture, chosen to carry axes.
+// Chooses the edges of a box that carry the axes in a picture.
 #pragma once
 
 #include "annotations/camera.hpp"
@@ -14,20 +14,21 @@ struct BoxEdge {
     int axis = 0;
     glm::dvec3 low{}, high{}; // world coordinates of its ends
     double from = 0, to = 1;  // the visible part, as fractions from low to high
-    Place outward;            // of length 1, across the edge, away from the box
+    Place outward;            // unit vector in the picture, normal to the edge, away from the box
 };
 
-// Projects world coordinates to the picture of a viewpoint, which it borrows.
+// Projects world coordinates to the picture of a viewpoint. Borrows the viewpoint.
 class Projection {
 public:
     explicit Projection(const Viewpoint& viewpoint);
     [[nodiscard]] glm::dvec4 clip(const glm::dvec3& world) const;
-    [[nodiscard]] Place pixel(const glm::dvec3& world) const; // of a point in front of the eye
-    // The part of the line from a to b inside the view volume, as fractions from a to b; none if it is outside.
+    [[nodiscard]] Place pixel(const glm::dvec3& world) const; // for points in front of the eye only
+    // Returns the part of the line from a to b inside the view volume, as fractions from a to b; nothing if it is
+    // outside.
     [[nodiscard]] std::optional<std::pair<double, double>> part_seen(const glm::dvec3& a, const glm::dvec3& b) const;
-    // Whether the eye is on the outer side of the box's lower or upper face across an axis.
+    // Returns whether the eye sees the outer side of a face of the box: the upper or lower face normal to `axis`.
     [[nodiscard]] bool sees_face(int axis, bool upper) const;
-    [[nodiscard]] int upward_axis() const { return upward_axis_; } // the most vertical one in the picture
+    [[nodiscard]] int upward_axis() const { return upward_axis_; } // axis that is most vertical in the picture
 
 private:
     const Viewpoint& viewpoint_;

@@ -14,12 +14,9 @@ glm::dvec3 vector_of(const Vec3d& v) { return {v[0], v[1], v[2]}; }
 bool is_finite(const Vec3d& v) { return std::isfinite(v[0]) && std::isfinite(v[1]) && std::isfinite(v[2]); }
 
 void check(const Camera& camera) {
-    const bool is_good = is_finite(camera.position) && is_finite(camera.target) && is_finite(camera.up) &&
-                         camera.fov_degrees > 0 && camera.fov_degrees < 180 &&
-                         (!camera.parallel || (camera.parallel_height > 0 && std::isfinite(camera.parallel_height)));
-    if (!is_good)
-        throw Error("the camera cannot be used: give finite vectors, a field of view between 0 and 180 degrees "
-                    "and a positive height");
+    if (!is_usable(camera))
+        fail("the camera cannot be used: give finite vectors, a field of view between 0 and 180 degrees and a "
+             "positive height");
 }
 
 glm::dmat4 view_matrix(const Camera& camera, const glm::dvec3& origin) {
@@ -31,12 +28,12 @@ glm::dmat4 view_matrix(const Camera& camera, const glm::dvec3& origin) {
     up = glm::length(up) > 0 ? glm::normalize(up) : glm::dvec3(0, 0, 1);
     if (glm::length(glm::cross(ahead, up)) < 1e-6)
         up = std::abs(ahead.z) < 0.9 ? glm::dvec3(0, 0, 1) : glm::dvec3(0, 1, 0);
-    // Rotates, then translates: for an eye very far from the origin, eye + ahead would round to the eye.
+    // The eye is not passed to glm::lookAt: for an eye very far from the origin, eye + ahead would round to the eye.
     return glm::translate(glm::lookAt(glm::dvec3(0), ahead, up), -eye);
 }
 
 struct Depths {
-    double nearest, farthest; // in front of the eye
+    double nearest, farthest; // distances in front of the eye, in world units
 };
 
 Depths depths_of_bounds(const Viewpoint& seen, const glm::dmat4& view) {
@@ -55,6 +52,12 @@ Depths depths_of_bounds(const Viewpoint& seen, const glm::dmat4& view) {
 
 } // namespace
 
+bool is_usable(const Camera& camera) {
+    return is_finite(camera.position) && is_finite(camera.target) && is_finite(camera.up) && camera.fov_degrees > 0 &&
+           camera.fov_degrees < 180 &&
+           (!camera.parallel || (camera.parallel_height > 0 && std::isfinite(camera.parallel_height)));
+}
+
 ViewTransform view_transform(const Viewpoint& seen) {
     check(seen.camera);
     ViewTransform transform;
@@ -72,8 +75,8 @@ ViewTransform view_transform(const Viewpoint& seen) {
                                           depths.farthest + back + margin);
         return transform;
     }
-    const double farthest = std::max(depths.farthest + margin, margin); // all behind the eye: any range is valid
-    // A nearer plane would leave too few of the 24 bits of depth for the rest.
+    const double farthest = std::max(depths.farthest + margin, margin); // any range is valid if all is behind the eye
+    // A nearer near plane would leave too few of the 24 bits of depth for the rest of the scene.
     const double nearest = std::max(depths.nearest - margin, farthest * 1e-4);
     transform.projection = glm::perspective(glm::radians(seen.camera.fov_degrees), aspect, nearest, farthest);
     return transform;
@@ -100,7 +103,7 @@ Camera default_camera(Vec3d bounds_min, Vec3d bounds_max, double aspect, double 
         distance = std::max(distance, glm::dot(point, towards_eye) + margin * needed / half_height);
         height = std::max(height, 2 * margin * needed);
     }
-    if (!(distance > 0)) distance = height = 1; // a single point
+    if (!(distance > 0)) distance = height = 1; // the box is a single point
     const glm::dvec3 eye = center + towards_eye * distance;
     camera.position = {eye.x, eye.y, eye.z};
     camera.target = {center.x, center.y, center.z};

@@ -6,7 +6,7 @@
 namespace ciel::annotations {
 namespace {
 
-constexpr double widest_caption = 0.45; // of the picture
+constexpr double widest_caption = 0.45; // of the picture's width
 
 int whole(double pixels) { return static_cast<int>(std::lround(pixels)); }
 
@@ -21,7 +21,7 @@ void lay_title(Layout& layout, const Annotations& annotations) {
     if (text.empty() || !layout.is_free(box)) return;
     layout.write_backed(text, size, left, base);
     layout.take(box);
-    layout.room.top = box.bottom + layout.em() / 2; // everything else is below it
+    layout.room.top = box.bottom + layout.em() / 2; // all later annotations are below the title
 }
 
 void lay_captions(Layout& layout, const Annotations& annotations) {

@@ -8,7 +8,7 @@
 namespace ciel::annotations {
 namespace {
 
-constexpr int most_labels = 10; // of steps and decades: more would overlap
+constexpr int most_labels = 10; // most labels at steps or decades; more would overlap
 constexpr int most_marked_decades = 8;
 
 struct Marks {
@@ -25,8 +25,8 @@ struct Marks {
     }
 };
 
-// Returns k to mark every k-th bound of the steps: the smallest that divides the labels' stride and gives at most
-// `most` marks, else the labels' stride.
+// Returns k so that every k-th bound of the steps gets a mark: the smallest divisor of stride_of_labels that gives at
+// most `most` marks, else stride_of_labels.
 int stride_of_marks(int steps, int stride_of_labels, int most) {
     for (int stride = 1; stride < stride_of_labels; ++stride)
         if (stride_of_labels % stride == 0 && steps / stride < most) return stride;
@@ -38,12 +38,12 @@ void add_steps(Marks& marks, int most) {
     const int stride = (scale.steps + most_labels - 1) / most_labels;
     for (int k = 0; k <= scale.steps; k += stride_of_marks(scale.steps, stride, most)) {
         const int to_the_end = scale.steps - k;
-        if (to_the_end > 0 && to_the_end * most < scale.steps) continue; // too close to the end's mark
+        if (to_the_end > 0 && to_the_end * most < scale.steps) continue; // too close to the last mark
         marks.add(color::value_at(scale, static_cast<double>(k) / scale.steps), k % stride == 0);
     }
 }
 
-// Adds 1, 2, 3 ... 9 times each power of ten. The multiples in `with` have labels, on every `stride`-th power.
+// Adds marks at 1 to 9 times each power of ten. The multiples in `with` have labels, at every `stride`-th power.
 void add_decades(Marks& marks, double low, double high, const std::vector<int>& with, int stride) {
     const int first = static_cast<int>(std::floor(std::log10(low)));
     const int last = static_cast<int>(std::floor(std::log10(high) + 1e-9));
@@ -62,7 +62,8 @@ int labels_of(const std::vector<ColorTick>& ticks) {
         std::count_if(ticks.begin(), ticks.end(), [](const ColorTick& t) { return !t.label.empty(); }));
 }
 
-// Adds zero, and the powers of ten beyond the nearly linear part on both sides.
+// Adds the marks of a logarithmic scale with both signs: zero, and on both sides the powers of ten beyond the nearly
+// linear part.
 void add_both_signs(Marks& marks) {
     const double reach = marks.scale.range[1];
     Marks above{marks.scale, {}};

@@ -13,8 +13,8 @@ constexpr Ink light{0.93F, 0.94F, 0.96F, 1}, dark{0.07F, 0.08F, 0.10F, 1};
 constexpr float halo_opacity = 0.75F;
 // Light text on a dark plate has a contrast of at least 4.5 (WCAG 2.1, 1.4.3) over a white picture; dark text likewise.
 constexpr float plate_opacity = 0.72F;
-constexpr double plate_edge = 0.3;   // ems
-constexpr float middle_gray = 0.46F; // light and dark text have equal contrast on it
+constexpr double plate_edge = 0.3;   // ems: width of the fading edge of a plate
+constexpr float middle_gray = 0.46F; // luma on which light and dark text have equal contrast
 
 TextSize size_of(double pixels, TextMeasure& measure) {
     const int rounded = std::clamp(static_cast<int>(std::lround(pixels)), smallest_text, largest_text);
@@ -25,7 +25,7 @@ double unit_of(const AnnotatedPicture& picture) {
     return size_of_picture(picture.width, picture.height) * picture.annotations.scale;
 }
 
-bool is_bright(const AnnotatedPicture& picture) { // by the luma of the background's middle
+bool is_bright(const AnnotatedPicture& picture) { // decided by the luma of the background's middle
     constexpr std::array<float, 3> weights{0.2126F, 0.7152F, 0.0722F};
     float luma = 0;
     for (std::size_t i = 0; i < 3; ++i)
@@ -37,8 +37,12 @@ Ink translucent(const std::array<float, 3>& color) { return {color[0], color[1],
 
 } // namespace
 
-// The width counts because legends sized by height would fill a narrow picture.
+// The width limits the size of text, because legends sized by height would fill a narrow picture.
 double size_of_picture(int width, int height) { return std::min<double>(height, 0.75 * width) / usual_height; }
+
+double scale_for_text(int width, int height, double pixels) {
+    return pixels / (usual_text * size_of_picture(width, height));
+}
 
 Layout::Layout(const AnnotatedPicture& picture, TextMeasure& measure)
     : measure_(measure), width_(picture.width), height_(picture.height),
@@ -84,7 +88,7 @@ Ink Layout::paper_at(double y) const {
     return ink;
 }
 
-// In the background's colors, so that the plate is invisible over the plain background.
+// The plate has the background's colors, so that it is invisible over the plain background.
 void Layout::back(const Box& box) {
     overlay.plates.push_back({box, plate_edge * em(), paper_at(box.top), paper_at(box.bottom)});
 }

@@ -1,4 +1,4 @@
-// State of the layout of one picture's annotations: sizes, taken places, and the resulting overlay.
+// State of the layout of one picture's annotations: text sizes, taken places, and the resulting overlay.
 #pragma once
 
 #include "annotations/annotations.hpp"
@@ -8,7 +8,7 @@
 namespace ciel::annotations {
 
 struct TextSize {
-    int pixels = 0; // of the font
+    int pixels = 0; // font size in pixels per em
     FontMetrics metrics;
     [[nodiscard]] int line() const { return metrics.ascent + metrics.descent; }
 };
@@ -23,26 +23,26 @@ public:
     [[nodiscard]] double em() const { return text_.pixels; }
     [[nodiscard]] double stroke_width() const { return em() / 10; }
     [[nodiscard]] const TextSize& text() const { return text_; }
-    [[nodiscard]] bool has_smallest_text() const; // else text scales with the picture
+    [[nodiscard]] bool has_smallest_text() const; // if false, text scales with the picture
     [[nodiscard]] const TextSize& heading() const { return heading_; }
     [[nodiscard]] const Ink& ink() const { return ink_; }
-    // The area not yet given to annotations that fill a side; initially all within the margins.
+    // The area that is free for annotations at the sides: the picture within its margins, below the title.
     Box room;
 
     [[nodiscard]] int width_of(const std::string& text, const TextSize& size);
-    // The text, or as much of its start as fits with an ellipsis; empty if nothing fits.
+    // Returns the text, or as much of its start as fits into most_width pixels with an ellipsis; empty if nothing fits.
     [[nodiscard]] std::string shortened(const std::string& text, const TextSize& size, double most_width);
-    // The box around text whose base line starts at (x, y).
+    // Returns the box around text whose base line starts at pixel (x, y).
     [[nodiscard]] Box box_of(const std::string& text, const TextSize& size, int x, int y);
     void write(const std::string& text, const TextSize& size, int x, int y, const Ink& ink);
-    // Draws a plate behind the box.
+    // Draws a translucent plate behind the box, which keeps text readable.
     void back(const Box& box);
-    void write_backed(const std::string& text, const TextSize& size, int x, int y); // in `ink()`, with its plate
+    void write_backed(const std::string& text, const TextSize& size, int x, int y); // in ink(), on a plate
 
-    // Whether the box is inside the picture and overlaps no taken box or line.
+    // Returns whether the box is inside the picture and overlaps no taken box or line.
     [[nodiscard]] bool is_free(const Box& box) const;
     void take(const Box& box) { taken_.push_back(box); }
-    // Draws and takes the parts of a line outside all taken boxes.
+    // Draws the parts of a line outside all taken boxes, and takes them.
     void draw_line(const Place& from, const Place& to);
 
     Overlay overlay;
@@ -57,19 +57,20 @@ private:
     Ink ink_{};
     std::array<Ink, 2> paper_{}; // the background at the top and the bottom of the picture
     std::vector<Box> taken_;
-    std::vector<std::pair<Place, Place>> lines_; // taken as well
+    std::vector<std::pair<Place, Place>> lines_; // drawn lines, which are taken places too
 };
 
-// Each draws its part of picture.annotations where there is room, never over parts drawn before. Call in this order.
-// Captions that do not fit are left out, the last first. Legends likewise, and a note says how many; none begins in the
-// left third. The triad is left out as a whole, axes by single numbers, names and parts of lines.
+// Each of these functions draws one part of picture.annotations where there is room, never over parts drawn before.
+// Call them in this order. Captions that do not fit are left out. Legends that do not fit are left out, the last ones
+// first, and a note says how many; no legend begins in the left third of the picture. The triad is drawn whole or not
+// at all. Of the axes, single numbers, names and parts of lines may be left out.
 void lay_title(Layout& layout, const Annotations& annotations);
 void lay_captions(Layout& layout, const Annotations& annotations);
 void lay_legends(Layout& layout, const Annotations& annotations);
 void lay_triad(Layout& layout, const AnnotatedPicture& picture);
 void lay_axes(Layout& layout, const AnnotatedPicture& picture);
 
-// All of them.
+// Lays out all annotations of a picture.
 [[nodiscard]] Overlay lay_out(const AnnotatedPicture& picture, TextMeasure& measure);
 
 } // namespace ciel::annotations

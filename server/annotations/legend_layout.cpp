@@ -1,4 +1,4 @@
-// Color bars in columns, from the upper right corner to the left.
+// Lays out color bars in columns, from the upper right corner to the left.
 #include "annotations/color_ticks.hpp"
 #include "annotations/layout.hpp"
 #include "annotations/ticks.hpp"
@@ -9,17 +9,17 @@
 namespace ciel::annotations {
 namespace {
 
-// In ems.
+// Lengths of the parts of a legend, in ems.
 constexpr double bar_width = 1.3, most_bar = 15, least_bar = 5, tick_start = 0.15, tick_end = 0.5, gap = 0.35,
                  between = 1.6, cap_height = 0.35;
-constexpr double widest_title = 0.3; // of the picture
+constexpr double widest_title = 0.3; // of the picture's width
 // Leftmost start of the first and of other columns, as fractions of the picture's width.
 constexpr double leftmost_first = 1.0 / 3, leftmost_other = 0.66;
 constexpr double wide_legend = 0.22, upper_part = 0.55;
-constexpr double tick_spacing = 1.7; // lines
+constexpr double tick_spacing = 1.7; // least distance of labeled ticks, in lines
 constexpr int most_ticks = 6;
-constexpr double mark_spacing = 4;   // in stroke widths: closer marks look like one bar
-constexpr double missing_line = 1.9; // additional height of a legend with `missing`, in lines
+constexpr double mark_spacing = 4;   // in stroke widths: closer marks look like a solid bar
+constexpr double missing_line = 1.9; // additional height of a legend with missing values, in lines
 constexpr const char* missing_text = "no value";
 
 struct Mark {
@@ -30,7 +30,7 @@ struct Mark {
 struct Entry {
     const Legend& legend;
     std::string title;
-    std::vector<std::string> lines; // below it
+    std::vector<std::string> lines; // below the title
     std::vector<Mark> ends;
     double width = 0;
 };
@@ -80,10 +80,11 @@ Ink ink_of(const color::Rgb8& color) {
     return {red, green, blue, 1};
 }
 
-// Bars have a border because an end may have the background's color.
+// Width of the border of a bar in pixels. The border is needed because an end of the bar may have the background's
+// color.
 double border_width(const Layout& layout) { return std::max(1.0, std::round(layout.stroke_width())); }
 
-// Draws the color below or above the scale as a separate piece beyond the end.
+// Draws the color of values below or above the scale, as a separate piece beyond that end of the bar.
 void draw_cap(Layout& layout, const std::optional<color::Rgb8>& color, const Box& bar, bool at_top) {
     if (!color) return;
     const double border = border_width(layout);
@@ -94,8 +95,8 @@ void draw_cap(Layout& layout, const std::optional<color::Rgb8>& color, const Box
     layout.overlay.fills.push_back({{bar.left, top, bar.right, top + height}, ink_of(*color), ink_of(*color)});
 }
 
-// Draws pieces of 4 rows, over which colors are nearly linear: a quarter of the rectangles of one per row. Steps have
-// one color each.
+// Draws a bar as gradients of about 4 rows each, over which colors are nearly linear. On a scale with steps, draws one
+// piece of one color per step.
 void draw_bar(Layout& layout, const color::ColorScale& scale, const Box& bar) {
     draw_cap(layout, scale.above, bar, true);
     draw_cap(layout, scale.below, bar, false);
@@ -141,7 +142,8 @@ void draw_marks(Layout& layout, const std::vector<Mark>& marks, const Box& bar) 
     }
 }
 
-// Draws a patch of the NaN color below the bar, with its name in the column of the numbers. Returns the lower end.
+// Draws a patch of the NaN color below the bar, with its name in the column of the numbers. Returns the patch's lower
+// end, in pixels from the top of the picture.
 double draw_missing(Layout& layout, const color::ColorScale& scale, const Box& bar) {
     const TextSize& size = layout.text();
     const double border = border_width(layout);
@@ -158,8 +160,8 @@ double draw_missing(Layout& layout, const color::ColorScale& scale, const Box& b
     return bar.bottom + (missing_line + 0.5) * size.line();
 }
 
-// Draws the bar below its title, with half a line above and below for the numbers at its ends. Takes the whole
-// rectangle, so that nothing is drawn between the bar and the numbers.
+// Draws a legend: the bar below its title, with half a line above and below for the numbers at its ends. Takes the
+// whole rectangle, so that nothing is drawn between the bar and the numbers.
 void draw_entry(Layout& layout, const Entry& entry, int left, double top, double bar_height) {
     const TextSize& size = layout.text();
     int base = static_cast<int>(std::lround(top)) + size.metrics.ascent;
@@ -170,7 +172,7 @@ void draw_entry(Layout& layout, const Entry& entry, int left, double top, double
                   start + std::round(bar_height)};
     draw_bar(layout, entry.legend.scale, bar);
     layout.take(bar);
-    draw_marks(layout, entry.ends, bar); // first, so that they win over inner marks
+    draw_marks(layout, entry.ends, bar); // before inner marks, which must not overlap them
     const int most = std::clamp(static_cast<int>(bar.height() / (tick_spacing * size.line())), 1, most_ticks);
     const int most_marks = 1 + static_cast<int>(bar.height() / (mark_spacing * layout.stroke_width()));
     draw_marks(layout, inner_marks(entry.legend.scale, most, most_marks), bar);
@@ -181,7 +183,8 @@ void draw_entry(Layout& layout, const Entry& entry, int left, double top, double
     layout.take(all);
 }
 
-// Height of a column. In a narrow picture, legends that do not all fit into its upper part are limited to that part.
+// Returns the height of a column of legends in pixels. In a narrow picture, legends that do not all fit into its upper
+// part are limited to that part.
 double height_for(Layout& layout, const Annotations& annotations, double least) {
     const double whole = layout.room.height();
     const bool is_narrow = entry_of(layout, annotations.legends.front()).width > wide_legend * layout.width();
@@ -209,7 +212,8 @@ void lay_legends(Layout& layout, const Annotations& annotations) {
     if (annotations.legends.empty()) return;
     const double em = layout.em();
     const double line = layout.text().line();
-    // Title, lines below it, half a line at each end of the bar, and the patch for missing values.
+    // A legend without its bar has the title, the lines below the title, half a line at each end of the bar, and the
+    // patch for missing values.
     std::size_t most_lines = 0;
     for (const Legend& legend : annotations.legends) most_lines = std::max(most_lines, lines_of(legend).size());
     const auto is_missing = [](const Legend& legend) { return legend.missing; };

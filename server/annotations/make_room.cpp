@@ -12,12 +12,12 @@
 namespace ciel::annotations {
 namespace {
 
-constexpr int usual_height = 720; // layouts are tested at this size, except for smaller pictures
+constexpr int usual_height = 720; // rows at which cameras are tested, except for pictures with the smallest text
 constexpr double step = 1.03, furthest = 2;
-constexpr double aside = 1.0 / 32; // of the picture's width, at most most_aside times
+constexpr double aside = 1.0 / 32; // one step to the side, as a fraction of the picture's width
 constexpr int most_aside = 10;
-constexpr int samples = 24;                             // of an edge
-constexpr double beside_edges = 0.5, beside_axes = 4.5; // ems around the edges, without and with axes
+constexpr int samples = 24;                             // intervals per edge of the bounds
+constexpr double beside_edges = 0.5, beside_axes = 4.5; // ems to keep free around the edges, without and with axes
 
 glm::dvec3 corner(const AnnotatedPicture& picture, unsigned bits) {
     glm::dvec3 at;
@@ -77,14 +77,15 @@ Camera stepped_aside(const AnnotatedPicture& picture, double to_left, double dow
     return camera;
 }
 
-// In a narrow picture, legends reach past the middle. Moves the scene to their left, or below them.
+// Moves the scene to the left of the legends or below them, for narrow pictures, in which legends reach past the
+// middle. Returns nothing if no such camera is clear.
 std::optional<Camera> clear_aside(AnnotatedPicture picture, const std::vector<glm::dvec3>& points,
                                   const Layout& layout) {
     constexpr double large_step = 1.1, furthest_aside = 3;
     double away = 1;
     while (away < furthest_aside) {
         for (int i = 1; i <= most_aside; ++i)
-            for (const auto& [to_left, down] : {std::pair(1, 0), {0, 1}, {0, 2}}) { // narrow pictures are tall
+            for (const auto& [to_left, down] : {std::pair(1, 0), {0, 1}, {0, 2}}) {
                 AnnotatedPicture moved = picture;
                 moved.camera = stepped_aside(picture, i * to_left * aside, i * down * aside);
                 if (is_clear(moved, points, layout)) return moved.camera;
@@ -100,7 +101,7 @@ std::optional<Camera> clear_aside(AnnotatedPicture picture, const std::vector<gl
 Camera clear_of_annotations(const AnnotatedPicture& picture, TextMeasure& text) {
     if (picture.annotations.empty()) return picture.camera;
     AnnotatedPicture judged = picture;
-    if (!Layout(picture, text).has_smallest_text()) { // text scales with the picture
+    if (!Layout(picture, text).has_smallest_text()) { // text scales with the picture, so test at one size
         judged.width = std::max(
             1, static_cast<int>(std::lround(static_cast<double>(picture.width) / picture.height * usual_height)));
         judged.height = usual_height;

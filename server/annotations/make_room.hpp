@@ -7,10 +7,10 @@
 namespace ciel::annotations {
 
 // Returns the picture's camera, moved back from its target until no edge of the bounds lies under a legend, a caption
-// or the triad, and the numbers of the axes fit. If that moves it too far away, as in a narrow picture, camera and
-// target also move right or up. If that fails, the camera is returned unchanged. The result is the same for all sizes
-// of one aspect ratio, except sizes so small that text has its smallest size. Throws Error as the drawing of
-// annotations does.
+// or the triad, and the numbers of the axes fit. If the camera would move too far away, as in a narrow picture, camera
+// and target also move right or up. If that fails, the camera is returned unchanged.
+// The result is the same for all sizes of one aspect ratio, except sizes so small that text has its smallest size.
+// Throws Error when there is no font.
 [[nodiscard]] Camera clear_of_annotations(const AnnotatedPicture& picture, TextMeasure& text);
 
 } // namespace ciel::annotations

@@ -29,7 +29,7 @@ struct Box {
     }
 };
 
-// The part of the line from a to b inside the box, as fractions from a to b; none where they only touch.
+// Returns the part of the line from a to b inside the box, as fractions from a to b; nothing if they only touch.
 [[nodiscard]] std::optional<std::pair<double, double>> part_inside(const Box& box, const Place& a, const Place& b);
 
 struct Plate { // keeps text readable on any picture; fades out around the box
@@ -37,11 +37,11 @@ struct Plate { // keeps text readable on any picture; fades out around the box
     double edge = 0; // width of the fading, in pixels
     Ink top{}, bottom{};
 };
-struct Fill { // from one ink at the top to another at the bottom
+struct Fill { // vertical gradient
     Box box;
     Ink top{}, bottom{};
 };
-struct Stroke { // with soft edges
+struct Stroke { // a line with soft edges
     Place from, to;
     double width = 1;
     Ink ink{};
@@ -64,7 +64,7 @@ struct Overlay {
     std::vector<Stroke> strokes;
     std::vector<Triangle> triangles;
     std::vector<Label> labels;
-    Ink halo{}; // around letters and strokes, for any background
+    Ink halo{}; // outline of letters and strokes, visible on any background
 };
 
 } // namespace ciel::annotations

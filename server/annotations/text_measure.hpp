@@ -1,4 +1,4 @@
-// Interface to measure text for the layout; the drawing code implements it.
+// Interface by which the layout measures text. The code that draws text implements it.
 #pragma once
 
 #include <string_view>
@@ -10,7 +10,7 @@ struct FontMetrics { // pixels, all positive
     int digit = 0; // height of a digit above the base line
 };
 
-// For one thread only. Sizes are pixels per em. Every call may throw Error when there is no font.
+// A TextMeasure is for one thread only. Sizes are pixels per em. Every call may throw Error when there is no font.
 class TextMeasure {
 public:
     virtual ~TextMeasure() = default;

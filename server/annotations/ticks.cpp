@@ -10,15 +10,15 @@ namespace {
 
 constexpr std::array superscripts{"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
 constexpr int most_decimals = 15;
-constexpr double smallest_span = 1e-300; // smaller steps lose digits
+constexpr double smallest_span = 1e-300; // ticks of a smaller range would lose digits
 // Numbers from 0.001 to 9,999,999 are written out: coordinates of a map grid have seven digits before the point.
 constexpr int smallest_plain = -3;
 constexpr int largest_plain = 6;
-constexpr int digits_of_ends = 6; // ends of a scale are floats: 1e-4 as a float is a little less
+constexpr int digits_of_ends = 6; // of a scale's ends, which are floats: 1e-4 as a float is a little less
 
 int magnitude(double value) { return static_cast<int>(std::floor(std::log10(value))); }
 
-// The magnitude after rounding to `digits` digits: 9.9996 with three digits is 10.
+// Returns the exponent of a value after rounding to `digits` digits: 1 for 9.9996 with three digits, which is 10.0.
 int rounded_magnitude(double value, int digits) {
     std::array<char, 32> text{};
     std::snprintf(text.data(), text.size(), "%.*e", std::clamp(digits - 1, 0, most_decimals), value);
@@ -27,7 +27,8 @@ int rounded_magnitude(double value, int digits) {
 
 bool is_plain(int exponent) { return exponent >= smallest_plain && exponent <= largest_plain; }
 
-// The power of ten factored out of a number above 0 that is written with `digits` digits.
+// Returns the power of ten that is factored out of a number above 0 written with `digits` digits; 0 if the number is
+// written out.
 int taken_out(double size, int digits) {
     const int exponent = is_plain(magnitude(size)) ? 0 : rounded_magnitude(size, digits);
     return is_plain(exponent) ? 0 : exponent;
@@ -59,11 +60,11 @@ std::string without_trailing_zeros(std::string number) {
 
 struct Step {
     double size = 0;
-    int power = 0; // power of ten of its digit
+    int power = 0; // size is 1, 2 or 5 times 10^power
 };
 
 struct Multiples {
-    double first = 0, last = 0; // in steps; may exceed the range of integers
+    double first = 0, last = 0; // numbers of the first and last multiple; may exceed the range of integers
     [[nodiscard]] double count() const { return last - first + 1; }
 };
 

@@ -1,4 +1,4 @@
-// Arrows along x, y and z at the lower left, in the colors of the web client.
+// Draws arrows along x, y and z at the lower left, in the colors of the web client.
 #include "annotations/camera.hpp"
 #include "annotations/layout.hpp"
 
@@ -8,14 +8,14 @@
 namespace ciel::annotations {
 namespace {
 
-constexpr double arm = 2.2, reach = 3.4; // ems; reach: to the outside of the letters
+constexpr double arm = 2.2, reach = 3.4; // ems from the center: to the arrow tips, to the outside of the letters
 constexpr std::array<Ink, 3> inks{
     {{0.878F, 0.376F, 0.353F, 1}, {0.310F, 0.682F, 0.384F, 1}, {0.357F, 0.561F, 0.910F, 1}}};
 constexpr std::array names{"x", "y", "z"};
 
 struct Arm {
     std::size_t axis = 0;
-    double x = 0, y = 0, nearness = 0; // in the picture's axes; of length 1 in space
+    double x = 0, y = 0, nearness = 0; // unit vector of the axis in the picture; nearness: towards the eye
 };
 
 std::array<Arm, 3> arms_of(const AnnotatedPicture& picture) {

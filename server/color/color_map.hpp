@@ -1,4 +1,4 @@
-// Named color maps; the same table serves the browser's legend through protocol/colormaps.json.
+// Named color maps. The server and the browser are both built from protocol/colormaps.json.
 #pragma once
 
 #include <array>
@@ -12,7 +12,8 @@ namespace ciel::color {
 using ColorTable = std::array<std::array<std::uint8_t, 3>, 256>; // sRGB, from the lowest value to the highest
 
 [[nodiscard]] const std::vector<std::string>& color_map_names();
-[[nodiscard]] std::size_t color_map_index(const std::string& name); // throws Error that lists the names
-[[nodiscard]] const ColorTable& color_map(const std::string& name); // likewise
+// Both throw Error that lists all names when there is no map `name`.
+[[nodiscard]] std::size_t color_map_index(const std::string& name);
+[[nodiscard]] const ColorTable& color_map(const std::string& name);
 
 } // namespace ciel::color

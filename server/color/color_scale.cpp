@@ -9,9 +9,10 @@
 namespace ciel::color {
 namespace {
 
-using Rgb = std::array<double, 3>; // 0 to 255
+using Rgb = std::array<double, 3>; // sRGB channels from 0 to 255
 
-const double log_of_reach = std::log1p(1 / linear_share); // for ranges that are logarithmic on both sides of zero
+// log(1 + |v| / w) at the ends of a range that is logarithmic on both sides of zero (protocol/colors.md).
+const double log_of_reach = std::log1p(1 / linear_share);
 
 Rgb between(const Rgb8& a, const Rgb8& b, double share) {
     Rgb color{};
@@ -81,7 +82,7 @@ double place_of(const ColorScale& scale, double value) {
 double value_at(const ColorScale& scale, double place) {
     const auto [low, high] = scale.range;
     if (!has_width(scale)) return low;
-    if (place == 1) return high; // exactly
+    if (place == 1) return high; // without rounding
     if (is_log_of_both_signs(scale)) {
         const double from_middle = 2 * place - 1;
         return std::copysign(linear_share * high * std::expm1(std::abs(from_middle) * log_of_reach), from_middle);

@@ -1,4 +1,4 @@
-// From a scalar to a color. The rule is in protocol/colors.md; the server's shaders, the browser
+// ColorScale: maps scalars to colors. The rule is in protocol/colors.md; the server's shaders, the browser
 // (webclient/src/model/color_scale.ts) and every legend follow it.
 #pragma once
 
@@ -26,40 +26,43 @@ struct ColorPoint {
 
 struct ColorScale {
     std::string map = "viridis";
-    std::vector<ColorPoint> points; // two or more, ascending: replace the map; linear in sRGB between them
-    // Exactly as given, since legends show it; pixels use the nearest floats. When `log`: above zero, or from -r to r.
+    std::vector<ColorPoint> points; // if not empty: at least two, ascending; replace `map`; linear in sRGB between them
+    // Values of the two ends, as the scene gives them: legends show them, pixels use the nearest floats. With `log`
+    // both are above zero, or the range goes from -r to r.
     std::array<double, 2> range{0, 1};
-    bool reverse = false, log = false; // log: equal factors are equally long
-    int steps = 0;                     // 0: smooth; else 2 to most_color_steps
+    bool reverse = false, log = false; // log: equal factors have equal lengths on the scale
+    int steps = 0;                     // number of steps, 2 to most_color_steps; 0: a smooth scale
     Rgb8 nan{128, 128, 128};
     std::optional<Rgb8> below, above;
     bool operator==(const ColorScale&) const = default;
 };
 
 inline constexpr int most_color_steps = 256;
-inline constexpr double linear_share = 1e-3; // of the end of a range that is logarithmic on both sides of zero
+// w / r in the position sign(v) log(1 + |v| / w) on a log scale from -r to r (protocol/colors.md).
+inline constexpr double linear_share = 1e-3;
 
 [[nodiscard]] inline bool is_log_of_both_signs(const ColorScale& scale) { return scale.log && scale.range[0] < 0; }
 
-// Returns `count` colors from the lower to the upper end, evenly spaced, for a texture or a legend's bar. On a stepped
-// scale, each is the color of its step. Throws Error for an unknown map.
+// Returns the colors at `count` evenly spaced positions from the lower to the upper end, for a texture or a legend's
+// bar. On a scale with steps, each is the color of its step. Throws Error for an unknown map.
 [[nodiscard]] std::vector<Rgb8> colors_along(const ColorScale& scale, int count);
 // Returns one color per step, or `smooth_count` colors to interpolate for a smooth scale.
 [[nodiscard]] std::vector<Rgb8> color_row(const ColorScale& scale, int smooth_count);
 
-// 0 at the lower end, 1 at the upper end, less or more outside; -infinity for log of zero or less; NaN for NaN.
+// Returns the position of a value on the scale: 0 at the lower end, 1 at the upper end, below 0 or above 1 outside, NaN
+// for NaN. On a log scale above zero, values of zero or less have the position -infinity.
 [[nodiscard]] double place_of(const ColorScale& scale, double value);
-// The inverse of place_of.
+// Returns the value at a position: the inverse of place_of.
 [[nodiscard]] double value_at(const ColorScale& scale, double place);
-// The complete rule, on the CPU.
+// Returns the color of one value by the complete rule, including steps, `nan`, `below` and `above`.
 [[nodiscard]] Rgb8 color_of(const ColorScale& scale, double value);
 
-// Values from `low` to `high` are inside.
+// Values from `low` to `high` count as inside the range. The limits allow for the rounding of interpolated floats.
 struct ColorLimits {
     float low = 0, high = 0;
 };
 [[nodiscard]] ColorLimits limits_of(const ColorScale& scale);
-// Whether the range has a width as floats. Without, or with a width beyond float, all values have the middle color.
+// Returns whether the width of the range, as a float, is positive and finite. If not, all values have the middle color.
 [[nodiscard]] bool has_width(const ColorScale& scale);
 
 } // namespace ciel::color

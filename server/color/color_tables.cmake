@@ -1,7 +1,9 @@
-# protocol/colormaps.json, which the browser reads too, becomes a .cpp of this library.
-set(colormaps ${CMAKE_SOURCE_DIR}/protocol/colormaps.json)
-set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${colormaps})
-file(READ ${colormaps} document)
+# Generates color_tables.cpp from protocol/colormaps.json.
+if(NOT CIEL_COLORMAPS)
+  set(CIEL_COLORMAPS ${CMAKE_SOURCE_DIR}/protocol/colormaps.json)
+endif()
+set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${CIEL_COLORMAPS})
+file(READ ${CIEL_COLORMAPS} document)
 string(JSON count LENGTH "${document}" maps)
 math(EXPR last "${count} - 1")
 set(rows "")

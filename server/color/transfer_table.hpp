@@ -1,39 +1,43 @@
-// Color map and opacity points -> color and extinction along a ray between two values (pre-integration).
+// TransferTable: pre-integrated color and extinction of a ray between two values, made from a color scale and opacity
+// points.
 #pragma once
 
 #include "color/color_scale.hpp"
 
 namespace ciel::color {
 
-// Mean color and extinction over an interval of values. A column's center is the interval's middle, row r has the width
-// r / (rows - 1); both are fractions of the table's extent. The color is weighted by the extinction. Attenuation within
-// a slab is neglected, which is correct to first order in the slab's opacity.
+// Mean color and extinction over intervals of values. The texel in column c and row r is for the interval with the
+// middle (c + 0.5) / columns and the width r / (rows - 1), both as fractions of the table's extent. The color is
+// weighted by the extinction. Attenuation within a slab is neglected, which is correct to first order in its opacity.
 struct TransferTable {
     static constexpr int columns = 1024, rows = 64;
     std::vector<float> texels; // RGB 0..1, then extinction per unit length; row by row
 };
 
-// The values that a table covers: the scale's range, extended by half its width on each side with a color of its own
-// (`below`, `above`). On a side without one, all values outside look like that end.
+// The values that a TransferTable covers: the scale's range, extended by half its width below if the scale has a color
+// `below`, and by half its width above if it has a color `above`. Values beyond the table look like its end.
 struct TableExtent {
     int halves_below = 0, halves_above = 0;
-    [[nodiscard]] double width() const { return 1 + 0.5 * (halves_below + halves_above); }             // in ranges
-    [[nodiscard]] double share_at(double place) const { return place * width() - 0.5 * halves_below; } // of the range
-    [[nodiscard]] std::array<double, 2> values(const std::array<double, 2>& range) const; // at the table's ends
+    // Returns the table's width in widths of the range.
+    [[nodiscard]] double width() const { return 1 + 0.5 * (halves_below + halves_above); }
+    // Converts a position in the table (0 to 1) to a position in the range (0 and 1 at its ends).
+    [[nodiscard]] double share_at(double place) const { return place * width() - 0.5 * halves_below; }
+    // Returns the values at the two ends of the table of a scale with this range.
+    [[nodiscard]] std::array<double, 2> values(const std::array<double, 2>& range) const;
     bool operator==(const TableExtent&) const = default;
 };
 [[nodiscard]] TableExtent table_extent(const ColorScale& scale);
 
-// (place between the ends of the range, opacity of one unit length along a ray); sorted by place.
+// (position in the range from 0 to 1, opacity of a unit length along a ray), sorted by position.
 using OpacityPoints = std::vector<std::array<double, 2>>;
 
-// share: factor on the opacity of the points.
+// share: factor by which all opacities are multiplied.
 [[nodiscard]] TransferTable make_transfer_table(const ColorScale& scale, const OpacityPoints& opacity,
                                                 double share = 1);
 
-// Optical depth of a unit length: -ln(1 - opacity). Opacity is limited to 0.999 to keep it finite.
+// Returns the optical depth of a unit length, -ln(1 - opacity). Opacity is clamped to 0.999 to keep the result finite.
 [[nodiscard]] double extinction_of(double opacity);
-// Linear between the points, constant outside.
+// Returns the opacity at a position: linear between the points, constant outside them, 0 without points.
 [[nodiscard]] double opacity_at(const OpacityPoints& points, double place);
 
 } // namespace ciel::color

@@ -1,5 +1,5 @@
-// What lies over the picture stands where the picture has it: behind a hand that is faster than the server, and where a
-// script shares the page's session and says nothing of a camera.
+// Tests that overlays of the canvas match the shown picture: while it is older than the scene, and when a script
+// removes the camera.
 import assert from "node:assert/strict";
 import { describe, test } from "node:test";
 import type { Client } from "./page.ts";
@@ -20,7 +20,7 @@ describe("what lies over the picture", { skip }, () => {
 
   const lines = (client: Client): Promise<number[]> =>
     client.page
-      .locator(".box-axes > g > line")
+      .locator(".box-axes > line")
       .evaluateAll((all) =>
         all.flatMap((line) => ["x1", "y1", "x2", "y2"].map((name) => Number(line.getAttribute(name)))),
       );
@@ -56,7 +56,7 @@ describe("what lies over the picture", { skip }, () => {
     await patch({ camera: null, annotations: { axes: true, title: "From a script" } });
     await client.page.getByText("From a script").waitFor();
     await client.settled();
-    await client.page.waitForTimeout(500); // the page asks for the camera
+    await client.page.waitForTimeout(500); // time for the page to ask for the camera
     const without = { lines: await lines(client), picture: await client.picture() };
     assert.ok(without.lines.length >= 8 && was.length === 0);
     const box = await client.canvas.boundingBox();

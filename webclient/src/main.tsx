@@ -1,6 +1,7 @@
-// Wires the page: the model, the server, the view, the commands. Nothing else knows all four.
+// Creates the model, the server connection, the view and the commands, and passes each to the others.
 import { render } from "preact";
 import { Commands } from "./commands/commands";
+import layoutModule from "./generated/annotations.wasm?url";
 import { Links } from "./commands/links";
 import { savedStream, savedTheme, tabSession } from "./commands/preferences";
 import { CanvasSize } from "./model/canvas_size";
@@ -17,6 +18,7 @@ import "./style/annotations.css";
 import "./style/overlays.css";
 import "./style/colors.css";
 import { View } from "./view/view";
+import { startLayoutModule } from "./wasm/layout_module";
 
 hideToken();
 const model = makeModel({ theme: savedTheme(), streamChoice: savedStream() });
@@ -35,8 +37,16 @@ const view: View = new View(model, server, (header, bytes) => {
 });
 const commands: Commands = new Commands(model, server, view, links);
 
-const root = document.getElementById("app");
-if (root !== null) {
+async function start(root: HTMLElement): Promise<void> {
+  try {
+    const response = await fetch(layoutModule);
+    if (!response.ok) throw new Error(`the server answered ${response.status} for ${layoutModule}`);
+    await startLayoutModule(await response.arrayBuffer());
+  } catch (problem) {
+    const reason = problem instanceof Error ? problem.message : String(problem);
+    root.textContent = `CIEL cannot start its WebAssembly module: ${reason}. Reload the page, or allow WebAssembly in the browser.`;
+    return;
+  }
   render(
     <PageContext.Provider value={{ model, commands }}>
       <Shell />
@@ -44,3 +54,6 @@ if (root !== null) {
     root,
   );
 }
+
+const root = document.getElementById("app");
+if (root !== null) void start(root);

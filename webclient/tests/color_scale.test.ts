@@ -4,7 +4,7 @@ import { colorOf, colorRow, hexOf } from "../src/model/color_scale";
 import type { Coloring, Range } from "../src/generated/protocol";
 import { scaleUniforms } from "../src/view/scale_textures";
 import { isShownBy, scaleOf } from "../src/model/color_range";
-import { colorTicks, labelOn } from "../src/model/color_ticks";
+import { colorTicks, labelOn } from "../src/wasm/color_ticks";
 
 interface Case {
   name: string;

@@ -1,5 +1,6 @@
 import { describe, expect, test } from "vitest";
-import { barHeight, legendText, roomFor, type Box } from "../src/model/overlay_room";
+import { barHeight, legendText, roomFor } from "../src/model/overlay_room";
+import type { Box } from "../src/wasm/overlay";
 
 const stage = { width: 320, height: 300 };
 const box = (left: number, top: number, width: number, height: number): Box => ({
@@ -9,25 +10,24 @@ const box = (left: number, top: number, width: number, height: number): Box => (
   bottom: top + height,
 });
 const captions = [box(14, 10, 140, 50)];
-const triad = [box(0, 220, 80, 80)];
 
 describe("room over the canvas", () => {
   test("is for all where nothing meets", () => {
     const legends = [box(210, 10, 100, 130), box(210, 150, 100, 130)];
-    const room = roomFor({ captions, legends, triad }, stage);
-    expect(room).toEqual({ legends: [true, true], triad: true, taken: [...captions, ...legends, ...triad] });
+    const room = roomFor({ captions, legends }, stage);
+    expect(room).toEqual({ legends: [true, true], taken: [...captions, ...legends] });
   });
 
   test("captions stay, a legend on them goes, and those after it", () => {
     const wide = [box(14, 10, 160, 50)];
     const legends = [box(210, 10, 100, 130), box(165, 10, 40, 130), box(165, 150, 40, 130)];
-    const { legends: shown, taken } = roomFor({ captions: wide, legends, triad: [] }, stage);
+    const { legends: shown, taken } = roomFor({ captions: wide, legends }, stage);
     expect(shown).toEqual([true, false, false]);
     expect(taken).toEqual([...wide, legends[0]]);
   });
 
   test("further columns of legends begin in the right half, the first in the right two thirds", () => {
-    const of = (...legends: Box[]): boolean[] => roomFor({ captions: [], legends, triad: [] }, stage).legends;
+    const of = (...legends: Box[]): boolean[] => roomFor({ captions: [], legends }, stage).legends;
     expect(of(box(210, 10, 100, 130), box(161, 10, 40, 130))).toEqual([true, true]);
     expect(of(box(210, 10, 100, 130), box(159, 10, 40, 130))).toEqual([true, false]);
     expect(of(box(110, 10, 200, 130))).toEqual([true]);
@@ -36,15 +36,10 @@ describe("room over the canvas", () => {
 
   test("what sticks out of the stage has none", () => {
     const legends = [box(210, 10, 100, 400)];
-    expect(roomFor({ captions: [], legends, triad: [box(0, 260, 80, 80)] }, stage)).toEqual({
+    expect(roomFor({ captions: [], legends }, stage)).toEqual({
       legends: [false],
-      triad: false,
       taken: [],
     });
-  });
-
-  test("the triad gives way to captions", () => {
-    expect(roomFor({ captions: [box(14, 10, 140, 240)], legends: [], triad }, stage).triad).toBe(false);
   });
 });
 

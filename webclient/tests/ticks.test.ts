@@ -1,8 +1,8 @@
 import { describe, expect, test } from "vitest";
 import cases from "../../tests/support/tick_cases.json";
-import { colorTicks, exponentOf, labelOn } from "../src/model/color_ticks";
+import { colorTicks, exponentOf, labelOn } from "../src/wasm/color_ticks";
 import { scaleOf } from "../src/model/color_range";
-import { niceScale, numberAlone, numberLabel, timesPowerOfTen } from "../src/model/ticks";
+import { niceScale, numberAlone, numberLabel, timesPowerOfTen } from "../src/wasm/ticks";
 
 describe("marks of a linear scale, as the server has them", () => {
   test.each(cases.scales as [number, number, number, string][])(

@@ -1,6 +1,6 @@
-// Commands for the page: theme, panels, stream.
+// Commands for the page: theme, panels, stream, canvases.
 import type { StreamChoice, Theme } from "../model/state";
-import type { Box } from "../model/overlay_room";
+import type { Box } from "../wasm/overlay";
 import type { Size } from "../model/camera";
 import type { Deps } from "./deps";
 import type { Links } from "./links";
@@ -18,7 +18,7 @@ export class PageCommands {
     this.matchBackground();
   }
 
-  /** Sets the scene's background to the theme, unless it is a custom color. */
+  /** Sets the scene's background to that of the theme. Keeps a custom color. */
   matchBackground(): void {
     const { editor } = this.deps.server;
     const background = editor.scene?.background ?? "dark";
@@ -44,7 +44,7 @@ export class PageCommands {
     this.deps.model.helpOpen.value = open;
   }
 
-  /** Call when the canvases exist. */
+  /** Connects the canvases and then the server. Call when the canvases exist. */
   async attach(images: HTMLCanvasElement, geometry: HTMLCanvasElement): Promise<void> {
     const attached = this.deps.view.attach(images, geometry);
     await this.links.start();
@@ -52,22 +52,25 @@ export class PageCommands {
     this.deps.server.start();
   }
 
-  /** Canvas size in CSS pixels. */
+  /** The canvas has a new size, in CSS pixels. `pixelRatio`: device pixels per CSS pixel. */
   resized(width: number, height: number, pixelRatio: number): void {
     this.deps.view.resized(width, height, pixelRatio);
   }
 
-  /** Boxes of the overlays over the canvas, without the axes of the box. */
+  /** Sets the boxes that captions and legends cover, in CSS pixels. The triad and the box axes avoid them. */
   covered(taken: Box[]): void {
     this.deps.model.taken.value = taken;
   }
 
-  /** Rectangle of each legend, from the top right corner to its far end. */
+  /**
+   * Sets the space that the legends cover: for each, the size of the rectangle from the canvas's top right corner to
+   * the legend's far corner.
+   */
   legendsStand(corner: Size[]): void {
     this.deps.server.size.corner = corner;
   }
 
-  /** Size of a server-drawn picture: `times` the view's size, within the limit. */
+  /** Size in pixels of a picture `times` as large as the view, within the limits of the contract. */
   pictureSize(times = 1): Size {
     return this.deps.server.size.pixels(times);
   }

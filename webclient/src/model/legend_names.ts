@@ -1,7 +1,7 @@
-// Names that distinguish legends of the same array, by the layers that use their colors. Twin of
-// server/geometry/legend_names.hpp; tests/support/legend_cases.json tests both.
+// Names that distinguish legends of the same array, made from the layers that use each legend. Follows
+// server/geometry/legend_names.hpp. tests/support/legend_cases.json tests both.
 import type { Layer, SliceLayer } from "../generated/protocol";
-import { numberAlone, timesPowerOfTen } from "./ticks";
+import { numberAlone, timesPowerOfTen } from "../wasm/ticks";
 
 const MOST_LISTED = 2;
 
@@ -18,7 +18,7 @@ function nameOfSlice({ axis, value, origin, normal }: SliceLayer): string {
   return `Slice at ${"xyz".charAt(only)} = ${numberAlone(origin?.[only] ?? 0)}`;
 }
 
-/** A short name: it is shown over a color bar. */
+/** Short name of a layer, shown above a color bar. */
 export function legendNameOf(layer: Layer, part: "layers" | "contours"): string {
   switch (layer.type) {
     case "iso":
@@ -35,22 +35,22 @@ export function legendNameOf(layer: Layer, part: "layers" | "contours"): string 
       return "Volume";
     case "outline":
     case "clip":
-      return ""; // no legend
+      return "";
   }
 }
 
-/** One line, with the units in brackets, as in server/annotations/legend_layout.cpp. */
+/** Title of a legend on one line, with units in brackets, as in server/annotations/legend_layout.cpp. */
 export function legendTitle(array: string, units: string, exponent: number): string {
   return array + (units === "" ? "" : ` [${units}]`) + timesPowerOfTen(exponent);
 }
 
 export interface NamedLegend {
   array: string;
-  /** Results of `legendNameOf`. */
+  /** Names of the layers that use the legend, from legendNameOf. */
   names: readonly string[];
 }
 
-/** One name for each legend; empty where no other legend has its array. */
+/** Returns one name for each legend. The name is empty where no other legend has the same array. */
 export function legendNames(legends: readonly NamedLegend[]): string[] {
   const taken = new Map<string, number>();
   return legends.map(({ array, names }, index) => {

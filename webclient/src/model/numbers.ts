@@ -3,7 +3,7 @@ import type { Range } from "../generated/protocol";
 
 export const MINUS = "\u2212";
 
-/** Enough digits to tell apart values that differ by a thousandth of the span. */
+/** Formats a value with enough digits to distinguish values that differ by a thousandth of `span`. */
 export function formatNumber(value: number, span = Math.abs(value)): string {
   if (!Number.isFinite(value)) return "n/a";
   if (value === 0) return "0";
@@ -11,15 +11,15 @@ export function formatNumber(value: number, span = Math.abs(value)): string {
   const resolution = span > 0 && Number.isFinite(span) ? span / 1000 : size / 1000;
   const places = Math.floor(Math.log10(size));
   const wanted = places - Math.floor(Math.log10(resolution)) + 1;
-  const digits = Math.min(15, Math.max(1, wanted, size < 1e6 ? places + 1 : 1)); // whole numbers are not rounded
+  const digits = Math.min(15, Math.max(1, wanted, size < 1e6 ? places + 1 : 1)); // never rounds whole numbers
   const text = size >= 1e6 || size < 1e-4 ? value.toExponential(Math.min(digits - 1, 5)) : value.toPrecision(digits);
   const [mantissa = "", exponent] = text.split("e");
   const short = mantissa.includes(".") ? mantissa.replace(/\.?0+$/, "") : mantissa;
   return (exponent === undefined ? short : `${short}e${exponent.replace("+", "")}`).replaceAll("-", MINUS);
 }
 
-// Groups of three digits after one to three digits, the first not 0: separated by spaces (thin, no-break or plain, as
-// formatCount writes them) or by commas.
+// Numbers with groups of three digits, separated by spaces (thin, no-break or plain) or commas. The first group has one
+// to three digits and does not start with 0.
 const SPACED = /^[-+]?[1-9]\d{0,2}(?:[ \u00a0\u2009\u202f]\d{3})+(?![\d ])/;
 const COMMAS = /^[-+]?[1-9]\d{0,2}(?:,\d{3})+(?=\.|$|e)/i;
 const EITHER = /^[-+]?[1-9]\d{0,2},\d{3}(?=$|e)/i;
@@ -31,7 +31,7 @@ function withoutGroups(text: string): string {
   return spaced.replace(COMMAS, (digits) => digits.replaceAll(",", "")).replace(",", ".");
 }
 
-/** null where the text is not one finite number. Accepts what formatNumber and formatCount write. */
+/** Parses text to a finite number, else returns null. Accepts the output of formatNumber and formatCount. */
 export function parseNumber(text: string): number | null {
   const typed = withHyphen(text);
   if (typed === "" || EITHER.test(typed)) return null;
@@ -39,40 +39,35 @@ export function parseNumber(text: string): number | null {
   return Number.isFinite(value) ? value : null;
 }
 
-/** Why parseNumber rejects the text. One comma before three digits is ambiguous: thousands or a decimal point. */
+/**
+ * Returns the reason why parseNumber rejects the text. One comma before three digits is ambiguous: it may separate
+ * thousands or decimals.
+ */
 export function whyNoNumber(text: string): string {
   const typed = withHyphen(text);
-  if (typed === "") return "A number is expected here";
-  if (!EITHER.test(typed)) return `"${text}" is not a number that can be used`;
+  if (typed === "") return "The number is missing";
+  if (!EITHER.test(typed)) return `"${text}" is not a number`;
   return `"${text}" can be read in two ways; write ${typed.replace(",", "")} or ${typed.replace(",", ".")}`;
 }
-
-const SUPERSCRIPTS = "\u2070\u00b9\u00b2\u00b3\u2074\u2075\u2076\u2077\u2078\u2079";
-
-/** An integer's digits and minus sign as superscripts. */
-export const superscript = (digits: string): string =>
-  digits.replace(/\d/g, (digit) => SUPERSCRIPTS.charAt(Number(digit))).replace("-", "\u207b");
-
-/** Units with superscript exponents: m^2/s^2 as m²/s². */
-export const prettyUnits = (units: string): string =>
-  units.replace(/\^(-?\d+)/g, (_, digits: string) => superscript(digits));
 
 export const formatCount = (count: number): string => count.toLocaleString("en-US").replaceAll(",", "\u202f");
 
 export const clamp = (value: number, low: number, high: number): number => Math.min(high, Math.max(low, value));
 
-/** The range with one end set to `to`; it pushes the other end so that the range stays ordered. */
+/** Returns the range with one end set to `to`. Moves the other end too if the order would be reversed. */
 export const withEnd = ([low, high]: Range, end: 0 | 1, to: number): Range =>
   end === 0 ? [to, Math.max(to, high)] : [Math.min(to, low), to];
 
-/** Power of ten of at most a thousandth of the range, so that a drag gives round values. */
+/** Rounding step for drags over a range: the largest power of ten up to a thousandth of the range. */
 export function niceStep([low, high]: Range): number {
   const span = high - low;
   return span > 0 ? 10 ** Math.floor(Math.log10(span / 1000)) : 1;
 }
 
-/** A slider over the range. Its step is 1, 2 or 5 times a power of ten and at most a two-hundredth of the range. Its
- * positions are multiples of the step; the track ends at the first multiple past each end. */
+/**
+ * Ends and step of a slider for a range. The step is 1, 2 or 5 times a power of ten and at most a two-hundredth of the
+ * range. The ends are the multiples of the step at or outside the ends of the range.
+ */
 export function sliderTrack([low, high]: Range): { min: number; max: number; step: number } {
   const span = high - low;
   if (!(span > 0) || !Number.isFinite(span)) return { min: low, max: high, step: 1 };
@@ -83,10 +78,10 @@ export function sliderTrack([low, high]: Range): { min: number; max: number; ste
   return { min: end(Math.floor, low), max: end(Math.ceil, high), step };
 }
 
-/** Most decades of a logarithmic slider. */
+/** Largest number of decades of a logarithmic slider. */
 const DECADES = 6;
 
-/** Start of a logarithmic slider over the range; null if the range has values below zero or no width. */
+/** Start of a logarithmic slider for a range. null if the range has negative values or no width. */
 export function logarithmicStart([low, high]: Range): number | null {
   const start = Math.max(low, high / 10 ** DECADES);
   return low >= 0 && start > 0 && start < high ? start : null;
@@ -109,14 +104,14 @@ export function fractionOf(value: number, [low, high]: Range, logarithmic = fals
   return high > low ? clamp((value - low) / (high - low), 0, 1) : 0.5;
 }
 
-/** Bar heights from 0 to 1. Logarithmic counts keep rare values visible. */
+/** Heights of histogram bars from 0 to 1. Logarithmic heights keep rare values visible. */
 export function barHeights(counts: readonly number[], logarithmic: boolean): number[] {
   const measure = (count: number): number => (logarithmic ? Math.log1p(count) : count);
   const top = measure(counts.reduce((most, count) => Math.max(most, count), 0));
   return counts.map((count) => (top > 0 ? measure(count) / top : 0));
 }
 
-/** Rounded middle of the widest gap between values and the ends of the range. */
+/** Middle of the widest gap between consecutive values, including the ends of the range. Rounded. */
 export function widestGap(values: readonly number[], [low, high]: Range): number {
   const stops = [low, ...values.filter((v) => v > low && v < high).sort((a, b) => a - b), high];
   let best = 0;

@@ -1,8 +1,8 @@
-// The scalars of a dataset's arrays: layers are made from them and colored by them.
+// Scalars of a dataset's arrays, and the color scales and legends of a scene.
 import { scaleOf } from "./color_range";
 import { layersInOrder } from "./layer_order";
 import { legendNameOf, legendNames } from "./legend_names";
-import { prettyUnits } from "./numbers";
+import { prettyUnits } from "../wasm/ticks";
 import type { ArrayInfo, Coloring, DatasetDescription, EmptyLayer, Layer, Range, Scene } from "../generated/protocol";
 
 export interface Scalar {
@@ -11,7 +11,7 @@ export interface Scalar {
   array: ArrayInfo;
 }
 
-/** Scalars that can color the boundary: of points first, then of cells, then of patches. */
+/** Scalars that can color the boundary: first those at points, then at cells, then at boundary faces. */
 export function boundaryScalarsOf(description: DatasetDescription | null): Scalar[] {
   const arrays = description?.arrays ?? [];
   return (["point", "cell", "boundary_face"] as const).flatMap((of) =>
@@ -21,15 +21,15 @@ export function boundaryScalarsOf(description: DatasetDescription | null): Scala
   );
 }
 
-/** Scalars that can color any surface and select cells. */
+/** Scalars at points or cells. They can color any surface and select cells by a threshold. */
 export const allScalarsOf = (description: DatasetDescription | null): Scalar[] =>
   boundaryScalarsOf(description).filter(({ array }) => array.association !== "boundary_face");
 
-/** Scalars at points: layers are made from these. */
+/** Scalars at points. Iso-surfaces, volumes and contours need these. */
 export const scalarsOf = (description: DatasetDescription | null): Scalar[] =>
   allScalarsOf(description).filter(({ array }) => array.association === "point");
 
-/** Default scalar of a new layer: that of the dataset's default scene, which has more than one value. */
+/** Default scalar of a new layer: the one of the dataset's default scene, else the first scalar at points. */
 export function firstScalar(description: DatasetDescription | null): string | undefined {
   const shown = Object.values(description?.default_scene.layers ?? {});
   for (const layer of shown) if (layer.type === "iso" || layer.type === "volume") return layer.array;
@@ -44,18 +44,18 @@ export function firstScalar(description: DatasetDescription | null): string | un
   return scalarsOf(description)[0]?.name;
 }
 
-/** Expands a vector's bare name to its magnitude, "U:magnitude"; other names are unchanged. */
+/** Returns "U:magnitude" for the name "U" of a vector array. Other names are unchanged. */
 export function fullName(description: Pick<DatasetDescription, "arrays"> | null, scalar: string): string {
   const magnitude = `${scalar}:magnitude`;
   const hasMagnitude = description?.arrays.some(({ name, scalars }) => name === scalar && scalars.includes(magnitude));
   return hasMagnitude === true ? magnitude : scalar;
 }
 
-/** The array that the scalar is made from. */
+/** Returns the array that a scalar belongs to. */
 export const arrayOf = (description: DatasetDescription | null, scalar: string): ArrayInfo | undefined =>
   boundaryScalarsOf(description).find(({ name }) => name === scalar)?.array;
 
-/** Units of a scalar, or of an array by its own name: a probe reads whole vectors. */
+/** Units of a scalar or of a whole array. A probe reads whole vectors, so an array's name is accepted too. */
 export function unitsOf(description: DatasetDescription | null, name: string): string {
   const array =
     arrayOf(description, name) ??
@@ -63,14 +63,17 @@ export function unitsOf(description: DatasetDescription | null, name: string): s
   return prettyUnits(array?.units ?? "");
 }
 
-/** null if unknown. A vector array's range is that of its magnitude; components have ranges of single steps only. */
+/**
+ * Range of a scalar over all time steps; null if unknown. Known for single-component arrays and for magnitudes, but not
+ * for vector components.
+ */
 export function rangeOfAllSteps(description: DatasetDescription | null, scalar: string): Range | null {
   const array = arrayOf(description, scalar);
   if (array === undefined || (array.components > 1 && !scalar.endsWith(":magnitude"))) return null;
   return array.range;
 }
 
-/** Index of the step nearest to a time; without a time, the first. */
+/** Index of the time step nearest to `time`. Without `time`, the first step. */
 export function nearestStep(times: readonly number[], time = times[0] ?? 0): number {
   let best = 0;
   times.forEach((candidate, index) => {
@@ -84,12 +87,12 @@ export const shownTime = (description: DatasetDescription | null, scene: Scene |
 
 export type LayerOf<T extends Layer["type"]> = Extract<Layer, { type: T }>;
 
-/** Layers of one type in drawing order. */
+/** Layers of one type with their ids, in drawing order. */
 export function layersOf<T extends Layer["type"]>(scene: Scene | null, type: T): [string, LayerOf<T>][] {
   return layersInOrder(scene).filter((entry): entry is [string, LayerOf<T>] => entry[1].type === type);
 }
 
-/** An id that no layer has: prefix, prefix2, prefix3 ... */
+/** Returns an unused layer id: prefix, prefix2, prefix3 ... */
 export function freeId(scene: Scene, prefix: string): string {
   const taken = scene.layers ?? {};
   if (!(prefix in taken)) return prefix;
@@ -101,7 +104,7 @@ export function freeId(scene: Scene, prefix: string): string {
 export const topOrder = (scene: Scene): number =>
   Object.values(scene.layers ?? {}).reduce((top, layer) => Math.max(top, layer.order ?? 0), 0) + 1;
 
-/** Users of a color scale: layers by id, and layers whose contour lines have their own scale. */
+/** Ids of the layers that use a color scale. `contours`: layers whose contour lines use it. */
 export interface Colored {
   layers: string[];
   contours?: string[];
@@ -116,7 +119,9 @@ interface ScaleOf {
   coloring: ScaledColoring;
 }
 
-/** Color scales of the caps that close a whole boundary, if they are colored by an array. */
+/**
+ * Color scales of the caps of visible clip layers. Empty unless `layer` is the whole boundary, which draws the caps.
+ */
 function scalesOfCaps(scene: Scene | null, layer: Layer): ScaleOf[] {
   if (layer.type !== "surface" || (layer.groups ?? []).length > 0) return [];
   return layersOf(scene, "clip").flatMap(([id, { visible, caps, color }]) =>
@@ -126,7 +131,7 @@ function scalesOfCaps(scene: Scene | null, layer: Layer): ScaleOf[] {
   );
 }
 
-/** The color scales of a visible layer. */
+/** Color scales of one visible layer: of the layer, of its contour lines and of its caps. */
 function scalesOf(scene: Scene | null, id: string, layer: Layer): ScaleOf[] {
   if (layer.type === "outline" || layer.type === "clip") return [];
   const array = layer.type === "volume" ? layer.array : layer.color?.array;
@@ -139,12 +144,14 @@ function scalesOf(scene: Scene | null, id: string, layer: Layer): ScaleOf[] {
 export interface LegendOf {
   coloring: ScaledColoring;
   of: Required<Colored>;
-  /** Distinguishes legends of the same array; empty for the only one. */
+  /** Distinguishes legends of the same array. Empty if the array has only one legend. */
   name: string;
 }
 
-/** The distinct colorings of the visible layers, in layer order, each with the layers that share it. Layers in `empty`
- * are skipped. */
+/**
+ * Legends of a scene: the distinct color scales of its visible layers in layer order, each with the layers that use it.
+ * Skips the layers in `empty`.
+ */
 export function legendsOf(
   scene: Scene | null,
   description: Pick<DatasetDescription, "arrays"> | null,

@@ -1,4 +1,4 @@
-// The page's state; model.ts makes a signal of each member.
+// Members of the page's state. model.ts makes a signal of each.
 import type { FullCamera, Size } from "./camera";
 import type {
   CellExtremes,
@@ -9,7 +9,7 @@ import type {
   Range,
   Scene,
 } from "../generated/protocol";
-import type { Box } from "./overlay_room";
+import type { Box } from "../wasm/overlay";
 
 export type ConnectionState =
   | { kind: "connecting"; attempt: number }
@@ -17,12 +17,12 @@ export type ConnectionState =
   | { kind: "waiting"; attempt: number; retryAt: number }
   | { kind: "closed" };
 
-/** Why a reachable server opens no socket. */
+/** Why a server that answers HTTP does not open a WebSocket. */
 export type Refusal =
   | { kind: "token" }
-  /** Another reason, as the server or a proxy states it. */
+  /** Any other reason. `words` is the text of the server or of a proxy. */
   | { kind: "refused"; words: string }
-  /** HTTP calls are answered, so something in between blocks WebSockets. */
+  /** HTTP calls are answered, so a proxy or firewall blocks WebSockets. */
   | { kind: "no-socket" };
 
 export type StreamChoice = "image" | "jpeg" | "geometry" | "auto";
@@ -32,7 +32,7 @@ export interface Readout {
   stream: "none" | "image" | "geometry";
   still: boolean;
   framesPerSecond: number;
-  /** From the input to the picture that shows it. */
+  /** Milliseconds from the latest change to the picture that shows it; null until measured. */
   latencyMs: number | null;
   roundTripMs: number | null;
   extractMs: number;
@@ -62,55 +62,55 @@ export interface Histogram {
   range: Range;
   counts: number[];
   invalid: number;
-  /** Extremes over the cells of the array, or of the array that it was made from. */
+  /** Cells with the lowest and highest value. For an array derived from a cell array, the cells of that array. */
   cells?: CellExtremes | undefined;
 }
 
 export interface PageState {
   connection: ConnectionState;
   draining: boolean;
-  /** Why a reachable server opens no socket. */
+  /** Why a server that answers HTTP does not open a WebSocket; null if connected or unknown. */
   refusal: Refusal | null;
-  /** A sentence shown instead of the canvas: nothing can be drawn. */
+  /** Sentence shown instead of the canvas when nothing can be drawn. */
   fatal: string | null;
   server: Methods["server.info"]["result"] | null;
   datasets: Methods["dataset.list"]["result"] | null;
   description: DatasetDescription | null;
-  /** Dataset whose description is being fetched. */
+  /** Name of the dataset whose description is being fetched. */
   describing: string | null;
-  /** The chosen dataset, until the scene is of it. */
+  /** Name of the dataset that the user chose, until the scene uses it. */
   chosen: string | null;
-  /** The description of a chosen dataset, until the scene is of it. */
+  /** Description of the chosen dataset, until the scene uses this dataset. */
   upcoming: DatasetDescription | null;
-  /** Dataset of the shown picture. */
+  /** Name of the dataset in the shown picture. */
   shownDataset: string | null;
-  /** Scene of the shown picture, if known. */
+  /** Scene of the shown picture; null if unknown. */
   shownScene: Scene | null;
   scene: Scene | null;
-  /** The server's camera for a scene of the dataset without one. */
+  /** Camera that the server chose for a scene of `dataset` that has no camera. */
   seenFrom: { dataset: string; camera: FullCamera } | null;
-  /** Camera of the shown picture; null if this page draws it with the newest camera. */
+  /** Camera of the shown picture. null if this page draws polygons, which always use the newest camera. */
   shownFrom: FullCamera | null;
   canUndo: boolean;
   canRedo: boolean;
-  /** The server has not accepted the newest change yet. */
+  /** Whether the server has not accepted the newest change yet. */
   pending: boolean;
   /** Revision of the newest change that the server has accepted. */
   revision: number;
   streamChoice: StreamChoice;
-  /** The stream that `auto` has chosen, and why. */
+  /** For stream choice `auto`: the chosen stream and the reason, as a sentence. */
   streamWhy: string;
   readout: Readout;
-  /** Revision that the server could not draw, until another picture arrives. */
+  /** Revision that the server failed to draw. null after the next picture. */
   failedRevision: number | null;
-  /** Missing parts of the picture, a sentence each. */
+  /** Sentences about parts that the picture lacks. */
   lacking: string[];
-  /** Visible layers that show nothing. */
+  /** Visible layers without any geometry to show, with the reason. */
   empty: EmptyLayer[];
-  /** Layers that have places without a value to color by. */
+  /** Ids of layers that have places without a value to color by. */
   missing: string[];
   probe: Probe | null;
-  /** The layer that was changed last. */
+  /** Id of the layer that was changed last. */
   touched: string | null;
   playing: boolean;
   playRate: number;
@@ -120,9 +120,9 @@ export interface PageState {
   panelOpen: boolean;
   theme: Theme;
   toasts: Toast[];
-  /** CSS pixels. */
+  /** Size of the canvas in CSS pixels. */
   canvasSize: Size;
-  /** Boxes of the stage that overlays cover, except the box axes. */
+  /** Boxes of the stage that overlays other than the box axes cover, in CSS pixels. */
   taken: Box[];
 }
 

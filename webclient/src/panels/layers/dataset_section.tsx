@@ -1,10 +1,11 @@
-// The dataset: a summary at the top of the panel, and all details when unfolded.
+// Description of the dataset: a summary, and all details when unfolded.
 import type { JSX } from "preact";
 import type { DatasetDescription } from "../../generated/protocol";
 import { arrayFacts } from "../../model/array_facts";
 import { extremesText } from "../../model/cell_extremes";
 import { datasetFacts } from "../../model/dataset_facts";
-import { formatCount, formatNumber, prettyUnits } from "../../model/numbers";
+import { formatCount, formatNumber } from "../../model/numbers";
+import { prettyUnits } from "../../wasm/ticks";
 import { Section } from "../controls/controls";
 import { useModel } from "../context";
 

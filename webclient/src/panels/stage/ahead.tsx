@@ -1,11 +1,11 @@
-// Draws pending changes over the picture while it lags behind.
+// Draws changes of the scene that the shown picture lacks over it, if the newer picture is late.
 import type { JSX } from "preact";
 import { ahead } from "../../model/ahead";
 import { cameraOf } from "../../model/model";
 import { useModel } from "../context";
 import { useLasting } from "../controls/lasting";
 
-/** Latency above which the pending changes are drawn. */
+/** Milliseconds of latency above which these changes are drawn. */
 const BEHIND_MS = 120;
 
 export function Ahead(): JSX.Element | null {

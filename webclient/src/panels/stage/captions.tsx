@@ -1,8 +1,8 @@
-// Title, dataset and time over the canvas: frames contain no text (Annotations in the contract).
+// Title, dataset and time over the canvas. Frames contain no text (Annotations in protocol/openrpc.json).
 import type { JSX } from "preact";
 import { paperAt } from "../../model/background";
 import { shownTime } from "../../model/scalars";
-import { numberAlone } from "../../model/ticks";
+import { numberAlone } from "../../wasm/ticks";
 import { useModel } from "../context";
 
 export function Captions(): JSX.Element | null {

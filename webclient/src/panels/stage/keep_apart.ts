@@ -1,7 +1,8 @@
-// Hides overlays without room on the canvas; runs again when an overlay is added, removed or resized.
-import { roomFor, type Box } from "../../model/overlay_room";
+// Hides overlays that have no room on the canvas. Runs again when an overlay is added, removed or resized.
+import { roomFor } from "../../model/overlay_room";
+import type { Box } from "../../wasm/overlay";
 
-const HIDDEN = "data-crowded"; // the style sheet makes it invisible but keeps its layout
+const HIDDEN = "data-crowded"; // attribute of hidden overlays; they keep their layout
 
 function boxesOf(stage: HTMLElement, selector: string): [HTMLElement[], Box[]] {
   const { left, top } = stage.getBoundingClientRect();
@@ -16,9 +17,8 @@ function boxesOf(stage: HTMLElement, selector: string): [HTMLElement[], Box[]] {
 function arrange(stage: HTMLElement): Box[] {
   const [, captions] = boxesOf(stage, ".captions");
   const [legendElements, legends] = boxesOf(stage, ".legend");
-  const [triadElements, triad] = boxesOf(stage, ".triad");
   const room = roomFor(
-    { captions, legends, triad },
+    { captions, legends },
     {
       width: stage.clientWidth,
       height: stage.clientHeight,
@@ -27,19 +27,21 @@ function arrange(stage: HTMLElement): Box[] {
   legendElements.forEach((element, i) => {
     element.toggleAttribute(HIDDEN, room.legends[i] !== true);
     const { top = 0, bottom = 0 } = legends[i] ?? {};
-    element.style.setProperty("--from", `${(100 * top) / stage.clientHeight}%`); // vertical extent in the background
+    element.style.setProperty("--from", `${(100 * top) / stage.clientHeight}%`); // top in the background gradient
     element.style.setProperty("--to", `${(100 * bottom) / stage.clientHeight}%`);
   });
-  for (const element of triadElements) element.toggleAttribute(HIDDEN, !room.triad);
   return room.taken;
 }
 
-/** `changed` receives the boxes of the shown overlays when they change. Returns a function that stops observing. */
+/**
+ * Watches the overlays of the stage. Calls `changed` with the boxes of the shown ones when they change. Returns a
+ * function that stops watching.
+ */
 export function keepApart(stage: HTMLElement, changed: (taken: Box[]) => void): () => void {
   let last = "";
   const watched = new WeakSet<Element>();
   const again = (): void => {
-    for (const element of stage.querySelectorAll(".captions, .legend, .triad")) {
+    for (const element of stage.querySelectorAll(".captions, .legend")) {
       if (!watched.has(element)) sizes.observe(element);
       watched.add(element);
     }
@@ -52,7 +54,7 @@ export function keepApart(stage: HTMLElement, changed: (taken: Box[]) => void): 
   sizes.observe(stage);
   const parts = new MutationObserver((records) => {
     const isAxes = ({ target }: MutationRecord): boolean =>
-      target instanceof Element && target.closest(".box-axes") !== null;
+      target instanceof Element && target.closest(".annotations") !== null;
     if (!records.every(isAxes)) again();
   });
   parts.observe(stage, { childList: true, subtree: true });

@@ -1,4 +1,4 @@
-// Color bars over the canvas, one per coloring in use; the range is edited in place.
+// Legends over the canvas: a color bar for each color scale in use. The user can edit its range there.
 import type { JSX } from "preact";
 import { useEffect, useRef, useState } from "preact/hooks";
 import { colorsAlong, hasWidth, type ColorScale } from "../../model/color_scale";
@@ -7,7 +7,7 @@ import type { Range } from "../../generated/protocol";
 import type { Size } from "../../model/camera";
 import { withRangeEnd } from "../../model/color_edit";
 import { rangeOf, scaleOf } from "../../model/color_range";
-import { colorTicks, exponentOf, labelOn, type ColorTick } from "../../model/color_ticks";
+import { colorTicks, exponentOf, labelOn, type ColorTick } from "../../wasm/color_ticks";
 import { clamp, formatNumber } from "../../model/numbers";
 import { cellsText, extremesText } from "../../model/cell_extremes";
 import {
@@ -26,10 +26,10 @@ import { useDataRange } from "../color/data_range";
 
 const BAR_PIXELS = 256;
 
-/** Pixels kept free between the bounding box and a legend. */
+/** CSS pixels kept free between the bounding box and a legend. */
 const ROOM: Size = { width: 12, height: 20 };
 
-/** Triangles beyond the ends show the colors of values outside the range. */
+/** Color bar of a legend. Triangles beyond its ends show the colors of values outside the range. */
 function ColorBar({ scale }: { scale: ColorScale }): JSX.Element {
   const canvas = useRef<HTMLCanvasElement>(null);
   const key = JSON.stringify(scale);
@@ -54,10 +54,10 @@ const LINE_PIXELS = 14;
 const USUAL_HEIGHT = 120;
 const LINES_APART = 1.7;
 const MOST_TICKS = 6;
-/** Pixels between marks; closer ones merge into one bar. */
+/** Smallest distance between marks in CSS pixels. Closer marks would look like one. */
 const MARKS_APART = 4;
 
-/** Ticks between the two ends; drops those whose labels would overlap the labels below or above them. */
+/** Ticks between the two ends of the bar, without those whose labels would overlap another label. */
 function spacedTicks(scale: ColorScale, height: number): ColorTick[] {
   const gap = LINE_PIXELS / height;
   let last = 0;
@@ -75,9 +75,9 @@ interface Entry {
   of: Colored;
 }
 
-/** Text size in pixels at which lines are LINE_PIXELS high. */
+/** Text size in CSS pixels at which a line is LINE_PIXELS high. */
 const USUAL_TEXT = 12;
-/** A minus is wider than a digit. */
+/** Additional width in digits, because a minus sign is wider than a digit. */
 const BESIDE_DIGITS = 0.5;
 
 interface ScaleProps extends Entry {
@@ -135,7 +135,7 @@ function LegendScale({ coloring, of, scale, range, text }: ScaleProps): JSX.Elem
   );
 }
 
-/** Replaces the scale of a constant array: a scale would repeat the value three times. */
+/** Shown instead of a color bar for a constant array. A bar would have the same number three times. */
 function OneValue({ value }: { value: number }): JSX.Element {
   return (
     <p class="one-value">
@@ -145,7 +145,7 @@ function OneValue({ value }: { value: number }): JSX.Element {
   );
 }
 
-/** Source of the range: this step, all steps, or held by the user. */
+/** Where the range comes from: data of this step, data of all steps, or chosen by the user ("held"). */
 function rangeWords({ range }: ScaledColoring, everywhere: Range | null): string {
   if (!range) return "this step";
   const isOfAll = everywhere !== null && everywhere[0] === range[0] && everywhere[1] === range[1];
@@ -233,7 +233,9 @@ function LegendEntry({ coloring, of, name, text }: LegendOf & { text: number }):
   );
 }
 
-/** Sizes of the rectangles from the stage's top right corner to the far end of each legend, plus ROOM. */
+/**
+ * For each legend, the size of the rectangle from the stage's top right corner to the legend's far corner, plus ROOM.
+ */
 function cornerOf(legends: HTMLElement): Size[] {
   const stage = legends.parentElement?.getBoundingClientRect();
   const boxes = [...legends.children].map((child) => child.getBoundingClientRect());

@@ -1,4 +1,4 @@
-// The values at the clicked point, and a mark there.
+// Card with the values at the clicked point, and a mark at that point.
 import type { JSX } from "preact";
 import { project } from "../../model/camera";
 import { extremesText } from "../../model/cell_extremes";
@@ -7,7 +7,7 @@ import { unitsOf } from "../../model/scalars";
 import { IconButton } from "../controls/controls";
 import { useCommands, useModel, useCamera } from "../context";
 
-/** The clicked patch, with actions for it. */
+/** Row with the boundary patch at the clicked point, and buttons to hide it or show only it. */
 function PatchRow({ layer, patch }: { layer: string; patch: string }): JSX.Element {
   const commands = useCommands();
   return (

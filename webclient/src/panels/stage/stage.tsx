@@ -1,11 +1,10 @@
-// The canvas, its overlays, and its input events.
+// The canvases with their overlays and input events.
 import type { JSX } from "preact";
 import { useEffect, useRef } from "preact/hooks";
 import { openingIn } from "../../model/model";
 import { isBright, paperAt } from "../../model/background";
 import { Ahead } from "./ahead";
-import { AxesTriad } from "./axes_triad";
-import { BoxAxes } from "./box_axes";
+import { Annotations } from "./annotations";
 import { Captions } from "./captions";
 import { useCommands, useModel } from "../context";
 import { keepApart } from "./keep_apart";
@@ -24,7 +23,7 @@ export function Stage(): JSX.Element {
   const background = useModel(({ scene, fatal }) =>
     scene.value === null || fatal.value !== null ? null : (scene.value.background ?? "dark"),
   );
-  const under = background === null ? "" : isBright(background) ? "on-light" : "on-dark"; // no picture: page colors
+  const under = background === null ? "" : isBright(background) ? "on-light" : "on-dark"; // "": theme of the page
   useEffect(() => {
     const element = root.current;
     if (element === null || images.current === null || geometry.current === null) return;
@@ -63,8 +62,7 @@ export function Stage(): JSX.Element {
       {!nothing && !opening && (
         <>
           <Ahead />
-          <BoxAxes />
-          <AxesTriad />
+          <Annotations />
           <Captions />
           <Legends />
           <ProbeCard />

@@ -1,0 +1,59 @@
+// The exports and imports of the WebAssembly module. The page writes arguments to `room(doubles)`, calls a function,
+// and reads that many doubles from `results()`. One call at a time.
+#include "page/functions.hpp"
+
+// Functions of the page. Sizes are CSS pixels per em; results are CSS pixels.
+[[clang::import_module("page"), clang::import_name("text_width")]] double
+page_text_width(const char* utf8, std::size_t bytes, int pixels);
+[[clang::import_module("page"), clang::import_name("ascent")]] int page_ascent(int pixels);
+[[clang::import_module("page"), clang::import_name("descent")]] int page_descent(int pixels);
+[[clang::import_module("page"), clang::import_name("digit_height")]] int page_digit_height(int pixels);
+
+namespace {
+
+using ciel::annotations::FontMetrics;
+
+// The page's own font.
+class PageText final : public ciel::annotations::TextMeasure {
+public:
+    FontMetrics metrics(int pixels) override {
+        return {page_ascent(pixels), page_descent(pixels), page_digit_height(pixels)};
+    }
+    int width(std::string_view utf8, int pixels) override {
+        return static_cast<int>(page_text_width(utf8.data(), utf8.size(), pixels) + 0.5);
+    }
+};
+
+std::vector<double> arguments;
+ciel::page::Writer written;
+
+template <class Function>
+std::size_t call(Function function) {
+    ciel::page::Reader reader(arguments);
+    written.clear();
+    function(reader, written);
+    return written.message().size();
+}
+
+} // namespace
+
+[[clang::export_name("room")]] double* room(std::size_t doubles) {
+    arguments.resize(doubles);
+    return arguments.data();
+}
+[[clang::export_name("results")]] const double* results() { return written.message().data(); }
+
+[[clang::export_name("lay_out")]] std::size_t lay_out() {
+    PageText measure;
+    return call([&](auto& in, auto& out) { ciel::page::lay_out(in, measure, out); });
+}
+[[clang::export_name("nice_scale")]] std::size_t nice_scale() { return call(ciel::page::nice_scale); }
+[[clang::export_name("color_ticks")]] std::size_t color_ticks() { return call(ciel::page::color_ticks); }
+[[clang::export_name("label_on")]] std::size_t label_on() { return call(ciel::page::label_on); }
+[[clang::export_name("number_label")]] std::size_t number_label() { return call(ciel::page::number_label); }
+[[clang::export_name("number_alone")]] std::size_t number_alone() { return call(ciel::page::number_alone); }
+[[clang::export_name("common_exponent")]] std::size_t common_exponent() { return call(ciel::page::common_exponent); }
+[[clang::export_name("times_power_of_ten")]] std::size_t times_power_of_ten() {
+    return call(ciel::page::times_power_of_ten);
+}
+[[clang::export_name("pretty_units")]] std::size_t pretty_units() { return call(ciel::page::pretty_units); }

@@ -1,0 +1,161 @@
+#include "page/functions.hpp"
+
+#include "annotations/overlay.hpp"
+
+#include <gmock/gmock.h>
+
+namespace ciel::page {
+namespace {
+
+using testing::ElementsAre;
+
+class Digits final : public annotations::TextMeasure { // every character is half an em wide
+public:
+    annotations::FontMetrics metrics(int pixels) override { return {pixels, pixels / 4, 3 * pixels / 4}; }
+    int width(std::string_view utf8, int pixels) override { return static_cast<int>(utf8.size()) * pixels / 2; }
+};
+
+struct Label {
+    std::string text;
+    annotations::Box box;
+};
+
+struct Overlay {
+    std::size_t plates = 0, strokes = 0, triangles = 0;
+    std::vector<Label> labels;
+};
+
+Overlay read_overlay(Reader& from) {
+    Overlay overlay;
+    const auto skip = [&](int numbers) {
+        const int count = from.integer();
+        for (int i = 0; i < count * numbers; ++i) (void)from.number();
+        return static_cast<std::size_t>(count);
+    };
+    overlay.plates = skip(4 + 1 + 4);
+    overlay.strokes = skip(2 + 2 + 1 + 4);
+    overlay.triangles = skip(6 + 4);
+    for (int labels = from.integer(); labels > 0; --labels) {
+        Label label{from.text(), {}};
+        for (int i = 0; i < 3 + 4; ++i) (void)from.number();
+        const auto box = from.numbers<4>();
+        label.box = {box[0], box[1], box[2], box[3]};
+        overlay.labels.push_back(label);
+    }
+    (void)from.numbers<4>(); // the halo
+    return overlay;
+}
+
+struct View {
+    bool triad = true, axes = true;
+    double field_of_view = 30;
+    std::vector<annotations::Box> taken{};
+
+    [[nodiscard]] std::array<Overlay, 2> laid_out() const {
+        Writer arguments;
+        arguments.numbers(std::array<double, 3>{800, 600, 12});
+        arguments.numbers(std::array<double, 9>{4, -8, 4, 0, 0, 0, 0, 0, 1});
+        arguments.numbers(std::array<double, 3>{field_of_view, 0, 1});
+        arguments.numbers(std::array<double, 6>{-1, -1, -1, 1, 1, 1});
+        arguments.numbers(std::array<double, 6>{});
+        arguments.number(triad ? 1 : 0);
+        arguments.number(axes ? 1 : 0);
+        arguments.text("m^2");
+        arguments.number(static_cast<double>(taken.size()));
+        for (const auto& box : taken) arguments.numbers(std::array{box.left, box.top, box.right, box.bottom});
+        Reader reader(arguments.message());
+        Writer results;
+        Digits measure;
+        lay_out(reader, measure, results);
+        Reader found(results.message());
+        return {read_overlay(found), read_overlay(found)};
+    }
+};
+
+std::vector<std::string> texts(const Overlay& overlay) {
+    std::vector<std::string> all;
+    for (const Label& label : overlay.labels) all.push_back(label.text);
+    return all;
+}
+
+TEST(PageFunctions, LayOutTheTriadAndTheAxes) {
+    const auto [triad, axes] = View().laid_out();
+    EXPECT_THAT(texts(triad), testing::UnorderedElementsAre("x", "y", "z"));
+    EXPECT_EQ(triad.triangles, 3U);
+    EXPECT_THAT(texts(axes), testing::IsSupersetOf({"−1", "0", "1", "x [m²]", "y [m²]", "z [m²]"}));
+    EXPECT_EQ(axes.plates, axes.labels.size());
+}
+
+TEST(PageFunctions, LayOutOnlyWhatIsAskedFor) {
+    const auto [triad, axes] = View{.triad = false, .axes = false}.laid_out();
+    EXPECT_TRUE(triad.labels.empty());
+    EXPECT_EQ(axes.strokes, 0U);
+}
+
+TEST(PageFunctions, KeepOffTakenBoxes) {
+    const annotations::Box left_half{0, 0, 400, 600};
+    const auto [triad, axes] = View{.taken = {left_half}}.laid_out();
+    EXPECT_TRUE(triad.labels.empty()) << "the triad stands at the lower left";
+    EXPECT_FALSE(axes.labels.empty());
+    for (const Label& label : axes.labels) EXPECT_FALSE(label.box.overlaps(left_half)) << label.text;
+}
+
+TEST(PageFunctions, DrawNothingForAnUnusableCamera) {
+    const auto [triad, axes] = View{.field_of_view = 0}.laid_out();
+    EXPECT_TRUE(triad.labels.empty());
+    EXPECT_TRUE(axes.labels.empty());
+}
+
+template <class Function>
+Reader results_of(Function function, Writer& results, const std::vector<double>& arguments) {
+    Reader reader(arguments);
+    results.clear();
+    function(reader, results);
+    return Reader(results.message());
+}
+
+TEST(PageFunctions, MakeTicksAndTexts) {
+    Writer results;
+    Reader scale = results_of(nice_scale, results, {0, 1e9, 3});
+    EXPECT_EQ(scale.integer(), 9);
+    ASSERT_EQ(scale.integer(), 3);
+    EXPECT_EQ(scale.number(), 0);
+    EXPECT_EQ(scale.text(), "0.0");
+    EXPECT_EQ(scale.number(), 5e8);
+    EXPECT_EQ(scale.text(), "0.5");
+
+    Reader ticks = results_of(color_ticks, results, {1, 1000, 1, 0, 6, 257});
+    EXPECT_EQ(ticks.integer(), 0);
+    EXPECT_EQ(ticks.integer(), 28); // 1 to 9 of three decades, and 1000
+    EXPECT_EQ(results_of(label_on, results, {0, 10, 0, 0, 2.5}).text(), "2.5");
+    EXPECT_EQ(results_of(number_label, results, {-2, 10, 0}).text(), "−2");
+    EXPECT_EQ(results_of(number_alone, results, {1e9, 6}).text(), "10⁹");
+    EXPECT_EQ(results_of(common_exponent, results, {0, 1e9}).integer(), 9);
+    EXPECT_EQ(results_of(times_power_of_ten, results, {5}).text(), " ×10⁵");
+}
+
+TEST(PageMessage, ATextBeyondTheEndIsEmpty) {
+    for (const double bytes : {1e18, -1.0, 17.0}) {
+        const std::vector<double> message{bytes, 0};
+        Reader reader(message);
+        EXPECT_EQ(reader.text(), "") << bytes;
+    }
+    Reader nothing({});
+    EXPECT_EQ(nothing.number(), 0);
+    EXPECT_EQ(nothing.text(), "");
+}
+
+TEST(PageMessage, TextsOfAnyLengthComeBack) {
+    for (std::size_t length = 0; length < 20; ++length) {
+        Writer writer;
+        const std::string text(length, 'a');
+        writer.text(text);
+        writer.number(7);
+        Reader reader(writer.message());
+        EXPECT_EQ(reader.text(), text);
+        EXPECT_EQ(reader.number(), 7);
+    }
+}
+
+} // namespace
+} // namespace ciel::page

@@ -1,0 +1,67 @@
+// Loads the WebAssembly module of server/page: the server's own layout of axes, ticks and numbers. The page and its
+// saved pictures therefore show the same marks.
+import { messageOf, ResultReader, type Item } from "./message";
+import { textMeasure, type TextMeasure } from "./text_measure";
+
+type Call = () => number;
+type FunctionName =
+  | "lay_out"
+  | "nice_scale"
+  | "color_ticks"
+  | "label_on"
+  | "number_label"
+  | "number_alone"
+  | "common_exponent"
+  | "times_power_of_ten"
+  | "pretty_units";
+type Exports = Record<FunctionName, Call> & {
+  memory: WebAssembly.Memory;
+  _initialize: () => void;
+  room: (floats: number) => number;
+  results: () => number;
+};
+
+let loaded: Exports | null = null;
+
+/** Functions that the C library of the module imports. It writes only to report a defect of the module. */
+function systemCalls(): WebAssembly.ModuleImports {
+  const none = (): number => 0;
+  return { fd_close: none, fd_seek: none, fd_write: none };
+}
+
+/** Measures UTF-8 text in the module's memory with the page's font. */
+function measureIn(memory: () => WebAssembly.Memory, measure: TextMeasure): WebAssembly.ModuleImports {
+  const decoder = new TextDecoder();
+  return {
+    text_width: (at: number, bytes: number, pixels: number): number =>
+      measure.width(decoder.decode(new Uint8Array(memory().buffer, at, bytes)), pixels),
+    ascent: (pixels: number): number => measure.ascent(pixels),
+    descent: (pixels: number): number => measure.descent(pixels),
+    digit_height: (pixels: number): number => measure.digitHeight(pixels),
+  };
+}
+
+/** Starts the module. Every function of this folder needs it. Throws an Error when the browser refuses WebAssembly. */
+export async function startLayoutModule(bytes: BufferSource, measure: TextMeasure = textMeasure()): Promise<void> {
+  const { instance } = await WebAssembly.instantiate(bytes, {
+    page: measureIn(() => exportsOf().memory, measure),
+    wasi_snapshot_preview1: systemCalls(),
+  });
+  loaded = instance.exports as Exports;
+  loaded._initialize();
+}
+
+function exportsOf(): Exports {
+  if (loaded === null) throw new Error("The layout module is used before it is loaded");
+  return loaded;
+}
+
+/** Calls a function of the module. The reader is valid until the next call. */
+export function call(name: FunctionName, ...items: readonly Item[]): ResultReader {
+  const module = exportsOf();
+  const message = messageOf(items);
+  const at = module.room(message.length);
+  new Float64Array(module.memory.buffer, at, message.length).set(message);
+  const count = module[name]();
+  return new ResultReader(new Float64Array(module.memory.buffer, module.results(), count));
+}
